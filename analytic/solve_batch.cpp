@@ -68,7 +68,7 @@ class Lanes {
   void advance_all() {
     make_steps_(rows_);
     for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
-      if (!runs_[lane]) continue;
+      if (!runs_[lane] || (rows_.walked[lane] > 0 && options_.cancelled == nullptr)) continue;
       attempt(lane, [&] {
         stop_if_cancelled(options_.cancelled);
         return runs_[lane]->lane->advance(rows_, lane);
@@ -79,19 +79,17 @@ class Lanes {
   /// A part of a run that tells whether there is more.
   template <class Part>
   void attempt(std::size_t lane, const Part& part) {
-    std::optional<Ending> ending;  // nothing to make and take down in each of many steps
     try {
       if (part()) return;
-      ending = Ending{std::move(*runs_[lane]->lane).history(), nullptr};
     } catch (const IllConditioned&) {
-      ending = alone(runs_[lane]->scene, options_);  // in wider numbers
+      return end(lane, alone(runs_[lane]->scene, options_));  // in wider numbers
     } catch (const std::runtime_error& failure) {
       const Unfinished unfinished(failure.what(), runs_[lane]->lane->so_far(rows_, lane));
-      ending = Ending{{}, std::make_exception_ptr(unfinished)};
+      return end(lane, {{}, std::make_exception_ptr(unfinished)});
     } catch (const std::exception&) {
-      ending = Ending{{}, std::current_exception()};
+      return end(lane, {{}, std::current_exception()});
     }
-    end(lane, std::move(*ending));
+    end(lane, {std::move(*runs_[lane]->lane).history(), nullptr});
   }
 
   void end(std::size_t lane, Ending&& ending) {

@@ -53,26 +53,13 @@ class Clearance {
   Real reach_ = 0;
 };
 
-/// How far a block leans in a step, and whether it only rises or only falls.
+/// Whether a polynomial only rises or only falls, as is_monotone().
 template <class Real>
-class Leaning {
- public:
-  using Mask = typename Real::Mask;
-
-  explicit Leaning(const Real& start) { heights_.add(start); }
-
-  /// The next coefficient: of order 1, 2, …
-  void add(const Real& order, const Real& coefficient) {
-    heights_.add(coefficient);
-    slopes_.add(order * coefficient);
-  }
-
-  Real size() const { return max(heights_.greatest, -heights_.least); }
-  Mask is_monotone() const { return (slopes_.least >= Real(0)) | (slopes_.greatest <= Real(0)); }
-
- private:
-  PartialSums<Real> heights_, slopes_;
-};
+typename Real::Mask monotone(const Real* coefficients, std::size_t terms) {
+  PartialSums<Real> slopes;
+  for (std::size_t i = 1; i < terms; ++i) slopes.add(counting<double>[i] * coefficients[i]);
+  return (slopes.least >= Real(0)) | (slopes.greatest <= Real(0));
+}
 
 /// Whether an interface demands no more than it has before: less friction, and no less of a normal force.
 template <class Real>
@@ -112,13 +99,13 @@ struct Roots {
   typename Real::Mask found;
 };
 
-/// As bracketed_root() over (0, 1), in the lanes that are asked for. Not found where Newton's method creeps.
+/// As bracketed_root() over (0, 1) from s, in the lanes that are asked for. Not found where Newton's method
+/// creeps.
 template <class Real>
-Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, const typename Real::Mask& asked) {
+Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, Real s, const typename Real::Mask& asked) {
   constexpr int most_points = 64;
   const Real rounding = std::numeric_limits<double>::epsilon();
   Real low = 0, high = 1;
-  Real s = quadratic_root(polynomial);
   auto open = asked;
   for (int points = 0; any(open) && points < most_points; ++points) {
     const auto [height, slope] = tangent(polynomial, s);
@@ -138,10 +125,32 @@ Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, const typename R
   return {s, asked & ~open};
 }
 
-/// As first_crossing(), of polynomials that start at or above zero, and fall from there on or from a rise;
-/// not found in the others.
+/// Whether the signs of Bernstein coefficients change once, to below zero, in lanes of so many terms each.
 template <class Real>
-Roots<Real> first_crossings(const Polynomial<Real>& whole, const typename Real::Mask& asked) {
+typename Real::Mask crosses_once(Polynomial<Real> coefficients, const Real& terms) {
+  Real binomial = 1;
+  for (std::size_t i = 1; i < coefficients.terms; ++i) {
+    binomial = binomial * (terms - counting<double>[i]) / counting<double>[i];
+    coefficients[i] = coefficients[i] / binomial;
+  }
+  for (std::size_t level = 1; level < coefficients.terms; ++level)
+    for (std::size_t i = coefficients.terms - 1; i >= level; --i) coefficients[i] += coefficients[i - 1];
+  Real changes = 0, last = 0;
+  for (std::size_t i = 0; i < coefficients.terms; ++i) {
+    const Real& height = coefficients[i];
+    const auto counts = (height != Real(0)) & (terms > counting<double>[i]);
+    const Real sign = select(height > Real(0), Real(1), Real(-1));
+    changes += select(counts & (last * sign < Real(0)), Real(1), Real(0));
+    last = select(counts, sign, last);
+  }
+  return (changes == Real(1)) & (last < Real(0));
+}
+
+/// As first_crossing(), of polynomials of so many terms each that start at or above zero, and fall from there
+/// on or from a rise, or cross once; not found in the others.
+template <class Real>
+Roots<Real> first_crossings(const Polynomial<Real>& whole, const Real& terms,
+                            const typename Real::Mask& asked) {
   const auto touching = whole[0] == Real(0);
   Polynomial<Real> polynomial;  // deflated where it starts at zero
   polynomial.terms = whole.terms;
@@ -150,11 +159,18 @@ Roots<Real> first_crossings(const Polynomial<Real>& whole, const typename Real::
     const Real after = i + 1 < whole.terms ? whole[i + 1] : Real(0);
     polynomial[i] = select(touching, after, whole[i]);
     heights.add(polynomial[i]);
-    if (i > 0) slopes.add(static_cast<double>(i) * polynomial[i]);
+    if (i > 0) slopes.add(counting<double>[i] * polynomial[i]);
   }
-  const auto falls = (polynomial[0] > Real(0)) & (slopes.greatest < Real(0));
-  const auto crosses = (heights.least <= Real(0)) & (value(polynomial, Real(1)) < Real(0));
-  return bracketed_roots(polynomial, asked & falls & crosses);
+  const auto may_cross = asked & (polynomial[0] > Real(0)) & (heights.least <= Real(0));
+  const auto falls = slopes.greatest < Real(0);
+  auto crosses = may_cross & falls & (value(polynomial, Real(1)) < Real(0));
+  Real s = quadratic_root(polynomial);
+  if (any(may_cross & ~falls)) {
+    s = select(falls, s, Real(0.5));
+    crosses =
+        crosses | (may_cross & ~falls & crosses_once(polynomial, terms - select(touching, Real(1), Real(0))));
+  }
+  return bracketed_roots(polynomial, s, crosses);
 }
 
 /// The opening angle of the one interface that may close, lane by lane; and which it is, from 0.

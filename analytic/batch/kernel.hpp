@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/batch/bounds.hpp"
+#include "analytic/batch/foresight.hpp"
 #include "analytic/batch/load.hpp"
 #include "analytic/batch/step_rows.hpp"
 #include "analytic/steps/dense_output.hpp"
@@ -38,7 +39,8 @@ class StepKernel {
     const Real busy = load(rows_.busy);
     if (!any(busy > Real(0))) return;
     const typename Chain::Directions directions = load_start();
-    const Linkage<Real, N> linkage = make_linkage(load_stack<Real, N>(rows_, lane_), start_.sides);
+    model_.stack = load_stack<Real, N>(rows_, lane_);
+    const Linkage<Real, N> linkage = make_linkage(model_.stack, start_.sides);
     bool watched = false;
     for (const LaneRow& row : rows_.watched) watched = watched || any(load(row) > Real(0));
     body_force_ = load_body_force<Real>(rows_, lane_);
@@ -48,13 +50,15 @@ class StepKernel {
     foresee_landing(series);
     converge(series, busy);
     follow_angles(series);
-    if (watched) follow_margins(series);
     if (rows_.forces) follow_forces(series);
+    if (watched) follow_margins(series);
     land();
     store(start_.length, rows_.length);
     store_truth(plain_, rows_.plain);
     go_on();
-    if (any((busy > Real(0)) & ~(plain_ | lands_))) tell();
+    if (any(lands_)) meet();
+    walk();
+    if (any((busy > Real(0)) & ~(plain_ | (lands_ & silent_)))) tell();
   }
 
   /// Lanes whose step is plain, or lands, are where it leads.
@@ -64,7 +68,7 @@ class StepKernel {
       const Mask moves = goes & (start_.sides[k] != Real(0));
       store(select(moves, ends_[k].angle, load(rows_.angle[k])), rows_.angle[k]);
       store(select(moves, ends_[k].velocity, load(rows_.velocity[k])), rows_.velocity[k]);
-      store(select(goes, ends_[k].peak, load(rows_.peak[k])), rows_.peak[k]);
+      store(select(plain_, ends_[k].peak, load(rows_.peak[k])), rows_.peak[k]);
     }
   }
 
@@ -126,7 +130,8 @@ class StepKernel {
     for (orders_ = 0; any(open) && orders_ < max_orders<Real>;) {
       if (orders_ > 0) series.extend(orders_, body_force_);
       reached = convergence.note_order(start_, series, orders_);
-      const Real count = static_cast<double>(++orders_);
+      has_[orders_] = open;
+      const Real count = counting<double>[++orders_];
       own_ = select(open, count, own_);
       open = open & ~(reached & (count >= body_force_terms));
     }
@@ -135,11 +140,12 @@ class StepKernel {
     store(select(exceeds, convergence.excess(), Real(0)), rows_.excess);
     plain_ = ~exceeds;
     lands_ = ~exceeds & (busy > Real(0)) & (load(rows_.clear) > Real(0));
+    silent_ = lands_;
   }
 
   /// A coefficient of the lanes whose series has that order; the sums of the others stay as they are.
   Real own(std::size_t order, const Real& coefficient) const {
-    return select(Real(static_cast<double>(order)) < own_, coefficient, Real(0));
+    return select(has_[order], coefficient, Real(0));
   }
 
   void follow_angles(const Chain& series) {
@@ -154,25 +160,27 @@ class StepKernel {
       keep(0, start_.angles[k]);
       keep(1, start_.advances[k]);
       Clearance<Real> clearance(start_.angles[k] * side);
-      Leaning<Real> swing(absolute[0]);
+      PartialSums<Real> heights;
+      heights.add(absolute[0]);
       clearance.add(start_.advances[k] * side);
-      swing.add(1, absolute[1]);
+      heights.add(absolute[1]);
       for (std::size_t n = 0; n < orders_; ++n) {
         const Real coefficient = own(n, series.angle(k, n));
         keep(n + 2, coefficient);
         clearance.add(coefficient * side);
-        swing.add(static_cast<double>(n + 2), absolute[n + 2]);
+        heights.add(absolute[n + 2]);
       }
       const Mask stays = clearance.holds();
       closes_[k] = ~stays & (side != Real(0));
       plain_ = plain_ & ~closes_[k];
       store_truth(stays, rows_.stays[k]);
-      end(absolute, swing, k);
+      end(absolute, max(heights.greatest, -heights.least), k);
     }
   }
 
-  /// Where the step leads. The block's peak is to be known, or at an end of the step.
-  void end(const Coefficients& absolute, const Leaning<Real>& swing, std::size_t k) {
+  /// Where the step leads, in which the block leans by `most` at most. Its peak is to be known, or at an end
+  /// of the step.
+  void end(const Coefficients& absolute, const Real& most, std::size_t k) {
     Real angle = 0;
     Real height = 0;
     Real steepness = 0;
@@ -180,13 +188,15 @@ class StepKernel {
       const Real& coefficient = angles_[k][i];
       angle += coefficient;
       height += absolute[i];
-      if (i > 0) steepness += static_cast<double>(i) * coefficient;
+      if (i > 0) steepness += counting<double>[i] * coefficient;
     }
     const Real peak = load(rows_.peak[k]);
-    const Mask known = swing.size() <= peak;
-    const Mask stands = swing.size() < load(rows_.toppling[k]);
-    plain_ = plain_ & stands & (known | swing.is_monotone());
-    lands_ = lands_ & stands & known;
+    const Mask known = most <= peak;
+    const Mask stands = most < load(rows_.toppling[k]);
+    plain_ = plain_ & stands;
+    if (any(plain_ & ~known)) plain_ = plain_ & (known | monotone(absolute.data(), orders_ + 2));
+    lands_ = lands_ & stands;
+    silent_ = silent_ & known;
     store_truth(stands & known, rows_.upright[k]);
     ends_[k] = {angle, steepness / start_.length,
                 select(known, peak, max(max(peak, abs(absolute[0])), abs(height)))};
@@ -199,7 +209,8 @@ class StepKernel {
       auto& [right, left] = margins_[k];
       right.terms = left.terms = orders_;
       for (std::size_t n = 0; n < orders_; ++n) {
-        const auto margin = series.margin(k, n);
+        const Real push = pushed_ == k ? pushes_[n] : series.push(k, n);
+        const auto margin = series.margin(k, n, push);
         right[n] = own(n, margin.right);
         left[n] = own(n, margin.left);
       }
@@ -219,21 +230,25 @@ class StepKernel {
   void follow_forces(const Chain& series) {
     const Real scale = 1 / (start_.length * start_.length);
     for (std::size_t k = 0; k < blocks; ++k) {
-      typename Chain::PlaneSeries direction;
+      typename Chain::PlaneSeries faces;
       const bool upright = k == 0 || rows_.linear;
-      if (!upright) {
-        const Mask upper = load(rows_.face[k]) > Real(0);
+      const Mask upper = load(rows_.face[k]) > Real(0);
+      const bool lower = !any(upper);
+      if (!upright && !lower) {
         for (std::size_t n = 0; n < orders_; ++n) {
           const auto& own = series.direction(k)[n];
           const auto& below = series.direction(k - 1)[n];
-          direction[n] = {select(upper, own.x, below.x), select(upper, own.y, below.y)};
+          faces[n] = {select(upper, own.x, below.x), select(upper, own.y, below.y)};
         }
       }
+      pushed_ = lower && k > 0 ? k : blocks;
+      const auto& direction = lower && k > 0 ? series.direction(k - 1) : faces;
       ForceBounds<Real> bounds(load(rows_.friction[k]));
       auto& [normals, tangentials] = forces_[k];
       normals.terms = tangentials.terms = orders_;
       for (std::size_t n = 0; n < orders_; ++n) {
         const auto force = upright ? series.force(k, -1, n) : series.force(k, direction, n);
+        pushes_[n] = force.normal;
         const Real normal = own(n, force.normal * scale);
         const Real tangential = own(n, force.tangential * scale);
         normals[n] = normal;
@@ -242,7 +257,7 @@ class StepKernel {
       }
       const Mask borne = bounds.hold(load(rows_.least_normal[k]), load(rows_.rounding));
       plain_ = plain_ & borne;
-      lands_ = lands_ & borne;
+      silent_ = silent_ & borne;
       store_truth(borne, rows_.borne[k]);
     }
   }
@@ -252,7 +267,7 @@ class StepKernel {
     const Closing<Real> falling = closing<Real, blocks>(angles_, start_.sides, closes_);
     lands_ = lands_ & falling.alone;
     if (any(lands_)) {
-      const Roots<Real> roots = first_crossings(falling.angle, lands_);
+      const Roots<Real> roots = first_crossings(falling.angle, own_ + Real(2), lands_);
       lands_ = roots.found;
       for (std::size_t k = 0; k < blocks; ++k) {
         const auto [angle, advance] = tangent(angles_[k], roots.s);
@@ -263,13 +278,88 @@ class StepKernel {
       store(falling.interface, rows_.lander);
     }
     store_truth(lands_, rows_.lands);
+    store_truth(silent_, rows_.silent);
+  }
+
+  /// Asks for the next step of the lanes that a plain one has led to the next sample of a record, as
+  /// GroundPieces and scaled_body_force() do of one.
+  void walk() {
+    const Real sample = load(rows_.sample) + Real(1);
+    const Real longest = load(rows_.longest);
+    Mask walks = plain_ & (load(rows_.busy) > Real(0)) & (load(rows_.clear) > Real(0)) &
+                 (sample < load(rows_.last)) & (start_.length >= load(rows_.remaining)) &
+                 (start_.length < longest);
+    LaneRow firsts, seconds;
+    store_truth(walks, rows_.walked);
+    if (!any(walks)) return;
+    for (std::size_t lane = lane_; lane < lane_ + Real::size; ++lane) {
+      if (!(rows_.walked[lane] > 0)) continue;
+      const double* from = rows_.samples[lane] + static_cast<std::ptrdiff_t>(rows_.sample[lane]) + 1;
+      firsts[lane] = from[0];
+      seconds[lane] = from[1];
+    }
+    const Real first = load(firsts);
+    const Real interval = load(rows_.interval);
+    const Real start = sample * interval;
+    const Real rate = (load(seconds) - first) / interval;
+    const Real value = first + (start - sample * interval) * rate + load(rows_.constant);
+    const Real length = (sample + Real(1)) * interval - start;
+    walks = walks & (length < longest);
+    const Real scale = -(length * length);
+    const Real change = rate * length;
+    const Mask straight = abs(change) <= load(rows_.negligible_change);
+    const auto put = [&](const Real& values, LaneRow& row) { store(select(walks, values, load(row)), row); };
+    put((value + Real(0) * rate + Real(0)) * scale, rows_.body_force_x[0]);
+    put(select(straight, Real(-0.0), change * scale), rows_.body_force_x[1]);
+    put(load(rows_.gravity) * scale, rows_.body_force_y[0]);
+    put(Real(-0.0), rows_.body_force_y[1]);
+    put(select(straight, Real(1), Real(2)), rows_.body_force_terms);
+    put(length, rows_.length);
+    put(length, rows_.remaining);
+    put(sample, rows_.sample);
+    put(load(rows_.pieces) + Real(1), rows_.pieces);
+    store_truth(walks, rows_.walked);
+  }
+
+  /// Foresees the impacts.
+  void meet() {
+    Directions<Real, N> directions;
+    PerBlock<Mask, N> impacting;
+    Vector<Real, N> velocities;
+    Real leaning = 0;
+    for (std::size_t k = 0; k < blocks; ++k) {
+      impacting[k] = lands_ & (load(rows_.lander) == Real(static_cast<double>(k)));
+      velocities[k] = load(rows_.velocity[k]);
+      const Real angle = select(impacting[k], Real(0), load(rows_.angle[k]));
+      leaning = k > 0 ? leaning + angle : angle;
+      const PlaneVector<Real> leans = direction(leaning);
+      directions.cosine[k] = leans.x;
+      directions.sine[k] = leans.y;
+    }
+    const auto [impact, holds] = foresee(model_, start_.sides, velocities, directions, impacting);
+    store_truth(lands_ & holds, rows_.foreseen);
+    const auto put = [&](const Vector<Real, N>& values, PerBlock<LaneRow, N>& rows) {
+      for (std::size_t k = 0; k < blocks; ++k) store(values[k], rows[k]);
+    };
+    put(directions.cosine, rows_.cosine);
+    put(directions.sine, rows_.sine);
+    put(impact.before.motion.rotation, rows_.rotation);
+    put(impact.before.motion.centre.row(0), rows_.centre_speed_x);
+    put(impact.before.motion.centre.row(1), rows_.centre_speed_y);
+    put(impact.solution.relative, rows_.after);
+    put(impact.solution.rounding, rows_.negligible);
+    put(impact.solution.reactions.normal, rows_.impulse_normal);
+    put(impact.solution.reactions.tangential, rows_.impulse_tangential);
+    put(impact.solution.reactions.moment, rows_.impulse_moment);
   }
 
   ScaledBodyForce<Real> body_force_;
+  Model<Real, N> model_;  ///< without gravity
   StepStart<Real, N> start_;
   Real own_;  ///< orders of each lane
-  Mask plain_, lands_;
-  std::array<Mask, blocks> closes_;  ///< open interfaces that may close
+  Mask plain_, lands_, silent_;
+  std::array<Mask, max_orders<Real>> has_;  ///< whether lanes have an order
+  std::array<Mask, blocks> closes_;         ///< open interfaces that may close
   std::array<Polynomial<Real>, blocks> angles_;
   std::array<MarginPolynomials<Real>, blocks> margins_;
   std::array<ForcePolynomials<Real>, blocks> forces_;
@@ -277,6 +367,8 @@ class StepKernel {
     Real angle, velocity, peak;
   };
   std::array<End, blocks> ends_;
+  Coefficients pushes_;          ///< normal force at the last interface, along the face below it
+  std::size_t pushed_ = blocks;  ///< that interface, where it is known
   StepRows<blocks>& rows_;
   std::size_t lane_;
   std::size_t orders_ = 0;  ///< of the lane that has most

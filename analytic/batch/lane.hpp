@@ -25,6 +25,8 @@ class Lane {
 
   /// Goes along the step that was asked for, and on up to the next; likewise. @throws as Solver::run().
   bool advance(StepRows<N>& rows, std::size_t lane) {
+    if (rows.walked[lane] > 0) return true;
+    catch_up(rows, lane);
     // No step is plain just after an opening: from zero and at rest, no bound clears the angle. So the
     // pattern that the rows have is that of the next step.
     const bool plain = rows.plain[lane] > 0;
@@ -44,13 +46,23 @@ class Lane {
   }
 
   /// Of a motion that cannot go on, what is known of it.
-  const History& so_far(const StepRows<N>& rows, std::size_t lane) {
+  const History& so_far(StepRows<N>& rows, std::size_t lane) {
+    catch_up(rows, lane);
     arrive(rows, lane);
     return solver_.recorder().so_far();
   }
   History history() && { return std::move(solver_).history(); }
 
  private:
+  /// Along the record that the kernel has walked along.
+  void catch_up(StepRows<N>& rows, std::size_t lane) {
+    if (!(rows.pieces[lane] > 0)) return;
+    solver_.pass_pieces(static_cast<std::ptrdiff_t>(rows.pieces[lane]));
+    rows.pieces[lane] = 0;
+    passing_ = true;
+    body_force_terms_ = 2;
+  }
+
   /// A step that nothing happens in; where it leads, the rows tell.
   void pass(const StepRows<N>& rows, std::size_t lane) {
     const double length = rows.length[lane];
@@ -59,13 +71,42 @@ class Lane {
     passing_ = true;
   }
 
-  /// A step that ends in the impact of one interface, and has nothing else to tell.
+  /// A step that ends in the impact of one interface.
   void land(const StepRows<N>& rows, std::size_t lane) {
     passing_ = true;
     arrive(rows, lane);
     const double length = rows.length[lane];
+    const double landing = rows.landing[lane];
+    if (!(rows.silent[lane] > 0)) {
+      const Cleared cleared = cleared_by_bounds(rows, lane);
+      solver_.record(dense_output(rows, lane, cleared), landing, cleared);
+    }
     solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
-    solver_.land(rows.landing[lane], length, static_cast<std::size_t>(rows.lander[lane]));
+    const auto interface = static_cast<std::size_t>(rows.lander[lane]);
+    if (!(rows.foreseen[lane] > 0)) return solver_.land(landing, length, interface, nullptr);
+    const auto foreseen = foreseen_impact(rows, lane, interface);
+    solver_.land(landing, length, interface, &foreseen);
+  }
+
+  ForeseenImpact<double, blocks> foreseen_impact(const StepRows<N>& rows, std::size_t lane,
+                                                 std::size_t interface) const {
+    ForeseenImpact<double, blocks> impact;
+    auto& [before, solution] = impact;
+    solution.pattern = solver_.state().pattern;
+    solution.pattern[interface] = opposite(solution.pattern[interface]);
+    for (std::size_t k = 0; k < N; ++k) {
+      before.directions.cosine[k] = rows.cosine[k][lane];
+      before.directions.sine[k] = rows.sine[k][lane];
+      before.motion.rotation[k] = rows.rotation[k][lane];
+      before.motion.centre(0, k) = rows.centre_speed_x[k][lane];
+      before.motion.centre(1, k) = rows.centre_speed_y[k][lane];
+      solution.relative[k] = rows.after[k][lane];
+      solution.rounding[k] = rows.negligible[k][lane];
+      solution.reactions.normal[k] = rows.impulse_normal[k][lane];
+      solution.reactions.tangential[k] = rows.impulse_tangential[k][lane];
+      solution.reactions.moment[k] = rows.impulse_moment[k][lane];
+    }
+    return impact;
   }
 
   /// Where the steps that were passed have led.
@@ -85,12 +126,19 @@ class Lane {
   /// A step that the kernel could not tell all about.
   void follow(const StepRows<N>& rows, std::size_t lane) {
     arrive(rows, lane);
+    const Cleared cleared = cleared_by_bounds(rows, lane);
+    DenseOutput<double, blocks> output = dense_output(rows, lane, cleared);
+    solver_.steps().fit(rows.excess[lane], static_cast<std::size_t>(rows.orders[lane]), output);
+    solver_.follow(output, cleared);
+  }
+
+  DenseOutput<double, blocks> dense_output(const StepRows<N>& rows, std::size_t lane,
+                                           const Cleared& cleared) const {
     const auto orders = static_cast<std::size_t>(rows.orders[lane]);
     const auto read = [&](const CoefficientRows& from, std::size_t terms, Polynomial<double>& to) {
       to.terms = terms;
       for (std::size_t n = 0; n < terms; ++n) to[n] = from[n][lane];
     };
-    const Cleared cleared = cleared_by_bounds(rows, lane);
     const bool bears = rows.forces && cleared.forces.count() < N;
     DenseOutput<double, blocks> output{rows.length[lane], solver_.state(), {}, {}};
     for (std::size_t k = 0; k < N; ++k) {
@@ -104,8 +152,7 @@ class Lane {
       read(rows.normal[k], orders, output.forces[k].normal);
       read(rows.tangential[k], orders, output.forces[k].tangential);
     }
-    solver_.steps().fit(rows.excess[lane], orders, output);
-    solver_.follow(output, cleared);
+    return output;
   }
 
   /// What the kernel has told of a step whose series stays as it is; what holds over all of a step holds over
@@ -133,6 +180,9 @@ class Lane {
     }
     const auto step = solver_.next_step();
     rows.length[lane] = step.length;
+    rows.sample[lane] = static_cast<double>(solver_.pieces().sample());
+    rows.remaining[lane] = solver_.pieces().remaining();
+    rows.longest[lane] = solver_.steps().longest();
     describe_body_force(step.body_force, rows, lane);
     return true;
   }
@@ -141,6 +191,14 @@ class Lane {
     rows.tolerance[lane] = solver_.steps().tolerance();
     rows.rate[lane] = solver_.steps().rate();
     rows.rounding[lane] = solver_.recorder().rounding();
+    rows.gravity[lane] = solver_.model().gravity;
+    rows.negligible_change[lane] = negligible_change(solver_.model().gravity);
+    const auto record = solver_.pieces().record();
+    rows.last[lane] = record ? static_cast<double>(record->last) : 0;
+    rows.samples[lane] = record ? record->samples : nullptr;
+    rows.interval[lane] = record ? record->interval : 1;
+    rows.constant[lane] = record ? record->constant : 0;
+    rows.pieces[lane] = rows.walked[lane] = 0;
     const Stack<double, blocks>& stack = solver_.model().stack;
     for (std::size_t k = 0; k < N; ++k) {
       rows.half_width[k][lane] = stack.half_width[k];

@@ -13,7 +13,6 @@ Real load(const LaneRow& row, std::size_t lane) {
   return Real::load(row.lanes.data() + lane);
 }
 
-/// Without what overhangs.
 template <class Real, int N>
 Stack<Real, N> load_stack(const StepRows<static_cast<std::size_t>(N)>& rows, std::size_t lane) {
   Stack<Real, N> stack;
@@ -24,6 +23,7 @@ Stack<Real, N> load_stack(const StepRows<static_cast<std::size_t>(N)>& rows, std
     stack.inertia[k] = load<Real>(rows.inertia[k], lane);
     stack.centre_x[k] = load<Real>(rows.centre_x[k], lane);
     stack.centre_y[k] = load<Real>(rows.centre_y[k], lane);
+    stack.overhangs[k] = load<Real>(rows.face[k], lane) > Real(0);
   }
   return stack;
 }

@@ -43,19 +43,32 @@ struct StepRows {
   LaneRow length, body_force_terms;  ///< s; terms of the body force
   CoefficientRows body_force_x, body_force_y;
 
+  // of the record that a lane walks along, if it does
+  std::array<const double*, batch_lanes> samples{};
+  LaneRow interval, constant, last;    ///< as in GroundPieces::Record
+  LaneRow gravity, negligible_change;  ///< m/s²
+  LaneRow sample;                      ///< at which the piece starts
+  LaneRow remaining, longest;          ///< of the piece, and of a step, s
+  LaneRow walked;                      ///< whether the rows are those of the next step already
+  LaneRow pieces;                      ///< that were walked along unattended
+
   // where the step starts from and, where it is plain or lands, has led
   PerBlock<LaneRow> angle, velocity, peak;
 
   // what comes out
-  LaneRow plain;  ///< whether nothing happens in the step, and nothing is to be recorded but peaks
-  LaneRow lands;  ///< whether one interface closes, nothing else happens, and nothing is to be recorded
-  LaneRow landing, lander;    ///< where: s of the step, and the interface, from 0
+  LaneRow plain;            ///< whether nothing happens in the step, and nothing is to be recorded but peaks
+  LaneRow lands;            ///< whether one interface closes, and nothing else happens
+  LaneRow silent;           ///< then: whether nothing is to be recorded
+  LaneRow landing, lander;  ///< where: s of the step, and the interface, from 0
+  LaneRow foreseen;         ///< whether it is known what follows the impact: these, as in ForeseenImpact
+  PerBlock<LaneRow> cosine, sine, rotation, centre_speed_x, centre_speed_y;
+  PerBlock<LaneRow> after, negligible, impulse_normal, impulse_tangential, impulse_moment;
   LaneRow orders;             ///< of the series
   LaneRow excess;             ///< how many times the tolerance is left out, 0 where none
   PerBlock<LaneRow> stays;    ///< whether an open interface stays open, or a watched one closed
   PerBlock<LaneRow> upright;  ///< whether a block does not topple, nor lean more than before
   PerBlock<LaneRow> borne;    ///< whether an interface demands no more than before
-  /// Coefficients of the dense output, in lanes whose step is neither plain nor lands.
+  /// Coefficients of the dense output, in lanes whose step is neither plain nor lands silently.
   PerBlock<CoefficientRows> angles, right, left, normal, tangential;
 };
 

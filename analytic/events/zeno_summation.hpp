@@ -112,11 +112,11 @@ class ZenoSummation {
   /// The interface that impacts alone, and goes on to its other side as the others stay as they are; or −1.
   static int thrown_alone(const Landing& landing) {
     const Pattern& from = landing.impact.before.pattern;
-    if (landing.impact.impacting.count() != 1) return -1;
     int thrown = -1;
     for (int k = 0; k < from.size; ++k) {
       const bool impacts = landing.impact.impacting.test(k);
       if (landing.after.pattern[k] != (impacts ? opposite(from[k]) : from[k])) return -1;
+      if (impacts && thrown >= 0) return -1;
       if (impacts) thrown = k;
     }
     return thrown;

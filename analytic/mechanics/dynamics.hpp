@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/mechanics/linkage.hpp"
+#include "analytic/polynomials/polynomial.hpp"
 
 namespace rockstack {
 
@@ -81,9 +82,10 @@ void sum_from_top(Eigen::MatrixBase<Derived>& rows) {
   for (Eigen::Index k = rows.rows() - 2; k >= 0; --k) rows.row(k) += rows.row(k + 1);
 }
 
-/// Jᵀ M J for the relative angles of all interfaces, kg·m².
+/// Jᵀ M J for the relative angles of all interfaces, kg·m². Asked for so often that calls count, as below.
 template <class Real, int N>
-Matrix<Real, N> mass_matrix(const Stack<Real, N>& stack, const Chain<Real, N>& chain) {
+[[gnu::always_inline]] inline Matrix<Real, N> mass_matrix(const Stack<Real, N>& stack,
+                                                          const Chain<Real, N>& chain) {
   const int size = stack.size();
   Matrix<Real, N> mass = Matrix<Real, N>::Zero(size, size);
   Real above = 0;  // mass of the blocks above block j
@@ -103,8 +105,9 @@ Matrix<Real, N> mass_matrix(const Stack<Real, N>& stack, const Chain<Real, N>& c
 
 /// Jᵀ M x for the relative angles of all interfaces.
 template <class Real, int N>
-Vector<Real, N> generalised_momentum(const Stack<Real, N>& stack, const Chain<Real, N>& chain,
-                                     const Motion<Real, N>& motion) {
+[[gnu::always_inline]] inline Vector<Real, N> generalised_momentum(const Stack<Real, N>& stack,
+                                                                   const Chain<Real, N>& chain,
+                                                                   const Motion<Real, N>& motion) {
   Vector<Real, N> result = Vector<Real, N>::Zero(stack.size());
   Point<Real> above = Point<Real>::Zero();  // momentum of the blocks above block k
   for (int k = stack.size() - 1; k >= 0; --k) {
@@ -131,28 +134,47 @@ inline const Real least_diagonal_share = (1 << 30) * std::numeric_limits<Real>::
 
 /// The allowed motion nearest to `free` (with any bias already taken off), as relative motions of the
 /// interfaces; zero where they are closed.
-/// @throws IllConditioned where rounding takes too much of the mass matrix.
 template <class Real, int N>
-Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& pattern,
-                                const Chain<Real, N>& chain, const Motion<Real, N>& free) {
-  if (is_closed(pattern)) return Vector<Real, N>::Zero(pattern.size);
+struct NearestMotion {
+  PerBlock<Real, N> relative;
+  Truth<Real> well_conditioned;  ///< rounding leaves enough of the mass matrix
+};
+
+/// `pattern` as side() takes it.
+template <class Real, int N, class Sides>
+NearestMotion<Real, N> nearest_motion(const Stack<Real, N>& stack, const Sides& pattern,
+                                      const Chain<Real, N>& chain, const Motion<Real, N>& free) {
   const Matrix<Real, N> mass = mass_matrix(stack, chain);
   const Vector<Real, N> momentum = generalised_momentum(stack, chain, free);
   const int size = stack.size();
   PerBlock<Real, N> open;
   PerBlock<Real, N> momenta;
   for (int k = 0; k < size; ++k) {
-    open[k] = pattern[k] == Contact::closed ? Real(0) : Real(1);
+    const Real pivots = side<Real>(pattern, k);
+    open[k] = pivots * pivots;
     momenta[k] = momentum[k];
   }
   ConstrainedMass<Real, N> constrained;
   constrained.factorise(size, open, [&](std::size_t i, std::size_t j) { return mass(i, j); });
+  NearestMotion<Real, N> nearest{constrained.solve(momenta), Real(0) == Real(0)};
   for (int k = 0; k < size; ++k)
-    if (pattern[k] != Contact::closed && !(constrained.diagonal(k) > mass(k, k) * least_diagonal_share<Real>))
-      throw IllConditioned(
-          "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
-  const PerBlock<Real, N> motions = constrained.solve(momenta);
-  return Eigen::Map<const Vector<Real, N>>(motions.data(), size);
+    nearest.well_conditioned =
+        nearest.well_conditioned &
+        ((open[k] == Real(0)) |
+         (constrained.diagonal(k) > mass(k, k) * Real(least_diagonal_share<Number<Real>>)));
+  return nearest;
+}
+
+/// @throws IllConditioned where rounding takes too much of the mass matrix.
+template <class Real, int N>
+Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& pattern,
+                                const Chain<Real, N>& chain, const Motion<Real, N>& free) {
+  if (is_closed(pattern)) return Vector<Real, N>::Zero(pattern.size);
+  const NearestMotion<Real, N> nearest = nearest_motion(stack, pattern, chain, free);
+  if (!nearest.well_conditioned)
+    throw IllConditioned(
+        "block masses or sizes are too far apart: rounding would leave energies fewer than nine digits");
+  return Eigen::Map<const Vector<Real, N>>(nearest.relative.data(), stack.size());
 }
 
 /// Accelerations of the centres that would remain if no relative angle accelerated, m/s².

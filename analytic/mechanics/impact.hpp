@@ -43,6 +43,13 @@ struct BeforeImpact {
   Motion<Real, N> motion;
 };
 
+/// An impact whose outcome is known.
+template <class Real, int N = Eigen::Dynamic>
+struct ForeseenImpact {
+  BeforeImpact<Real, N> before;
+  PatternSolution<Real, N> solution;  ///< the consistent one, and that of the law
+};
+
 template <class Real, int N>
 BeforeImpact<Real, N> before_impact(const Model<Real, N>& model, const State<Real, N>& before,
                                     const Directions<Real, N>& directions) {

@@ -31,9 +31,11 @@ Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& 
     moment += stack.inertia[k] * change.rotation[k] + quarter_turned<Real>(chain.arms.col(k)).dot(own) +
               quarter_turned<Real>(chain.links.col(k)).dot(force);
     force += own;
-    const int along = face(stack, k);
-    const Real cosine = along < 0 ? Real(1) : directions.cosine[along];
-    const Real sine = along < 0 ? Real(0) : directions.sine[along];
+    const auto along_face = [&](const Vector<Real, N>& entries, const Real& ground) {
+      return k == 0 ? ground : select(stack.overhangs[k], entries[k], entries[k - 1]);
+    };
+    const Real cosine = along_face(directions.cosine, 1);
+    const Real sine = along_face(directions.sine, 0);
     // Of small angles, what is of second order is left out.
     result.normal[k] = (stack.small_angles ? Real(0) : force.x() * sine) + force.y() * cosine;
     result.tangential[k] = force.x() * cosine - force.y() * sine;
@@ -78,7 +80,7 @@ PatternSolution<Real, N> solution_for(const Model<Real, N>& model, const Pattern
   const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
   Vector<Real, N> rounding = free.centre.colwise().norm().transpose().cwiseProduct(model.stack.mass);
   sum_from_top(rounding);
-  rounding *= 1024 * std::numeric_limits<Real>::epsilon();
+  rounding *= Real(1024 * std::numeric_limits<Number<Real>>::epsilon());
   return {pattern, relative_motion, reactions(model, chain, directions, change), rounding};
 }
 

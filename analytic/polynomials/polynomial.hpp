@@ -54,6 +54,14 @@ inline const std::array<Real, max_terms<Real> + 1> reciprocals = [] {
   return result;
 }();
 
+/// i, to be multiplied by.
+template <class Real>
+inline const std::array<Real, max_terms<Real> + 1> counting = [] {
+  std::array<Real, max_terms<Real> + 1> result{};
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = Real(i);
+  return result;
+}();
+
 /// c₀ + c₁s + … over one step, s in [0, 1]: numbers, or vectors of them. Coefficients from `terms` on have no
 /// value.
 template <class Real, class Coefficient = Real>

@@ -42,16 +42,20 @@ inline int lowest(const Interfaces& interfaces) {
   return std::countr_zero(interfaces.to_ulong());
 }
 
+/// What a comparison of two numbers tells; of packs of numbers it is a truth of each.
+template <class Real>
+using Truth = decltype(std::declval<const Real&>() < std::declval<const Real&>());
+
 /// The constants of a stack in the number type of a calculation. SI units, one entry a block, bottom to top.
 template <class Real, int N = Eigen::Dynamic>
 struct Stack {
   Vector<Real, N> half_width;  ///< of the interface under the block: w, not the block's own b
   Vector<Real, N> half_height;
   Vector<Real, N> mass;
-  Vector<Real, N> inertia;                   ///< about the block's centre of mass
-  Vector<Real, N> centre_x, centre_y;        ///< of mass, from the middle of the block's lower face
-  std::array<bool, max_blocks> overhangs{};  ///< the block is wider than the one below
-  bool small_angles = false;                 ///< as small_angle_stack() makes it
+  Vector<Real, N> inertia;                           ///< about the block's centre of mass
+  Vector<Real, N> centre_x, centre_y;                ///< of mass, from the middle of the block's lower face
+  std::array<Truth<Real>, capacity(N)> overhangs{};  ///< the block is wider than the one below
+  bool small_angles = false;                         ///< as small_angle_stack() makes it
 
   int size() const { return static_cast<int>(mass.size()); }
 };
@@ -153,12 +157,12 @@ Directions<Real, N> directions(const Vector<Real, N>& angles) {
 }
 
 /// Arms rₖ = (−σₖwₖ, hₖ), plus the centre's offset, and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ;
-/// of a small-angle stack upright and without widths.
-template <class Real, int N>
-Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Pattern& pattern,
+/// of a small-angle stack upright and without widths. `pattern` as side() takes it.
+template <class Real, int N, class Sides>
+Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Sides& pattern,
                           const Directions<Real, N>& directions) {
   const int size = stack.size();
-  const auto pivot = [&](int k) { return k < size ? Real(sign(pattern[k])) * stack.half_width[k] : Real(0); };
+  const auto pivot = [&](int k) { return k < size ? side<Real>(pattern, k) * stack.half_width[k] : Real(0); };
   Chain<Real, N> chain{{pivot(0), Real(0)}, Points<Real, N>::Zero(2, size), Points<Real, N>::Zero(2, size)};
   for (int k = 0; k < size; ++k) {
     const Real cosine = directions.cosine[k];

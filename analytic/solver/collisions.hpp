@@ -24,14 +24,18 @@ class Collisions {
     return end_of_chatter_.negligibly_open(state, k);
   }
 
-  /// What follows an impact, `offset` into a ground piece; `directions` are those at its state.
+  /// What follows an impact, `offset` into a ground piece; `directions` are those at its state. `foreseen` is
+  /// what is known of it, or null.
   Resolution<Real, N> outcome(const Impact<Real, N>& impact, const Directions<Real, N>& directions,
                               const GroundPiece<Real>& piece, const Real& offset,
-                              const Recorder<Real, N>& recorder) {
+                              const Recorder<Real, N>& recorder, const ForeseenImpact<Real, N>* foreseen) {
     const Model<Real, N>& model = upright_ ? *upright_ : model_;
-    const BeforeImpact<Real, N> before =
-        upright_ ? before_impact(model, impact.before) : before_impact(model, impact.before, directions);
-    Resolution<Real, N> resolution = resolve(model, impact, before, scene_.law);
+    const BeforeImpact<Real, N> before = foreseen   ? foreseen->before
+                                         : upright_ ? before_impact(model, impact.before)
+                                                    : before_impact(model, impact.before, directions);
+    Resolution<Real, N> resolution = foreseen
+                                         ? Resolution<Real, N>{foreseen->solution, Consistency::consistent}
+                                         : resolve(model, impact, before, scene_.law);
     PatternSolution<Real, N>& solution = resolution.solution;
     if (!scene_.restitution.empty())
       if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))

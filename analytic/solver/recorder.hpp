@@ -105,8 +105,8 @@ class Recorder {
     event_limit_.note_event(time);
     ++events_;
     if (options_.events == EventsKept::summed) {
-      BasicEvent<Real> event{time, kind, interface, from, after.pattern, {}, {}, {}, consistency};
-      if (!sums_up(event)) history_.events.push_back(std::move(event));
+      if (!sums_up(time, kind, interface, from, after.pattern, consistency))
+        history_.events.push_back({time, kind, interface, from, after.pattern, {}, {}, {}, consistency});
       return;
     }
     const auto list = [&](const Vector<Real, N>& relative_values) {
@@ -133,21 +133,25 @@ class Recorder {
   BasicHistory<Real> history() && { return std::move(history_); }
 
  private:
+  /// Whether an impact throws its interface to the other side, and changes no other.
+  static bool throws_alone(EventKind kind, int interface, const Pattern& from, const Pattern& to) {
+    bool alone = kind == EventKind::impact;
+    for (int k = 0; k < from.size; ++k)
+      alone = alone && to[k] == (k == interface - 1 ? opposite(from[k]) : from[k]);
+    return alone;
+  }
+
   /// Whether an event is one more of the impacts that the last one stands for, as which it is counted.
-  bool sums_up(const BasicEvent<Real>& event) {
+  bool sums_up(const Real& time, EventKind kind, int interface, const Pattern& from, const Pattern& to,
+               Consistency consistency) {
     if (history_.events.empty()) return false;
     BasicEvent<Real>& last = history_.events.back();
-    const auto throws_alone = [](const BasicEvent<Real>& impact) {
-      Pattern thrown = impact.from;
-      Contact& contact = thrown[impact.interface - 1];
-      contact = opposite(contact);
-      return impact.kind == EventKind::impact && impact.to == thrown;
-    };
-    if (event.interface != last.interface || event.consistency != last.consistency || !throws_alone(event) ||
-        (last.count == 1 && !throws_alone(last)))
+    if (interface != last.interface || consistency != last.consistency ||
+        !throws_alone(kind, interface, from, to) ||
+        (last.count == 1 && !throws_alone(last.kind, last.interface, last.from, last.to)))
       return false;
-    last.time = event.time;
-    last.to = event.to;
+    last.time = time;
+    last.to = to;
     ++last.count;
     return true;
   }

@@ -106,6 +106,12 @@ class Solver {
     go(1, length);
   }
 
+  /// The same along so many pieces of a record.
+  void pass_pieces(std::ptrdiff_t pieces) {
+    ties_.note_uneventful_step();
+    pieces_.advance_by(pieces);
+  }
+
   /// Where steps that were passed have led: relative angles and velocities, and all peaks so far.
   void arrive(const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
               const PerBlock<Real, N>& peaks) {
@@ -115,20 +121,31 @@ class Solver {
     directed_ = false;
   }
 
-  /// Goes through the impact of an interface at s of a step, where the stack has arrived. @throws as run().
-  void land(const Real& s, const Real& length, std::size_t interface) {
+  /// Keeps what a step up to s of its length has to tell, before land().
+  void record(const DenseOutput<Real, N>& output, const Real& s, const Cleared& cleared) {
+    FirstEvent<Real> event;
+    event.s = s;
+    recorder_.note_step(output, pieces_.current(), pieces_.offset(), event, cleared);
+  }
+
+  /// Goes through the impact of an interface at s of a step, where the stack has arrived. `foreseen` is what
+  /// follows if no other interface closes with it, or null. @throws as run().
+  void land(const Real& s, const Real& length, std::size_t interface,
+            const ForeseenImpact<Real, N>* foreseen) {
     require_numbers();
     FirstEvent<Real> event;
     event.s = s;
     event.closing.set(interface);
     ties_.note_step(event, time());
     go(s, length);
-    handle(event);
+    handle(event, foreseen);
   }
 
   const State<Real, N>& state() const { return state_; }
+  const GroundPieces<Real>& pieces() const { return pieces_; }
   const TieBreaker<Real>& ties() const { return ties_; }
   const Model<Real, N>& model() const { return model_; }
+  Law law() const { return scene_.law; }
   const Recorder<Real, N>& recorder() const { return recorder_; }
   const std::array<Real, max_blocks>& toppling_angles() const { return toppling_angles_; }
   Steps<Real, N>& steps() { return steps_; }
@@ -180,14 +197,14 @@ class Solver {
       fail("angles or velocities have become too large for numbers");
   }
 
-  void handle(const FirstEvent<Real>& event) {
+  void handle(const FirstEvent<Real>& event, const ForeseenImpact<Real, N>* foreseen = nullptr) {
     const Pattern from = state_.pattern;
     if (event.toppling >= 0) {
       toppled_ = true;
       recorder_.note_event(time(), EventKind::topple, event.toppling + 1, from, state_.velocities, state_);
     } else if (event.closing.any()) {
       ties_.note_closing(event.closing);
-      collide(event.closing);
+      collide(event.closing, foreseen);
       make_admissible(state_.pattern);
     } else if (ties_.undecided()) {
       ties_.hold(event.opening);
@@ -201,16 +218,19 @@ class Solver {
   }
 
   /// Rule 4: an impact, or the end of chatter.
-  void collide(Interfaces closing) {
+  void collide(Interfaces closing, const ForeseenImpact<Real, N>* foreseen) {
     const int first = lowest(closing);
     for (int k = 0; k < state_.size(); ++k) {
       if (collisions_.negligibly_open(state_, k)) closing.set(k);
-      if (closing.test(k)) state_.angles[k] = 0;
+      if (!closing.test(k)) continue;
+      state_.angles[k] = 0;
+      if (k != first) foreseen = nullptr;
     }
-    directed_ = false;
+    directed_ = foreseen != nullptr;
+    if (directed_) directions_ = foreseen->before.directions;
     const Impact<Real, N> impact{state_, closing};
     const auto outcome =
-        collisions_.outcome(impact, directions(), pieces_.current(), pieces_.offset(), recorder_);
+        collisions_.outcome(impact, directions(), pieces_.current(), pieces_.offset(), recorder_, foreseen);
     state_.pattern = outcome.solution.pattern;
     state_.velocities = outcome.solution.relative;
     require_numbers();
@@ -227,9 +247,9 @@ class Solver {
   void make_admissible(Pattern from, const Interfaces& either = {}) {
     const Interfaces touching = ties_.touching(state_);
     Interfaces pulled;
-    const auto evaluate = [&, here = ground()](const Pattern& pattern) {
+    const auto evaluate = [&](const Pattern& pattern) {
       return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, directions(),
-                        here);
+                        ground());
     };
     const auto violates = [&](const PatternSolution<Real, N>& present) {
       if (!first_violation(model_.stack, present, touching, ties_.slack())) return false;

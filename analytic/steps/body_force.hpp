@@ -156,10 +156,16 @@ Polynomial<Real> body_force_along(const GroundComponent<Real>& component, const 
   return series;
 }
 
+/// A change of acceleration that is left out, m/s².
+template <class Real>
+Real negligible_change(const Real& gravity) {
+  return std::numeric_limits<Real>::epsilon() / 8 * gravity;
+}
+
 template <class Real>
 ScaledBodyForce<Real> scaled_body_force(const Real& gravity, const GroundPiece<Real>& piece,
                                         const Real& offset, const Real& length) {
-  const Real negligible = std::numeric_limits<Real>::epsilon() / 8 * gravity;
+  const Real negligible = negligible_change(gravity);
   return {body_force_along<Real>(piece.horizontal, 0, negligible, offset, length),
           body_force_along<Real>(piece.vertical, gravity, negligible, offset, length)};
 }

@@ -121,8 +121,10 @@ class ChainSeries {
   struct Margin {
     Real right, left;
   };
-  Margin margin(std::size_t k, std::size_t n) const {
-    const Real half = push(k, n) * linkage_.width[k];
+  Margin margin(std::size_t k, std::size_t n) const { return margin(k, n, push(k, n)); }
+  /// Where the push is known.
+  Margin margin(std::size_t k, std::size_t n, const Real& push) const {
+    const Real half = push * linkage_.width[k];
     return {half + reaction(k, n), half - reaction(k, n)};
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iterator>
+#include <optional>
 
 #include "analytic/scene/kinematics.hpp"
 
@@ -60,6 +61,30 @@ class GroundPieces {
     piece_.start = end_;
     offset_ = 0;
     find_piece();
+  }
+
+  /// A record along the ground, where nothing else moves it: pieces end at its samples alone.
+  struct Record {
+    const double* samples;
+    Real interval;        ///< s
+    Real constant;        ///< to be added, m/s²
+    std::ptrdiff_t last;  ///< up to, and without, this sample a piece is as long as the interval
+  };
+  std::optional<Record> record() const {
+    const auto& motion = scene_.horizontal;
+    if (motion.pulse || motion.samples.empty() || !scene_.vertical.empty()) return std::nullopt;
+    const Real whole = std::min<Real>(duration_ / Real(motion.interval), Real(motion.samples.size()));
+    return Record{motion.samples.data(), Real(motion.interval), 0 - downhill_,
+                  static_cast<std::ptrdiff_t>(whole) - 1};
+  }
+  /// At which the current piece of a record starts.
+  std::ptrdiff_t sample() const { return horizontal_sample_; }
+
+  /// By so many pieces of a record, > 0, of which the last ends at a sample.
+  void advance_by(std::ptrdiff_t pieces) {
+    horizontal_sample_ += pieces - 1;
+    end_ = piece_.horizontal.end = Real(horizontal_sample_ + 1) * Real(scene_.horizontal.interval);
+    advance();
   }
 
   /// The same, and past all pieces on whose samples |ẍg| stays below `limit`, where ẍg is known by samples

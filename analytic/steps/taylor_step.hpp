@@ -59,7 +59,7 @@ class Convergence {
             max(scale_, abs(start.advances[k]) + size + abs(start.angles[k]) * start.length * start.rate);
     }
     rest_ = max(last, earlier_ / 64);
-    allowed_ = tolerance_ * Real(static_cast<Number<Real>>(order + 1)) * scale_;
+    allowed_ = tolerance_ * Real(counting<Number<Real>>[order + 1]) * scale_;
     earlier_ = last;
     return rest_ <= allowed_;
   }
@@ -171,6 +171,7 @@ class TaylorSteps {
     if (step == longest_ && orders + 2 < max_orders<Real>) longest_ *= Real(1.25);
   }
 
+  const Real& longest() const { return longest_; }  ///< s, for the next step
   const Real& tolerance() const { return tolerance_; }
   const Real& rate() const { return rate_; }
 

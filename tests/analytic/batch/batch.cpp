@@ -142,6 +142,28 @@ TEST_P(Batch, GivesTheBitsOfEachSceneAlone) {
   }
 }
 
+// Kernels walk along records by themselves.
+TEST_P(Batch, GivesTheBitsOfBlocksThatRockUnderARecord) {
+  Draw draw(600);
+  std::vector<Scene> scenes;
+  for (int i = 0; i < 60 / stride; ++i) {
+    Scene scene = random_scene(draw, 1 + draw.below(3), false);
+    scene.horizontal.interval = draw.between(0.002, 0.02);
+    for (int k = 0; k < 200; ++k) scene.horizontal.samples.push_back(draw.between(-4, 4));
+    scene.inclination = draw.coin() ? draw.between(-0.02, 0.02) : 0;
+    scene.duration = scene.horizontal.end() * (draw.coin() ? 1 : draw.between(0.4, 1.2));
+    scenes.push_back(scene);
+  }
+  const std::function<bool()> unwanted = [] { return false; };
+  for (const double tolerance : {0.0, 1e-6})
+    for (const bool kept : {true, false})
+      expect_the_bits_of_each_alone(scenes, {.events = EventsKept::summed,
+                                             .validity = kept,
+                                             .peaks = true,
+                                             .tolerance = tolerance,
+                                             .cancelled = kept ? &unwanted : nullptr});
+}
+
 // Squat blocks lean far past one radian before they topple.
 TEST_P(Batch, GivesTheBitsOfBlocksThatLeanFar) {
   std::vector<Scene> scenes;

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "analytic/mechanics/impact.hpp"
+
+namespace rockstack {
+
+/// What follows the impacts of a pack, as resolve() tells of one: where the interface that impacts alone goes
+/// on to its other side, and the others stay as they are. Patterns are in sides; the solution's has no value.
+template <class Real, int N>
+struct Foresight {
+  ForeseenImpact<Real, N> impact;
+  Truth<Real> holds;  ///< whether this follows under either law
+};
+
+/// From the sides and the relative velocities before, at directions with the impacting angles zero.
+template <class Real, int N>
+Foresight<Real, N> foresee(const Model<Real, N>& model, const PerBlock<Real, N>& sides,
+                           const Vector<Real, N>& velocities, const Directions<Real, N>& directions,
+                           const PerBlock<Truth<Real>, N>& impacting) {
+  const Stack<Real, N>& stack = model.stack;
+  const Vector<Real, N> rates = absolute(velocities);
+  const Motion<Real, N> motion{centre_velocities(make_chain(stack, sides, directions), rates), rates};
+  PerBlock<Real, N> thrown;
+  Real other_side = 0;
+  for (std::size_t k = 0; k < thrown.size(); ++k) {
+    thrown[k] = select(impacting[k], -sides[k], sides[k]);
+    other_side = select(impacting[k], thrown[k], other_side);
+  }
+  const auto parts = [&](std::size_t k, const Real& side, const NearestMotion<Real, N>& after) {
+    return side * after.relative[k] > Real(0);
+  };
+  const Chain<Real, N> chain = make_chain(stack, thrown, directions);
+  const NearestMotion<Real, N> after = nearest_motion(stack, thrown, chain, motion);
+  Foresight<Real, N> result{{{directions, motion},
+                             solution_for<Real, N>(model, {}, directions, chain, motion,
+                                                   Eigen::Map<const Vector<Real, N>>(after.relative.data()))},
+                            after.well_conditioned};
+  const PatternSolution<Real, N>& solution = result.impact.solution;
+  PerBlock<Real, N> open = thrown;
+  Truth<Real> stays_closed = other_side != other_side;  // besides the one that impacts
+  for (std::size_t k = 0; k < thrown.size(); ++k) {
+    const auto closed = (sides[k] == Real(0)) & (other_side != Real(0));
+    const Real least = -solution.rounding[k];
+    const Margins<Real> margin = margins(stack, solution.reactions, static_cast<int>(k));
+    const Real edge = least * stack.half_width[k];
+    result.holds = result.holds & (solution.reactions.normal[k] >= least) &
+                   (~closed | ((margin.right >= edge) & (margin.left >= edge))) &
+                   (~impacting[k] | parts(k, thrown[k], after));
+    open[k] = select(closed, other_side, thrown[k]);
+    stays_closed = stays_closed | closed;
+  }
+  if (!any(stays_closed)) return result;
+  // The paper's first trial must fail.
+  const NearestMotion<Real, N> opened =
+      nearest_motion(stack, open, make_chain(stack, open, directions), motion);
+  Truth<Real> opens = stays_closed;
+  for (std::size_t k = 0; k < thrown.size(); ++k)
+    opens = opens & ((~impacting[k] & (sides[k] != Real(0))) | parts(k, open[k], opened));
+  result.holds = result.holds & opened.well_conditioned & ~opens;
+  return result;
+}
+
+}  // namespace rockstack
