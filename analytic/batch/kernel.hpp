@@ -227,6 +227,41 @@ class StepKernel {
     return clearance.holds();
   }
 
+  /// The sizes of coefficients from order 1 on.
+  template <class Coefficient>
+  Real reach(const Coefficient& coefficient) const {
+    Real sum = 0;
+    for (std::size_t n = 1; n < orders_; ++n) sum += abs(coefficient(n));
+    return sum;
+  }
+
+  /// Whether an interface demands no more in any lane, as reaches tell without products of series: of forces
+  /// x and y, and for a `face` of the cosine and the sine that turn them. What rounding makes of them is far
+  /// below the slack. Of lanes with ties all is told.
+  bool clearly_borne(const Chain& series, std::size_t k, const typename Chain::PlaneSeries* face,
+                     const Real& scale) const {
+    const auto [y, x] = series.force(k, -1, 0);
+    const Real reach_x = reach([&](std::size_t n) { return series.force(k, -1, n).tangential; });
+    const Real reach_y = reach([&](std::size_t n) { return series.force(k, -1, n).normal; });
+    Real normal = y, tangential = x, reach_normal = reach_y, reach_tangential = reach_x;
+    if (face != nullptr) {
+      const auto [cosine, sine] = (*face)[0];
+      const Real turn_x = reach([&](std::size_t n) { return (*face)[n].x; });
+      const Real turn_y = reach([&](std::size_t n) { return (*face)[n].y; });
+      const Real most_x = abs(x) + reach_x, most_y = abs(y) + reach_y;
+      normal = sine * x + cosine * y;
+      tangential = cosine * x - sine * y;
+      reach_normal = abs(sine) * reach_x + turn_y * most_x + abs(cosine) * reach_y + turn_x * most_y;
+      reach_tangential = abs(cosine) * reach_x + turn_x * most_x + abs(sine) * reach_y + turn_y * most_y;
+    }
+    const Real friction = load(rows_.friction[k]);
+    const Real most = abs(tangential) + reach_tangential;
+    const Real slack = Real(1e-12) * (abs(normal) + reach_normal + most);
+    const Real least = normal - reach_normal - slack;
+    const Mask holds = (least * scale >= load(rows_.least_normal[k])) & (most + slack <= friction * least);
+    return !any((load(rows_.busy) > Real(0)) & ~(holds & (load(rows_.clear) > Real(0))));
+  }
+
   void follow_forces(const Chain& series) {
     const Real scale = 1 / (start_.length * start_.length);
     for (std::size_t k = 0; k < blocks; ++k) {
@@ -234,6 +269,11 @@ class StepKernel {
       const bool upright = k == 0 || rows_.linear;
       const Mask upper = load(rows_.face[k]) > Real(0);
       const bool lower = !any(upper);
+      if ((upright || lower) &&
+          clearly_borne(series, k, upright ? nullptr : &series.direction(k - 1), scale)) {
+        store(Real(1), rows_.borne[k]);
+        continue;
+      }
       if (!upright && !lower) {
         for (std::size_t n = 0; n < orders_; ++n) {
           const auto& own = series.direction(k)[n];
