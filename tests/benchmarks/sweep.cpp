@@ -33,12 +33,13 @@ double seconds(const Ensemble& ensemble, MotionLibrary& library, std::size_t thr
 }
 
 /// One thread and two by turns, so that a busy machine slows both; the least time of each counts. To a
-/// tolerance of 10^−range(0); for 0 to rounding.
+/// tolerance of 10^−range(0); for 0 to rounding. With demands where range(1) is 1.
 void sweep_of_two_blocks(benchmark::State& state) {
   MotionLibrary library;
   const std::filesystem::path file = ROCKSTACK_ENSEMBLES "/ida-two-blocks.toml";
   Ensemble ensemble = read_ensemble(file, {"duration=20"}, library);
   if (state.range(0) > 0) ensemble.tolerance = std::pow(10, -static_cast<double>(state.range(0)));
+  ensemble.demands = state.range(1) > 0;
   ensemble.samples = 4;  // the same again: of a few blocks of runs, one thread has the last
   double one = std::numeric_limits<double>::infinity();
   double two = one;
@@ -49,7 +50,10 @@ void sweep_of_two_blocks(benchmark::State& state) {
   state.counters["speedup_of_two_threads"] = one / two;
   state.counters["ms_per_run_of_one_thread"] = 1e3 * one / static_cast<double>(run_count(ensemble));
 }
-BENCHMARK(sweep_of_two_blocks)->Arg(0)->Arg(9)->Arg(6)->Iterations(5)->Unit(benchmark::kMillisecond);
+BENCHMARK(sweep_of_two_blocks)
+    ->ArgsProduct({{0, 9, 6}, {1, 0}})
+    ->Iterations(5)
+    ->Unit(benchmark::kMillisecond);
 
 /// What a run pays besides where it has a synthetic motion of its own.
 void making_a_motion(benchmark::State& state) {

@@ -197,7 +197,7 @@ std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
   text += json_of(ensemble.base.root).dump() + "\n";
   describe_records(ensemble.base, library, text);
   text += std::to_string(ensemble.samples) + " " + std::to_string(ensemble.seed) + " " +
-          number_text(ensemble.tolerance) + "\n";
+          number_text(ensemble.tolerance) + (ensemble.demands ? "\n" : " without demands\n");
   for (const Variation& variation : ensemble.variations) {
     text += json_of(variation).dump() + "\n";
     for (const Value& value : variation.values)

@@ -56,6 +56,7 @@ struct Ensemble {
   std::size_t samples = 1;
   std::uint64_t seed = 0;
   double tolerance = 0;  ///< of each run: the solver's tolerance and resolution; 0: rounding
+  bool demands = true;   ///< whether runs tell what their interfaces demand
   SummaryKeys summary;
 };
 

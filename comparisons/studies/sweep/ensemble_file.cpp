@@ -186,6 +186,8 @@ Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
     if (!(ensemble.tolerance >= 0 && ensemble.tolerance <= 1e-3))
       throw wrong_value(*tolerance, "a number from 0, for rounding, to 1e-3");
   }
+  if (const Node* demands = find(root, "demands"))
+    ensemble.demands = choice<bool>(*demands, {{"kept", true}, {"none", false}});
   read_variations(ensemble, root);
   require_unvaried(ensemble, overrides);
   read_drawing(ensemble, root);

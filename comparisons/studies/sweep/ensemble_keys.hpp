@@ -16,6 +16,8 @@ inline constexpr KeyTable ensemble_keys{
       "runs at each point of the grid, each with values drawn anew"},
      {"seed", "1", "", "a whole number from 0 to 2⁵³", "required where values are drawn", "of drawn values"},
      {"tolerance", "1e-9", "", "0 to 1e-3", "0", "of the solver; 0 is rounding, more is faster"},
+     {"demands", "\"none\"", "", "\"kept\" or \"none\"", "\"kept\"",
+      "least normal forces and friction needed, of each run; none is faster"},
      {"vary", "", "", "tables [[vary]]", required_key, "what differs from run to run"},
      {"summary", "", "", "a table [summary]", no_default, "which figures and tables are made"}}};
 

@@ -119,6 +119,7 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
   Runs runs(ensemble, first, last, library, take);
   SolveOptions options = run_options(ensemble.tolerance);
   options.cancelled = unwanted;
+  options.validity = ensemble.demands;
   solve_batch([&] { return runs.next_scene(); }, options, [&](const Solved& solved) { runs.take(solved); });
 }
 

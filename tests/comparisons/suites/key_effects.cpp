@@ -249,6 +249,7 @@ TEST(KeyEffects, OfEnsembles) {
       {&ensemble_keys, "samples", "3", {drawn, seed}},
       {&ensemble_keys, "seed", "2", {drawn, many}},
       {&ensemble_keys, "tolerance", "1e-3"},
+      {&ensemble_keys, "demands", "\"kept\""},
       {&vary_keys, "key", "\"gravity\""},
       {&vary_keys,
        "group",

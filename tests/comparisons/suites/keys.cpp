@@ -109,7 +109,7 @@ std::string ensemble_of(const std::filesystem::path& file) {
   MotionLibrary library;
   const Ensemble ensemble = read_ensemble(file, {}, library);
   std::ostringstream found;
-  found << ensemble.tolerance;
+  found << ensemble.tolerance << ' ' << ensemble.demands;
   for (std::size_t run = 0; run < run_count(ensemble); ++run)
     for (const Value& value : values_of(ensemble, run)) found << ' ' << value.text;
   return found.str();
@@ -145,7 +145,7 @@ TEST(Keys, OfStudiesAndEnsemblesHaveTheDefaultsOfTheReader) {
   EXPECT_EQ(expect_defaults_are_those_read(study, stability_keys, study_of), 2);
   KeyFile ensemble({&ensemble_keys, &vary_keys, &range_keys});
   ensemble.leave_out(vary_keys, "values");
-  EXPECT_EQ(expect_defaults_are_those_read(ensemble, ensemble_keys, ensemble_of), 1);
+  EXPECT_EQ(expect_defaults_are_those_read(ensemble, ensemble_keys, ensemble_of), 2);
   EXPECT_EQ(expect_defaults_are_those_read(ensemble, range_keys, ensemble_of), 1);
 }
 
