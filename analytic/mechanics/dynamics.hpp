@@ -157,11 +157,12 @@ NearestMotion<Real, N> nearest_motion(const Stack<Real, N>& stack, const Sides& 
   ConstrainedMass<Real, N> constrained;
   constrained.factorise(size, open, [&](std::size_t i, std::size_t j) { return mass(i, j); });
   NearestMotion<Real, N> nearest{constrained.solve(momenta), Real(0) == Real(0)};
-  for (int k = 0; k < size; ++k)
-    nearest.well_conditioned =
-        nearest.well_conditioned &
-        ((open[k] == Real(0)) |
-         (constrained.diagonal(k) > mass(k, k) * Real(least_diagonal_share<Number<Real>>)));
+  for (int k = 0; k < size; ++k) {
+    const Truth<Real> held = open[k] == Real(0);
+    const Truth<Real> enough =
+        constrained.diagonal(k) > mass(k, k) * Real(least_diagonal_share<Number<Real>>);
+    nearest.well_conditioned = nearest.well_conditioned & (held | enough);
+  }
   return nearest;
 }
 
