@@ -96,6 +96,8 @@ struct EngineDescription {
   /// Steps that its runtime takes until they are as fast as they get; a worker takes so many before it times
   /// any. 0: the first is no slower than the last.
   std::size_t warm_up = 0;
+  /// How many runs a process of its worker answers, one after the other, each as if it was the first.
+  std::size_t runs_per_process = 1;
   /// Every setting, with its value in either set: `standard` is what a user gets who sets nothing but
   /// friction and restitution, `tuned` suits this problem best; the adapter's head says why.
   std::vector<Setting> settings = {};

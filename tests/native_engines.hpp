@@ -7,8 +7,8 @@
 
 namespace rockstack {
 
-/// The engines that are libraries of C++. Those of npm are scripts, of which a run takes a fifth of a second
-/// to start: check-engine has their tests (tests/engines/CMakeLists.txt).
+/// The engines that are libraries of C++. Those of npm are scripts, of which a process takes a fifth of a
+/// second to start: check-engine has their tests (tests/engines/CMakeLists.txt).
 inline EngineList native_engines() {
   EngineList list;
   std::istringstream names(ROCKSTACK_NATIVE_ENGINES);

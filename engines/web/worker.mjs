@@ -2,12 +2,13 @@
 // (../README.md has the form of messages).
 //
 // An engine is an object. `name`, `module` (the package) and `licence` say what it is; `note` follows the package's version;
-// `capabilities` and `solvers` are those of the description: each solver has its list of settings. `load()` gives the library.
-// `start(library, question)` gives a simulation: `step(pull)` takes one step under the body force `pull`, m/s²; `state(k)` is
-// block k's [x, y, angle, velocity_x, velocity_y, angular_velocity], angles clockwise, in space also z and the sine of the tilt.
-// Optional are `warnings()`, how many there were so far, and `end()`, which gives back what it holds.
+// `capabilities` and `solvers` are those of the description: each solver has its list of settings. `load()` gives the library,
+// which all runs of a process share. `start(library, question)` gives a simulation: `step(pull)` takes one step under the body
+// force `pull`, m/s²; `state(k)` is block k's [x, y, angle, velocity_x, velocity_y, angular_velocity], angles clockwise, in space
+// also z and the sine of the tilt. Optional are `warnings()`, how many there were so far, and `end()`, which gives back what it
+// holds.
 
-import { readFileSync, writeSync } from 'node:fs';
+import { readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
 import { setFlagsFromString } from 'node:v8';
 
 import { NotFinite, pullOf, record } from './simulation.mjs';
@@ -15,6 +16,7 @@ import { NotFinite, pullOf, record } from './simulation.mjs';
 export * from './simulation.mjs';
 
 const replyDescriptor = 3;
+const newline = 10;
 
 /** After so many steps no engine here becomes faster: what is compiled while it runs is compiled. */
 const warmUp = 10000;
@@ -29,9 +31,13 @@ function timeOf(simulation, question, steps) {
   return (performance.now() - start) / 1000;
 }
 
-/** The largest resident size so far, bytes. */
+/** The largest resident size since forgetPeak(), bytes. */
 function peakMemory() {
   return 1024 * Number(/VmHWM:\s*(\d+)/.exec(readFileSync('/proc/self/status', 'utf8'))[1]);
+}
+
+function forgetPeak() {
+  writeFileSync('/proc/self/clear_refs', '5');
 }
 
 /**
@@ -40,9 +46,27 @@ function peakMemory() {
  */
 const shortRun = 20000;
 
+const isShort = (question) => question.repeats === 0 && question.steps <= shortRun;
+
+/** What the runs of this process share: the library, and whether it is compiled for short runs. */
+let shared;
+
+/** A run that is not short does not go on with a library that is compiled for such: a new process is asked for it. */
+async function libraryFor(engine, question) {
+  const short = isShort(question);
+  if (shared === undefined) {
+    if (short) setFlagsFromString('--liftoff-only');
+    shared = { library: await engine.load(), short };
+  } else if (shared.short && !short) {
+    process.exit();
+  } else {
+    forgetPeak();
+  }
+  return shared.library;
+}
+
 async function answer(engine, question) {
-  if (question.repeats === 0 && question.steps <= shortRun) setFlagsFromString('--liftoff-only');
-  const library = await engine.load();
+  const library = await libraryFor(engine, question);
   const simulate = (use) => {
     const simulation = engine.start(library, question);
     try {
@@ -73,7 +97,7 @@ function versionOf(engine) {
 function describe(engine) {
   return engine.solvers.map(({ solver, settings }) => ({
     name: engine.name, solver, version: `${versionOf(engine)}${engine.note}`, licence: engine.licence,
-    ...engine.capabilities, warm_up: warmUp, settings,
+    ...engine.capabilities, warm_up: warmUp, runs_per_process: mostRuns, settings,
   }));
 }
 
@@ -81,9 +105,24 @@ function writeAll(bytes) {
   for (let done = 0; done < bytes.length;) done += writeSync(replyDescriptor, bytes, done);
 }
 
-/** Answers the one question that waits on standard input. */
+/** The lines of standard input; the last may lack its end. */
+function* lines() {
+  const chunk = Buffer.alloc(1 << 16);
+  let parts = [];
+  for (let size; (size = readSync(0, chunk)) > 0;) {
+    parts.push(Buffer.from(chunk.subarray(0, size)));
+    if (chunk[size - 1] !== newline) continue;
+    yield Buffer.concat(parts).toString();
+    parts = [];
+  }
+  if (parts.length > 0) yield Buffer.concat(parts).toString();
+}
+
+/** Answers one question after the other, each in a line, until standard input ends. */
 export async function serve(engine) {
-  const message = JSON.parse(readFileSync(0, 'utf8'));
-  const reply = message.run ? { run: await answer(engine, message.run) } : { engines: describe(engine) };
-  writeAll(Buffer.from(JSON.stringify({ rockstack: 1, ...reply })));
+  for (const line of lines()) {
+    const message = JSON.parse(line);
+    const reply = message.run ? { run: await answer(engine, message.run) } : { engines: describe(engine) };
+    writeAll(Buffer.from(`${JSON.stringify({ rockstack: 1, ...reply })}\n`));
+  }
 }

@@ -1,262 +1,46 @@
 #include "engines/worker/process.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <sys/socket.h>
 
-#include <algorithm>
+#include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <system_error>
-#include <thread>
+#include <stdexcept>
 #include <utility>
 
-#include "engines/worker/answer_check.hpp"
+#include "engines/worker/child.hpp"
 
 namespace rockstack {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool limits_memory = false;
-#else
-constexpr bool limits_memory = true;
-#endif
-
-constexpr int no_program = 127;  ///< exit code of a child that could not become the program
-
-[[noreturn]] void fail(const char* what) {
-  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+/// Between looks at a child: often where it may be unwanted.
+std::chrono::milliseconds tick_of(const Limits& limits) {
+  return std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50);
 }
 
-/// An open file that closes itself and that no other program inherits.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {
-    if (number < 0) fail("no descriptor for a worker");
+Ends socket_pair() {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw std::runtime_error("no sockets for a worker");
+  return {high(ends[0]), high(ends[1])};
+}
+
+/// Waits for a tick at most until the socket takes some of what is left of a question, or has more of a
+/// reply.
+/// @return false where no more will come.
+bool exchange(const Descriptor& socket, const Child& child, std::string_view& left, std::string& reply,
+              std::chrono::milliseconds tick) {
+  pollfd watched{socket.get(), static_cast<short>(left.empty() ? POLLIN : POLLIN | POLLOUT), 0};
+  if (poll(&watched, 1, static_cast<int>(tick.count())) <= 0) return !child.has_ended();
+  if ((watched.revents & POLLOUT) != 0) {
+    const ssize_t sent = send(socket.get(), left.data(), left.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (sent > 0) left.remove_prefix(static_cast<std::size_t>(sent));
   }
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() { close(); }
-  int get() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(std::exchange(number_, -1));
-  }
-
- private:
-  int number_;
-};
-
-/// Out of the way of the numbers that the child gives to its own files.
-Descriptor high(int number) {
-  const Descriptor low(number);
-  return Descriptor(fcntl(low.get(), F_DUPFD_CLOEXEC, 10));
-}
-
-Descriptor memory_file(std::string_view content) {
-  Descriptor file = high(memfd_create("rockstack", MFD_CLOEXEC));
-  while (!content.empty()) {
-    const ssize_t written = write(file.get(), content.data(), content.size());
-    if (written <= 0) fail("no memory for a worker's input");
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  lseek(file.get(), 0, SEEK_SET);
-  return file;
-}
-
-std::string content(const Descriptor& file) {
-  std::string bytes(static_cast<std::size_t>(std::max<off_t>(lseek(file.get(), 0, SEEK_END), 0)), '\0');
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t read =
-        pread(file.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
-    if (read <= 0) fail("a worker's reply cannot be read");
-    done += static_cast<std::size_t>(read);
-  }
-  return bytes;
-}
-
-/// What waits in a pipe.
-std::string waiting(const Descriptor& pipe) {
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (ssize_t size = 0; (size = read(pipe.get(), buffer.data(), buffer.size())) > 0;)
-    text.append(buffer.data(), static_cast<std::size_t>(size));
-  return text;
-}
-
-/// What the child finds open.
-struct Files {
-  int input, reply, complaint, nothing, failure;
-};
-
-/// Between fork and exec: system calls alone, since another thread may have held any lock.
-[[noreturn]] void become(pid_t parent, const char* program, const Files& files, const Limits& limits) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(no_program);  // it was gone before it could be watched
-  setsid();
-  dup2(files.input, 0);
-  dup2(files.nothing, 1);
-  dup2(files.complaint, 2);
-  dup2(files.reply, 3);
-  const rlimit none{0, 0};
-  setrlimit(RLIMIT_CORE, &none);
-  const rlimit reply{limits.reply, limits.reply};
-  setrlimit(RLIMIT_FSIZE, &reply);
-  if (limits_memory) {
-    const rlimit memory{limits.memory, limits.memory};
-    setrlimit(RLIMIT_DATA, &memory);
-  }
-  std::array<char*, 2> arguments{const_cast<char*>(program), nullptr};
-  execv(program, arguments.data());
-  const int error = errno;
-  _exit(write(files.failure, &error, sizeof error) == sizeof error ? no_program : 1);
-}
-
-/// Why a program could not be started, where it left that behind.
-void require_started(const std::string& path, const Descriptor& failure) {
-  const std::string bytes = content(failure);
-  int error = 0;
-  if (bytes.size() != sizeof error) return;
-  std::memcpy(&error, bytes.data(), sizeof error);
-  const bool there = access(path.c_str(), F_OK) == 0;
-  throw std::runtime_error(
-      fmt::format("{}: cannot be started as a worker: {}{}", path, std::strerror(error),
-                  error == ENOENT && there ? ", the interpreter that its first line names" : ""));
-}
-
-/// Calls `use` with each process of a session.
-template <class Use>
-void each_process_of(pid_t session, const Use& use) {
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
-    const pid_t process = std::atoi(entry.path().filename().c_str());
-    if (process > 0 && getsid(process) == session) use(process);
-  }
-}
-
-/// What the operating system's scheduler has given to the threads of a session that are there, s.
-struct Scheduled {
-  double run = 0;     ///< with a processor
-  double waited = 0;  ///< ready for one, while others had it
-};
-
-Scheduled scheduled(pid_t session) {
-  constexpr double nanosecond = 1e-9;
-  Scheduled sum;
-  each_process_of(session, [&](pid_t process) {
-    std::error_code gone;
-    std::filesystem::directory_iterator threads(fmt::format("/proc/{}/task", process), gone);
-    for (; !gone && threads != std::filesystem::directory_iterator(); threads.increment(gone)) {
-      std::ifstream stream(threads->path() / "schedstat");
-      double run = 0, waited = 0;
-      if (!(stream >> run >> waited)) continue;
-      sum.run += nanosecond * run;
-      sum.waited += nanosecond * waited;
-    }
-  });
-  return sum;
-}
-
-/// The time that a child may take. Little passes while this process is stopped.
-class Allowance {
- public:
-  Allowance(pid_t child, const Limits& limits)
-      : child_(child), limit_(limits.time), asked_(limits.unwanted) {}
-
-  bool unwanted() const { return unwanted_; }
-
-  /// Counts the time since the last call, in which this process meant to wait for `wait` at most.
-  /// @return whether any is left, for what is still wanted.
-  bool lasts(std::chrono::microseconds wait) {
-    const auto now = Clock::now();
-    const auto passed = std::min<Clock::duration>(now - std::exchange(last_, now), 10 * wait);
-    clock_ += std::chrono::duration<double>(passed).count();
-    unwanted_ = asked_ != nullptr && (*asked_)();
-    return !unwanted_ && (clock_ < limit_ || used() < limit_);
-  }
-
- private:
-  /// The clock's time but for that in which the session waited for processors that others had; no less than
-  /// that in which it had them.
-  double used() const {
-    const Scheduled sum = scheduled(child_);
-    return std::max(clock_ - sum.waited, std::min(clock_, sum.run));
-  }
-
-  pid_t child_;
-  double limit_;
-  const std::function<bool()>* asked_;
-  double clock_ = 0;
-  bool unwanted_ = false;
-  Clock::time_point last_ = Clock::now();
-};
-
-/// Whether a child is in that state, WEXITED or WSTOPPED; it stays to be waited for.
-bool is(int state, pid_t child) {
-  siginfo_t found{};
-  return waitid(P_PID, static_cast<id_t>(child), &found, state | WNOHANG | WNOWAIT) == 0 &&
-         found.si_pid == child;
-}
-
-/// Kills a child and all that it has left in its session, as groups of jobs. Precondition: it has not been
-/// waited for, so that its number is still that of its session.
-void kill_session(pid_t child) {
-  kill(-child, SIGKILL);
-  each_process_of(child, [](pid_t process) { kill(process, SIGKILL); });
-}
-
-/// Waits until the last writer of the pipe is gone, which is when the child ends, but for what it has
-/// started.
-/// @return whether it did.
-bool wait_for_end(pid_t child, const Descriptor& pipe, Allowance& time, std::chrono::milliseconds tick) {
-  while (time.lasts(tick)) {
-    pollfd watched{pipe.get(), 0, 0};
-    const int count = poll(&watched, 1, static_cast<int>(tick.count()));
-    if ((count > 0 && (watched.revents & POLLHUP) != 0) || (count == 0 && is(WEXITED, child))) return true;
-    if (count < 0 && errno != EINTR) fail("a worker cannot be waited for");
-  }
-  return false;
-}
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-/// Collects the child, and kills it where it is not done in time.
-ProcessEnd collect(pid_t child, const Descriptor& pipe, const Limits& limits) {
-  Allowance time(child, limits);
-  ProcessEnd end;
-  bool gone = wait_for_end(child, pipe, time, std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50));
-  // A child that has closed its standard error may live on.
-  while (gone && !is(WEXITED, child)) {
-    constexpr std::chrono::microseconds tick{200};
-    std::this_thread::sleep_for(tick);
-    gone = time.lasts(tick);
-  }
-  if (!gone) {
-    end.unwanted = time.unwanted();
-    end.timed_out = !end.unwanted;
-    end.stopped = is(WSTOPPED, child);
-  }
-  kill_session(child);
-  int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  if (WIFSIGNALED(status) && gone) end.signal = WTERMSIG(status);
-  if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
-  end.processor_time = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  return end;
+  std::array<char, 1 << 16> buffer{};
+  const ssize_t got = recv(socket.get(), buffer.data(), buffer.size(), MSG_DONTWAIT);
+  if (got > 0) reply.append(buffer.data(), static_cast<std::size_t>(got));
+  return got > 0 || (got < 0 && errno == EAGAIN);
 }
 
 }  // namespace
@@ -264,25 +48,58 @@ ProcessEnd collect(pid_t child, const Descriptor& pipe, const Limits& limits) {
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits) {
   const Descriptor in = memory_file(input);
   const Descriptor reply = memory_file({});
-  const Descriptor failure = memory_file({});
-  const Descriptor nothing = high(open("/dev/null", O_WRONLY | O_CLOEXEC));
-  std::array<int, 2> ends{};
-  // What does not fit into the pipe is lost: a worker that talks without end must not be held up.
-  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) fail("no pipe for a worker");
-  const Descriptor read_end = high(ends[0]);
-  Descriptor write_end = high(ends[1]);
-  const std::string path = program.string();
-  const pid_t parent = getpid();
-  const pid_t child = fork();
-  if (child < 0) fail("a worker cannot be started");
-  if (child == 0)
-    become(parent, path.c_str(), {in.get(), reply.get(), write_end.get(), nothing.get(), failure.get()},
-           limits);
-  write_end.close();
-  ProcessEnd end = collect(child, read_end, limits);
-  require_started(path, failure);
+  Child child(program, in.get(), reply.get(), limits);
+  Allowance time(child.number(), limits);
+  child.wait_for_end(time, tick_of(limits));
+  ProcessEnd end = child.finish(time);
   end.reply = content(reply);
-  end.last_words = telling_line(waiting(read_end));
+  return end;
+}
+
+struct LastingProcess::State {
+  State(const std::filesystem::path& program, const Limits& limits, Ends ends = socket_pair())
+      : socket(std::move(ends.ours)), child(program, ends.theirs.get(), ends.theirs.get(), limits) {}
+
+  Descriptor socket;  ///< the other end is standard input of the program, and its descriptor 3
+  Child child;
+};
+
+LastingProcess::LastingProcess(const std::filesystem::path& program, const Limits& limits)
+    : state_(std::make_unique<State>(program, limits)) {}
+
+LastingProcess::~LastingProcess() = default;
+
+bool LastingProcess::waits() const {
+  pollfd watched{state_->socket.get(), POLLIN, 0};
+  return state_->child.number() != 0 && poll(&watched, 1, 0) == 0;
+}
+
+ProcessEnd LastingProcess::ask(std::string_view question, const Limits& limits) {
+  auto& [socket, child] = *state_;
+  const std::chrono::milliseconds tick = tick_of(limits);
+  const double before = child.processor_time();
+  child.complaints();  // those of the question before are not of this one
+  Allowance time(child.number(), limits, scheduled(child.number()));
+  const std::string line = std::string(question) + '\n';
+  std::string_view left = line;
+  std::string reply;
+  bool open = true;
+  while (open && !reply.ends_with('\n') && reply.size() <= limits.reply && time.lasts(tick))
+    open = exchange(socket, child, left, reply, tick);
+  const bool too_long = reply.size() > limits.reply;
+  ProcessEnd end;
+  if (reply.ends_with('\n') && !too_long) {
+    end.processor_time = child.processor_time();
+    end.reply = std::move(reply);
+  } else {
+    if (!open) child.wait_for_end(time, tick);
+    end = child.finish(time);
+    if (too_long) {
+      end.timed_out = end.unwanted = false;
+      end.signal = SIGXFSZ;
+    }
+  }
+  end.processor_time -= before;
   return end;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -20,7 +21,7 @@ struct Limits {
   const std::function<bool()>* unwanted = nullptr;  ///< asked every few ms: true ends the run; null: none
 };
 
-/// How a process ended.
+/// How a process ended, or answered.
 struct ProcessEnd {
   bool timed_out = false;     ///< and was killed for it
   bool unwanted = false;      ///< likewise
@@ -37,5 +38,26 @@ struct ProcessEnd {
 /// started in its session goes with it.
 /// @throws std::runtime_error where the operating system will not start it.
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits);
+
+/// A program that answers one question after the other, each of them a line, under its own limits of time and
+/// reply. It is started as by run_process(), and ends with this, or with the thread that has started it.
+class LastingProcess {
+ public:
+  /// The limit of memory is that of all questions.
+  LastingProcess(const std::filesystem::path& program, const Limits& limits);
+  ~LastingProcess();
+
+  /// False where it has ended, or has said something that nobody asked.
+  bool waits() const;
+
+  /// Asks, and waits for the answer or for its end: as the rest of the result tells, or an empty reply.
+  /// `processor_time` is that since the question.
+  /// @throws std::runtime_error where the operating system has not started it.
+  ProcessEnd ask(std::string_view question, const Limits& limits);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace rockstack

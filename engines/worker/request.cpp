@@ -124,6 +124,7 @@ json fields_of(const EngineDescription& engine) {
               {"tuned_lead", engine.capabilities.tuned_lead},
               {"settings", json::array()}};
   if (engine.warm_up > 0) object["warm_up"] = engine.warm_up;
+  if (engine.runs_per_process > 1) object["runs_per_process"] = engine.runs_per_process;
   for (const Setting& setting : engine.settings) {
     json one = object_of(setting, setting_fields);
     one["name"] = setting.name;
@@ -163,6 +164,8 @@ EngineDescription read_engine(const json& object) {
   if (has_field(object, "lead")) able.lead = number_field(object, "lead");
   able.tuned_lead = has_field(object, "tuned_lead") ? number_field(object, "tuned_lead") : able.lead;
   if (has_field(object, "warm_up")) engine.warm_up = count_field(object, "warm_up");
+  if (has_field(object, "runs_per_process"))
+    engine.runs_per_process = count_field(object, "runs_per_process");
   engine.settings = read_list(object, "settings", read_setting);
   return engine;
 }

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 #include "analytic/scene/messages/one_line.hpp"
@@ -85,9 +86,8 @@ RunReply read_run(const std::string& bytes, const RunRequest& asked) {
   return *std::move(reply.run);
 }
 
-Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
-  limits.reply = reply_limit(asked);
-  const ProcessEnd end = run_process(engine.program, to_bytes(Request{asked}, engine.form), limits);
+Answer answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunRequest& asked,
+                 const Limits& limits) {
   if (end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0)
     return {explain(end, limits), end.processor_time};
   try {
@@ -97,6 +97,50 @@ Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
         fmt::format("{} gave a reply that cannot be read: {}", engine.program.string(), heard(error.what()));
     return {{"failed", with_last_words(reason, end), {}, {}, 0}, end.processor_time};
   }
+}
+
+/// A process that may take further runs of a thread.
+struct Kept {
+  std::filesystem::path program = {};
+  std::uint64_t memory = 0;  ///< its limit, bytes
+  std::size_t runs = 0;      ///< that it may take yet
+  std::unique_ptr<LastingProcess> process = {};
+};
+
+/// Of this thread. One: runs of an engine come after each other, and a process holds its memory.
+thread_local Kept kept;
+
+/// True for a run that need not have a process of its own: nobody takes its time, and nobody may stop it.
+bool may_share(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
+  return engine.runs_per_process > 1 && engine.form == Form::json && asked.repeats == 0 &&
+         limits.unwanted == nullptr;
+}
+
+Answer ask_kept(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
+  const std::string question = to_bytes(Request{asked}, engine.form);
+  Answer answer = answer_of(kept.process->ask(question, limits), engine, asked, limits);
+  if (answer.run.status != "done" || --kept.runs == 0) kept = {};
+  return answer;
+}
+
+Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
+  limits.reply = reply_limit(asked);
+  if (!may_share(engine, asked, limits))
+    return answer_of(run_process(engine.program, to_bytes(Request{asked}, engine.form), limits), engine,
+                     asked, limits);
+  double spent = 0;
+  const bool there = kept.process && kept.program == engine.program && kept.memory == limits.memory;
+  if (there && kept.process->waits()) {
+    Answer answer = ask_kept(engine, asked, limits);
+    if (answer.run.status == "done") return answer;
+    spent = answer.processor_time;  // the runs before it may be why: a new process tells
+  }
+  kept = {};
+  kept = {engine.program, limits.memory, engine.runs_per_process,
+          std::make_unique<LastingProcess>(engine.program, limits)};
+  Answer answer = ask_kept(engine, asked, limits);
+  answer.processor_time += spent;
+  return answer;
 }
 
 }  // namespace

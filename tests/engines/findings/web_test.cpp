@@ -36,6 +36,29 @@ double largest_error(const WorkerEngine& engine, const Scene& scene, const Param
   return most;
 }
 
+/// Whatever ran before in a process that takes several runs, a run has the bits that it has in its own.
+TEST(WebEngines, GiveTheSameBitsWhateverTheirProcessHasRun) {
+  std::vector<Scene> scenes(3, slender_block(0.3));
+  scenes[1].initial.angles = {0.05};
+  scenes[2].blocks.push_back(make_block(0.3, 1, 2500));
+  scenes[2].initial = {{0.05, 0.05}, {0, 0}};
+  for (const WorkerEngine& engine : engines()) {
+    if (engine.runs_per_process == 1) continue;
+    SCOPED_TRACE(engine.full_name());
+    const auto angles = [&](const Scene& scene, std::size_t runs) {
+      WorkerEngine asked = engine;
+      asked.runs_per_process = runs;
+      return simulate(asked, scene, 1e-3, engine.tuned_parameters()).history.angles;
+    };
+    std::vector<std::vector<double>> alone;
+    for (const Scene& scene : scenes) alone.push_back(angles(scene, 1));
+    for (std::size_t i = 0; i < 6; ++i) {
+      const std::size_t number = i < 3 ? i : 5 - i;
+      EXPECT_EQ(angles(scenes[number], 6), alone[number]) << i;
+    }
+  }
+}
+
 /// A setting that alone takes most of the error away, and in the tuned set brings it back.
 struct Cause {
   const char* engine;

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "engines/worker/process.hpp"
+
+namespace rockstack {
+
+/// An open file that closes itself and that no other program inherits.
+class Descriptor {
+ public:
+  /// @throws std::runtime_error for a number below 0.
+  explicit Descriptor(int number);
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
+  ~Descriptor() { close(); }
+  int get() const { return number_; }
+  void close();
+
+ private:
+  int number_;
+};
+
+/// The same file out of the way of the numbers that a child gives to its own files.
+Descriptor high(int number);
+
+/// A file in memory that has some content.
+Descriptor memory_file(std::string_view content);
+
+/// All of such a file.
+std::string content(const Descriptor& file);
+
+/// Of a pipe or a pair of sockets: the one of this process, and the one of its child.
+struct Ends {
+  Descriptor ours, theirs;
+};
+
+/// What the operating system's scheduler has given to the threads of a session that are there, s.
+struct Scheduled {
+  double run = 0;     ///< with a processor
+  double waited = 0;  ///< ready for one, while others had it
+};
+
+Scheduled scheduled(pid_t session);
+
+/// The time that a child may take. Little passes while this process is stopped.
+class Allowance {
+ public:
+  /// `before`: what its session was given for something else.
+  Allowance(pid_t session, const Limits& limits, Scheduled before = {})
+      : session_(session), limit_(limits.time), asked_(limits.unwanted), before_(before) {}
+
+  bool unwanted() const { return unwanted_; }
+
+  /// Counts the time since the last call, in which this process meant to wait for `wait` at most.
+  /// @return whether any is left, for what is still wanted.
+  bool lasts(std::chrono::microseconds wait);
+
+ private:
+  double used() const;
+
+  pid_t session_;
+  double limit_;
+  const std::function<bool()>* asked_;
+  Scheduled before_;
+  double clock_ = 0;
+  bool unwanted_ = false;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// A program that runs in a session of its own, without a terminal. Both go with this.
+class Child {
+ public:
+  /// Starts it with these files as standard input and descriptor 3, under the limits of memory and reply.
+  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits);
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// 0 where it is finished.
+  pid_t number() const { return number_; }
+
+  /// User and system time of the program so far, s.
+  double processor_time() const;
+
+  bool has_ended() const;
+
+  /// Waits until it has ended, or its time is over.
+  /// @return whether it has.
+  bool wait_for_end(Allowance& time, std::chrono::milliseconds tick) const;
+
+  /// What waits of its standard error, 64 KiB at most.
+  std::string complaints() const;
+
+  /// Kills it where it has not ended, and what else is left of its session; how it has ended.
+  /// @throws std::runtime_error where it could not be started.
+  ProcessEnd finish(const Allowance& time);
+
+ private:
+  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits, Ends ends);
+
+  std::string program_;
+  Descriptor failure_;
+  Descriptor complaints_;
+  pid_t number_ = 0;
+};
+
+}  // namespace rockstack
