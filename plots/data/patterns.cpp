@@ -17,11 +17,4 @@ std::vector<PatternSpan> pattern_spans(const History& history) {
   return spans;
 }
 
-std::string shown_pattern(const Pattern& pattern) {
-  std::string text;
-  for (const char letter : name(pattern))
-    text += letter == '<' ? "←" : letter == '>' ? "→" : letter == '-' ? "–" : std::string(1, letter);
-  return text;
-}
-
 }  // namespace rockstack::plots

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -15,8 +14,5 @@ struct PatternSpan {
 
 /// From the first time to the last without gaps; none where a history knows no patterns.
 std::vector<PatternSpan> pattern_spans(const History& history);
-
-/// A pattern's name for people: an arrow the way an interface slides, a dash where it is apart.
-std::string shown_pattern(const Pattern& pattern);
 
 }  // namespace rockstack::plots

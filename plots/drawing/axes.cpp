@@ -78,8 +78,9 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
   std::vector<double> chosen = between_decades({1}, low, high);
   if (chosen.size() >= enough) {
     const std::size_t stride = (chosen.size() + most - 1) / most;
-    return fmt::format("set format {0} '10^{{%T}}'\nset {0}tics {1}, {2}\n", axis, plain(chosen.front()),
-                       plain(std::pow(10, static_cast<double>(stride))));
+    return fmt::format("set format {0} '10^{{%T}}'\nset {0}tics {1}, {2}\n{3}", axis, plain(chosen.front()),
+                       plain(std::pow(10, static_cast<double>(stride))),
+                       stride > 1 ? fmt::format("unset m{}tics\n", axis) : "");
   }
   for (const std::vector<double>& times : finer_multiples) {
     const std::vector<double> finer = between_decades(times, low, high);

@@ -11,6 +11,7 @@
 
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/reactions.hpp"
+#include "comparisons/measures/results/shown_pattern.hpp"
 #include "plots/data/patterns.hpp"
 
 namespace rockstack::plots {
@@ -185,7 +186,8 @@ Json player_scene(const PlayerScene& scene, Json events) {
   const std::size_t stride = stride_for(scene.ground_times.size(), most);
   if (!scene.ground_times.empty())
     json["ground"] = {{"times", packed(scene.ground_times, 1, stride)},
-                      {"values", packed(scene.ground, 1, stride)}};
+                      {"values", packed(scene.ground, 1, stride)},
+                      {"up", packed(scene.ground_up, 1, stride)}};
   return json;
 }
 
@@ -196,11 +198,14 @@ std::string for_script(const Json& data) {
 }
 
 Json stage_of(const Scene& scene, const History& history) {
-  PlayerScene stage{scene.title, scene.blocks, scene.gravity, {}, {}, {}};
+  PlayerScene stage{scene.title, scene.blocks, scene.gravity, {}, {}, {}, {}};
   if (leaves_pivots(scene.law)) stage.friction = friction_of(scene);
-  if (!scene.horizontal.empty()) {
+  if (!scene.horizontal.empty() || !scene.vertical.empty()) {
     stage.ground_times = history.times;
-    for (const double time : history.times) stage.ground.push_back(acceleration(scene.horizontal, time));
+    for (const double time : history.times) {
+      stage.ground.push_back(acceleration(scene.horizontal, time));
+      stage.ground_up.push_back(acceleration(scene.vertical, time));
+    }
   }
   return player_scene(stage, player_events(history, chatter_speed(scene)));
 }

@@ -57,9 +57,10 @@ nlohmann::ordered_json player_events(const History& history, double chatter_spee
 struct PlayerScene {
   std::string title;
   std::vector<Block> blocks;
-  double gravity = 0;                        ///< m/s²
-  std::vector<double> friction;              ///< of each interface; none where blocks keep to their pivots
-  std::vector<double> ground_times, ground;  ///< s and m/s², to the right; none where it does not move
+  double gravity = 0;                     ///< m/s²
+  std::vector<double> friction;           ///< of each interface; none where blocks keep to their pivots
+  std::vector<double> ground_times;       ///< s; none where the ground does not move
+  std::vector<double> ground, ground_up;  ///< its acceleration at these times, m/s², to the right and upwards
 };
 
 nlohmann::ordered_json player_scene(const PlayerScene& scene, nlohmann::ordered_json events);

@@ -54,11 +54,13 @@ Json track_of(const Run& run, const Json& events, std::size_t samples, bool show
   return track;
 }
 
-/// The exact run, and two engines that differ from it and from each other, at their coarsest steps.
-std::set<std::string> shown_at_first(const std::vector<Run>& runs) {
+/// The exact run, and two engines that differ from it and from each other, at their coarsest steps, or where
+/// others are `left_out` not at these.
+std::set<std::string> shown_at_first(const std::vector<Run>& runs, const std::set<std::string>& left_out) {
   std::set<std::string> engines, names;
   for (const Run& run : runs)
-    if (run.exact() || (run.dt && engines.size() < 2 && engines.insert(run.engine).second))
+    if (run.exact() ||
+        (run.dt && !left_out.contains(run.run) && engines.size() < 2 && engines.insert(run.engine).second))
       names.insert(run.run);
   if (engines.empty() && runs.size() > 1) names.insert(runs[1].run);
   return names;
@@ -71,7 +73,7 @@ std::size_t samples_for(std::size_t tracks, int blocks, bool slips, std::size_t 
   return std::clamp(numbers / (players * columns), fewest, most);
 }
 
-Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players) {
+Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players, bool finest) {
   std::vector<Run> runs = shown_runs(comparison, scene.name).exact;
   std::set<std::string> coarse;
   for (const StepLine& line : shown_lines(comparison, scene.name)) {
@@ -80,14 +82,15 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   }
   const Run& first = runs.front();
   const Json events = player_events(first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
-  PlayerScene stage{scene.title, scene.stack, scene.gravity, {}, {}, {}};
+  PlayerScene stage{scene.title, scene.stack, scene.gravity, {}, {}, {}, {}};
   if (tells_slips(first)) stage.friction = scene.friction;
   if (!scene.ground_motion.empty()) {
-    auto columns = read_columns(scene.ground_motion, {"time", "horizontal"});
+    auto columns = read_columns(scene.ground_motion, {"time", "horizontal", "vertical"});
     stage.ground_times = std::move(columns[0]), stage.ground = std::move(columns[1]);
+    stage.ground_up = std::move(columns[2]);
   }
   Json data = player_scene(stage, events);
-  const std::set<std::string> seen = shown_at_first(runs);
+  const std::set<std::string> seen = shown_at_first(runs, finest ? coarse : std::set<std::string>());
   const std::size_t samples = samples_for(runs.size(), scene.blocks(), scene.slips, players);
   data["tracks"] = Json::array();
   for (const Run& run : runs)
@@ -104,7 +107,8 @@ std::string player_anchor(std::size_t scene) {
 
 std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start) {
   const ComparedScene& shown = comparison.scenes[scene];
-  Json data = data_of(comparison, shown, comparison.scenes.size());
+  const bool finest = start.is_object() && start.value("finest", false);
+  Json data = data_of(comparison, shown, comparison.scenes.size(), finest);
   if (!start.is_null()) data["start"] = start;
   if (!shown.page.empty()) data["scene"] = parse_json(shown.page, "the scene of a page ");
   return filled_in(player_html, {{"id", fmt::format("player-{}", scene + 1)},

@@ -18,6 +18,7 @@ struct PlayerStart {
   double gain = 1;        ///< angles are drawn that many times larger, 1 to 100
   bool overlaid = false;  ///< motions over each other, not side by side
   bool chatter = false;   ///< stepping stops at impacts of chatter too
+  bool finest = false;    ///< engines are shown at their finest steps
 };
 
 /// What a lesson's text leaves open: numbers in words ready to be read, and tables, each by its name.

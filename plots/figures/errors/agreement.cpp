@@ -89,7 +89,7 @@ std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& 
 constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
-/// From nought to when it stops to agree, or to the edge, with the quartiles over replicates.
+/// From nought to when it stops agreeing, or to the edge, with the quartiles over replicates.
 void add_times(Plots& plots, const Place& place, const SceneScale& scale, double edge) {
   const Run& run = *place.run;
   if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});

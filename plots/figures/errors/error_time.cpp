@@ -225,7 +225,7 @@ std::string exact_line(double cost, bool named) {
   std::string line = fmt::format(
       "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 3 lc rgb '#000000' back\n", plain(cost));
   if (named)
-    line += fmt::format("set label ' exact solver' at {}, graph 0.04 left font ',12'\n", plain(cost));
+    line += fmt::format("set label ' exact solver' at {}, graph 0.07 left font ',12'\n", plain(cost));
   return line;
 }
 
@@ -237,10 +237,13 @@ Drawing error_time(const SceneSubject& subject) {
   const double exact = exact_cost(subject.shown().exact);
   const Frame frame = frame_of(lines, exact);
   const bool many = lines.size() > most_series;
+  constexpr auto floor_style = "lw 2 dt (6,4) lc rgb '#666666'";
   const bool comparable = are_comparable(subject.scene, lines.front().run);
   Legend legend;
   if (!many)
     for (const CostLine& line : lines) legend.emplace_back(mark_style(line.run, 1.7), line.label);
+  if (!many && !floors(lines).empty())
+    legend.emplace_back(fmt::format("with lines {}", floor_style), "model error, from the fit");
   Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance));
   Numbers all;
   for (const CostLine& line : lines) std::ranges::copy(numbers_of(line), std::back_inserter(all));

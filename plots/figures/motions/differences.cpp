@@ -76,8 +76,10 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
   }
 }
 
-/// A row a run: when each replicate first passes the tolerance, and their median, filled.
-void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, const TimeAxis& axis) {
+/// A row a run: when each replicate first passes the tolerance, and their median, filled; with ≥ where it
+/// does not up to the horizon, beyond which nothing is compared.
+void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, const TimeAxis& axis,
+                    double horizon) {
   constexpr double room_for_names = 0.34;
   const double row_height = sheet.width() < full_width ? 15 : 22;
   const auto rows = static_cast<double>(departures.size());
@@ -90,7 +92,9 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
     const Numbers marks = each_of(one.agreement_times, mark);
     plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'",
                                   style_of(one.run).colour)});
-    plots.add({mark(value_of(one.run.agreement_time))}, {"using 1:2 " + mark_style(one.run, 1.6)});
+    const double agrees = value_of(one.run.agreement_time);
+    plots.add({mark(agrees)}, {"using 1:2 " + mark_style(one.run, 1.6)});
+    if (agrees >= horizon) plots.add({mark(agrees)}, {"using 1:2:('≥') with labels right offset -1.2,0"});
     names.push_back(line_label(one.run));
   }
   const std::string words =
@@ -130,7 +134,8 @@ Drawing differences(const SceneSubject& subject) {
   const std::vector<Run>& runs = shown.engines;
   if (runs.empty()) return subject.nothing("No exact run of this scene to compare with.");
   constexpr int most_blocks = 4;  // with a panel each
-  const bool many = are_many(runs), together = many || scene.blocks() > most_blocks;
+  const bool many = are_many(runs),
+             together = many || scene.blocks() > most_blocks || (subject.on_slide && scene.blocks() > 1);
   const std::size_t curves =
       runs.size() * (many ? runs.size() : 2 * static_cast<std::size_t>(scene.blocks()));
   const std::vector<Departure> departures = each_of(
@@ -140,7 +145,7 @@ Drawing differences(const SceneSubject& subject) {
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));
   add_panels(sheet, subject, departures, axis, together);
-  add_agreements(sheet, departures, axis);
+  add_agreements(sheet, departures, axis, scene.horizon());
   return sheet.finish();
 }
 

@@ -74,7 +74,8 @@ std::string answer(const std::vector<Energies>& all) {
   Reach largest;
   for (const Energies& one : all) largest.add(one.apart.largest());
   const auto text = [](double value) { return fmt::format("{:.3g}", value); };
-  return fmt::format("Off between impacts by at most {} J", span_text(text(largest.low), text(largest.high)));
+  return fmt::format("Largest difference between impacts: {} J, by engine",
+                     span_text(text(largest.low), text(largest.high)));
 }
 
 }  // namespace

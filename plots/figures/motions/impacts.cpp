@@ -110,7 +110,7 @@ std::string answer(const std::vector<Verdicts>& all) {
         all, [list](const Verdicts& one) { return static_cast<double>((one.*list).size()); },
         [](double number) { return fmt::format("{:g}", number); });
   };
-  return fmt::format("Half of an engine's {} matched impacts within {}; {} missed, {} extra",
+  return fmt::format("By engine: {} impacts matched, in the median {} off; {} missed, {} extra",
                      count(&Verdicts::numbers), span_of(all, median_size, rounded_duration),
                      count(&Verdicts::missed), count(&Verdicts::extra));
 }

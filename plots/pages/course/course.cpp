@@ -11,8 +11,8 @@ std::string picture_of(const std::filesystem::path& results, const std::string& 
   for (const auto& [folder, ending] : {std::pair{"figures/slides", ".png"}, {"figures", ".histories.png"}})
     for (const std::string& name : names_in(results / lesson / folder, {".png"}))
       if (name.ends_with(ending))
-        return fmt::format("<img src=\"{}/{}/{}\" alt=\"A figure of it\" loading=\"lazy\">\n", lesson, folder,
-                           name);
+        return fmt::format("<img src=\"{}/{}/{}\" alt=\"A figure of the lesson {}\" loading=\"lazy\">\n",
+                           lesson, folder, name, lesson);
   return "";
 }
 
@@ -94,10 +94,11 @@ void write_course(const std::filesystem::path& results) {
             [&](const Json& course) { write_file(results / "index.html", course_page(results, course)); });
   const std::string player =
       filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}});
-  write_file(results / "glossary.html",
-             page("Glossary", "course",
-                  element("h1", "Glossary") + element("main", std::string(glossary_html)) +
-                      element("div", player, " hidden")));
+  write_file(
+      results / "glossary.html",
+      page("Glossary", "course",
+           element("nav", link("index.html", "All lessons"), " class=\"bar\"") + element("h1", "Glossary") +
+               element("main", std::string(glossary_html)) + element("div", player, " hidden")));
 }
 
 SheetPages write_sheet(const std::filesystem::path& answers) {

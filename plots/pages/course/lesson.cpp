@@ -122,30 +122,35 @@ std::string list_of(const Json& texts) {
   return element("ul", text_of_each(texts, item));
 }
 
-/// To the course and the lessons beside this one, where they are.
+/// Other lessons and the course's own pages lie beside this one.
+bool is_in_course(const Json& lesson) {
+  return lesson.contains("neighbours");
+}
+
+std::string page_beside(const Json& lesson) {
+  return "../" + escaped_at(lesson, "name") + "/lesson.html";
+}
+
+/// To what the words mean, and to the course and the lessons beside this one, where they are.
 std::string navigation(const Json& lesson) {
-  if (!lesson.contains("neighbours")) return "";
-  std::string links = link("../index.html", "All lessons") + " ";
-  for (const auto& [key, words] : {std::pair{"previous", "◀ the one before"}, {"next", "the next one ▶"}})
-    if (const std::string name = escaped_at(lesson.at("neighbours"), key); !name.empty())
-      links += link("../" + name + "/lesson.html", words) + " ";
+  std::string links = link("report.html#words", "What the words mean");
+  if (is_in_course(lesson)) {
+    links =
+        link("../index.html", "All lessons") + " " + link("../glossary.html", "What the words mean") + " ";
+    for (const auto& [key, words] : {std::pair{"previous", "◀ the one before"}, {"next", "the next one ▶"}})
+      if (const std::string name = escaped_at(lesson.at("neighbours"), key); !name.empty())
+        links += link("../" + name + "/lesson.html", words) + " ";
+  }
   return element("nav", links, " class=\"bar\" aria-label=\"Course\"");
 }
 
 std::string titles_after(const Json& lesson) {
-  const auto name = [](const Json& one) { return element("code", escaped_at(one, "name")); };
+  const auto title = [&](const Json& one) {
+    const std::string words = "“" + escaped_at(one, "title") + "”";
+    return is_in_course(lesson) ? link(page_beside(one), words) : words;
+  };
   const Json& before = lesson.at("after");
-  return before.empty() ? "" : " · after " + text_of_each(before, name, ", ");
-}
-
-/// The first scene's motion, where the text does not show it anyway.
-std::string picture(const fs::path& results, const Comparison& comparison, const std::string& text) {
-  const ComparedScene& scene = comparison.scenes.front();
-  for (const Figure* figure : figures_of(scene))
-    if (figure->name == "histories" &&
-        text.find(fmt::format("{{{{figure:{}.histories}}}}", scene.name)) == std::string::npos)
-      return scene_figure(results, comparison, 0, *figure);
-  return "";
+  return before.empty() ? "" : " · after " + text_of_each(before, title, ", ");
 }
 
 /// What a lesson's page and its slides share.
@@ -160,7 +165,6 @@ Values lesson_values(const fs::path& results, const Comparison& comparison, cons
           {"navigation", navigation(lesson)},
           {"aims", list_of(lesson.at("aims"))},
           {"references", list_of(lesson.at("references"))},
-          {"picture", picture(results, comparison, text)},
           {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
           {"command", escaped(comparison.command)},
           {"environment", definition_list(comparison.environment)}};

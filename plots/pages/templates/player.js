@@ -2,7 +2,7 @@
 // Plays the motions of one scene: reads the data that stands beside the canvas, draws blocks to scale, and keeps
 // controls, picture and words at the same time.
 const startPlayer = (() => {
-const { Stack, Part, iconOf, drawIcon } = stacks;
+const { Stack, Part, iconOf, drawIcon, contactsOf } = stacks;
 const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
 const clear = 5e-4; // of the stack's height: blocks that are further from each other do not touch
 const steepest = 1.45; // rad: angles are not exaggerated beyond
@@ -30,10 +30,10 @@ const lastBefore = (times, time) => {
 const kinds = { opening: ["Opening", ", which starts to rock"], impact: ["Impact", ""],
   closure: ["Closure", ", which stays closed after ever smaller impacts"], rest: ["Rest", ", the last that was open"],
   "lift-off": ["Lift-off", ", where blocks part"],
-  slip: ["Slip", ", which starts to slide"], stick: ["Stick", ", which stops to slide that way"],
+  slip: ["Slip", ", which starts to slide"], stick: ["Stick", ", which stops sliding that way"],
   corner: ["Corner", ", where the contact passes to another corner"], fall: ["Fall", ", where a block is beside the face below"],
   strike: ["Strike", ", where a block meets the ground or one further down"],
-  touch: ["Touch", ", where a corner starts to push"], part: ["Part", ", where a corner stops to push"] };
+  touch: ["Touch", ", where a corner starts to push"], part: ["Part", ", where a corner stops pushing"] };
 
 const subscript = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
 const signed = (value, digits) => (Number(value.toFixed(digits)) < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
@@ -94,6 +94,8 @@ class Player {
     this.load(data);
     this.makeControls();
     if (data.start) this.start(data.start);
+    const narrowest = 150; // pixels, in which a motion and its name can be read
+    if (this.find("stage").clientWidth < narrowest * this.shown().length) this.find("view").value = "over";
     new ResizeObserver(() => this.resize()).observe(this.find("stage"));
     this.resize();
     this.say();
@@ -106,7 +108,7 @@ class Player {
     this.tracks = data.tracks.map((track) => new Track(track, data.blocks.length));
     for (const track of this.tracks) if (hidden.includes(track.label)) track.shown = false;
     this.events = data.events;
-    this.ground = data.ground ? { times: unpack(data.ground.times), values: unpack(data.ground.values) } : null;
+    this.ground = data.ground ? { times: unpack(data.ground.times), along: unpack(data.ground.values), up: unpack(data.ground.up) } : null;
     this.weight = data.weight;
     this.friction = data.friction;
     this.title = data.title;
@@ -319,7 +321,8 @@ class Player {
 
   told([, number, from, to, , kind]) {
     if (kind === "topple") return `Block ${number} topples: it passes its toppling angle.`;
-    const [word, meaning] = kinds[kind];
+    const turned = kind === "stick" && contactsOf(to)?.[1][number - 1]; // it slides back at once
+    const [word, meaning] = turned ? ["Reversal", ", which slides back"] : kinds[kind];
     return `${word} at interface ${number}${meaning}: ${from === to ? `pattern ${from} stays` : `pattern ${from} becomes ${to}`}.`;
   }
 
@@ -425,15 +428,15 @@ class Player {
     const columns = over ? 1 : Math.max(1, shown.length);
     const [across, up] = this.reach();
     const side = Math.max(across, this.stack.width / 2 + Math.max(this.stack.height * this.lean(), 0.35 * this.stack.width));
-    const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / Math.max(up, this.stack.height * 1.03));
+    const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / (Math.max(up, this.stack.height * 1.03) + this.rise()));
     this.views.clear();
     shown.forEach((track, i) => {
       const column = over ? 0 : i;
       const middle = (column + 0.5) * width / columns;
-      const shift = this.displacement(this.time) * scale;
-      const view = { pen, x: (m) => middle + shift + m * scale, y: (m) => height - 34 - m * scale, scale, over };
+      const [right, lift] = this.displacement(this.time);
+      const view = { pen, x: (m) => middle + (right + m) * scale, y: (m) => height - 34 - (lift + m) * scale, scale, over, left: middle - width / columns / 2 };
       this.views.set(track, view);
-      if (!over || i === 0) this.drawGround(view, middle, width / columns);
+      if (!over || i === 0) this.drawGround(view, middle, width / columns, height);
       this.drawTrack(view, track, i);
       if (this.find("trace").checked) this.drawTrace(view, track);
       this.caption(pen, track, over ? 12 : column * width / columns + 8, over ? 18 + 17 * i : 18, width / columns);
@@ -461,8 +464,14 @@ class Player {
   }
 
   caption(pen, track, x, y, room) {
-    pen.fillStyle = track.colour;
-    pen.fillRect(x, y - 5, 18, 4);
+    pen.strokeStyle = track.colour;
+    pen.lineWidth = 4;
+    pen.setLineDash(track.dash);
+    pen.beginPath();
+    pen.moveTo(x, y - 4);
+    pen.lineTo(x + 18, y - 4);
+    pen.stroke();
+    pen.setLineDash([]);
     pen.fillStyle = "#1a1a1a";
     pen.font = "12px 'DejaVu Sans', sans-serif";
     pen.textAlign = "left";
@@ -470,7 +479,7 @@ class Player {
     for (const word of (track.label + (this.time > track.end + 1e-9 ? " (ended)" : "")).split(" ")) {
       const longer = line ? `${line} ${word}` : word;
       if (line && pen.measureText(longer).width > room - 30) {
-        pen.fillText(line, x + 24, y);
+        pen.fillText(line, x + 24, y, room - 30);
         y += 14;
         line = word;
       } else {
@@ -480,7 +489,7 @@ class Player {
     pen.fillText(line, x + 24, y, room - 30);
   }
 
-  drawGround({ pen, y, scale, x }, middle, room) {
+  drawGround({ pen, y, scale, x }, middle, room, height) {
     pen.fillStyle = "#e4e0d8";
     pen.fillRect(middle - room / 2 + 4, y(0), room - 8, 10);
     pen.strokeStyle = "#555";
@@ -498,13 +507,15 @@ class Player {
       pen.lineTo(place - 5, y(0) + 9);
     }
     pen.stroke();
-    const at = Math.max(0, lastBefore(this.ground.times, this.time));
-    const push = this.ground.values[at] / 9.81;
+    const at = Math.max(0, lastBefore(this.ground.times, this.time)), side = middle - room / 2 + 8;
+    const push = this.ground.along[at] / 9.81, lift = this.ground.up[at] / 9.81, moves = (values) => values.some((value) => value !== 0);
     arrow(pen, x(0), y(0) + 15, x(0) + push * room * 0.4, y(0) + 15, "#6b4e00", 2);
+    arrow(pen, side + 8, height / 2, side + 8, height / 2 - lift * height * 0.15, "#6b4e00", 2);
     pen.fillStyle = "#6b4e00";
     pen.font = "11px 'DejaVu Sans', sans-serif";
     pen.textAlign = "left";
-    pen.fillText(`ground ${signed(push, 2)} g`, middle - room / 2 + 8, y(0) + 31);
+    const told = [...moves(this.ground.along) ? [`${signed(push, 2)} g`] : [], ...moves(this.ground.up) ? [`${signed(lift, 2)} g up`] : []];
+    pen.fillText(`ground ${told.join(", ") || "0.00 g"}`, side, height - 3);
   }
 
   // Those that a hand holds, before the motion from there is known.
@@ -515,7 +526,7 @@ class Player {
     return gain === 1 ? angles : angles.map((angle) => Math.max(-steepest, Math.min(steepest, angle * gain)));
   }
 
-  drawTrack({ pen, x, y, scale, over }, track, order) {
+  drawTrack({ pen, x, y, scale, over, left }, track, order) {
     const real = this.anglesNow(track), angles = this.drawnAngles(track);
     const parts = this.stack.place(track, this.time, angles);
     const contacts = this.contacts(track, parts, real);
@@ -535,14 +546,22 @@ class Player {
       pen.setLineDash([]);
     }
     parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, contacts[k].side, track.colour));
-    if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale }, track, parts, contacts);
+    if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale, left }, track, parts, contacts);
   }
 
-  // How far the ground has come in the room, m: straight lines between its accelerations, integrated twice.
+  // How far the ground has come in the room, to the right and up, m: straight lines between its accelerations, integrated twice.
   displacement(time) {
-    if (!this.ground || this.find("frame").value === "ground") return 0;
-    const { times, values } = this.ground;
-    this.ways ??= (() => {
+    const ways = this.groundWays(), at = ways && Math.max(0, lastBefore(this.ground.times, time));
+    return ways ? ways.map((way) => way[at]) : [0, 0];
+  }
+
+  // How high the ground comes in the picture, m.
+  rise() { return this.groundWays()?.[1].reduce((most, way) => Math.max(most, way), 0) ?? 0; }
+
+  groundWays() {
+    if (!this.ground || this.find("frame").value === "ground") return null;
+    const { times, along, up } = this.ground;
+    return this.ways ??= [along, up].map((values) => {
       let velocity = 0, way = 0;
       return Array.from(times, (time, i) => {
         if (i === 0) return 0;
@@ -551,20 +570,20 @@ class Player {
         velocity += (a + b) / 2 * dt;
         return way;
       });
-    })();
-    return this.ways[Math.max(0, lastBefore(times, time))];
+    });
   }
 
   // The way of the top block's upper left corner up to now.
   drawTrace({ pen, x, y }, track) {
-    const steps = 400, from = Math.max(0, this.time - this.end / 4), now = this.time, shift = this.displacement(now);
+    const steps = 400, from = Math.max(0, this.time - this.end / 4), now = this.time, [right, lift] = this.displacement(now);
     pen.strokeStyle = track.colour;
     pen.lineWidth = 1;
     pen.beginPath();
     for (let i = 0; i <= steps; ++i) {
       this.time = from + (now - from) * i / steps;
       const [a, c] = this.stack.place(track, this.time, this.drawnAngles(track)).at(-1).corners[3];
-      pen.lineTo(x(a + this.displacement(this.time) - shift), y(c));
+      const [to, high] = this.displacement(this.time);
+      pen.lineTo(x(a + to - right), y(c + high - lift));
     }
     this.time = now;
     pen.stroke();
@@ -592,7 +611,7 @@ class Player {
     pen.stroke();
   }
 
-  drawForces({ pen, x, y, scale }, track, parts, contacts) {
+  drawForces({ pen, x, y, scale, left }, track, parts, contacts) {
     const full = 0.3 * Math.max(this.stack.height, this.stack.width) * scale; // pixels for the weight of all blocks
     const blocks = parts.length, forces = track.reactions(this.time);
     parts.forEach((part, k) => {
@@ -606,7 +625,8 @@ class Player {
       if (this.friction) this.drawCone(pen, [x(a), y(c)], to, this.friction[k], 1.2 * Math.hypot(normal, along));
       arrow(pen, x(a), y(c), ...to(normal, along), "#5b2a86", 3);
     });
-    const bar = x(-this.stack.width / 2 - 0.15 * Math.max(this.stack.width, this.stack.height));
+    const aside = 0.15 * Math.max(this.stack.width, this.stack.height), reach = Math.min(-this.stack.width / 2, ...parts.flatMap((part) => part.corners.map(([a]) => a)));
+    const bar = Math.max(x(reach - aside), left + 48);
     pen.strokeStyle = pen.fillStyle = "#5b2a86";
     pen.lineWidth = 3;
     pen.beginPath();
@@ -615,7 +635,7 @@ class Player {
     pen.stroke();
     pen.font = "11px 'DejaVu Sans', sans-serif";
     pen.textAlign = "right";
-    pen.fillText("weight", Math.max(bar + 4, 48), y(0) - full - 5);
+    pen.fillText("weight", bar + 4, y(0) - full - 5);
   }
 
   // What friction can hold: forces within the angle of friction from the face's normal.

@@ -229,10 +229,13 @@ const releaseControls = (player, trial) => {
 const unpacked = ({ times, values, placed, blocks }, rises) => Array.from({ length: blocks }, (_, k) =>
   Array.from(times, (_, i) => rises ? placed ? placed[2 * (i * blocks + k) + 1] - placed[2 * k + 1] : 0 : values[i * blocks + k]));
 
-// These curves of the motion, those of the page in grey.
+// Colours in words, for as many blocks as a caption can name.
+const colourWords = ["blue", "orange", "green", "pink", "yellow", "light blue"];
+
+// These curves of the motion, those of the page in grey, dashed above the lowest block.
 const drawCurves = (canvas, trial, first) => {
   const [track, ...others] = trial.player.tracks, lines = [];
-  for (const y of unpacked(first, trial.rises)) lines.push({ x: first.times, y, colour: "#b0b0b0", width: 3 });
+  unpacked(first, trial.rises).forEach((y, k) => lines.push({ x: first.times, y, colour: "#808080", width: 3, dash: k ? [10, 4] : [] }));
   const beside = trial.engine && trial.player.tracks.find((one) => one.label === trial.beside?.label);
   if (beside) for (const y of unpacked(beside, trial.rises)) lines.push({ x: beside.times, y, colour: "#1a1a1a", width: 1.5, dash: [6, 3] });
   if (track !== first) unpacked(track, trial.rises).forEach((y, k) => lines.push({ x: track.times, y, colour: colours[k % colours.length], width: 1.5 }));
@@ -260,7 +263,7 @@ const makeTrial = async (home, page) => {
   canvas.setAttribute("role", "img");
   told.setAttribute("role", "status");
   home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
-    { textContent: `${what} of ${data.blocks.map((_, k) => `block ${k + 1}`).join(", ")} over time, ${rises ? "m" : "rad"}. Grey: as in the text.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that obey." : ""}` })), told), root);
+    { textContent: `${what} over time, ${rises ? "m" : "rad"}: ${data.blocks.map((_, k) => `block ${k + 1} ${colourWords[k % colours.length]}`).join(", ")}. Grey: as in the text${data.blocks.length > 1 ? ", dashed above block 1" : ""}.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that obey." : ""}` })), told), root);
   home.hidden = false;
   const player = startPlayer(root, data), trial = new Trial(player, data), first = player.tracks[0];
   trial.branches = home.dataset.branches !== undefined;

@@ -97,7 +97,7 @@ TEST(Shown, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
   const auto impacts = impacts_of(engine);
   // And one in the legend.
   EXPECT_EQ(taken.picture.marks_of(colour_of(engine)).size(), impacts->size() + 1);
-  EXPECT_TRUE(taken.picture.says("Half of an engine's 8 matched impacts within"));
+  EXPECT_TRUE(taken.picture.says("By engine: 8 impacts matched, in the median"));
 }
 
 // A row a solver and set, a column a time step: marks of one run stand at its rank and nowhere else.

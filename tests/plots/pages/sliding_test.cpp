@@ -77,7 +77,7 @@ TEST_F(SlidingPage, EventsOfSlidingAndFlightAreStopsInWords) {
       "Slip at interface 2, which starts to slide: pattern R→C becomes R→C←.",
       "Lift-off at interface 1, where blocks part: pattern R→C← becomes –C←.",
       "Impact at interface 1: pattern –C← becomes LC←.",
-      "Stick at interface 2, which stops to slide that way: pattern LC← becomes 3b.",
+      "Stick at interface 2, which stops sliding that way: pattern LC← becomes 3b.",
       "Corner at interface 2, where the contact passes to another corner: pattern 3b becomes 2b.",
       "Fall at interface 2, where a block is beside the face below: pattern 2b becomes L–."};
   for (std::size_t i = 0; i < said.size(); ++i) {

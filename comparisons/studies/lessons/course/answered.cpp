@@ -95,11 +95,9 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
   json["tables"] = Json::object();
   for (const auto& [name, table] : values.tables)
     json["tables"][name] = {{"columns", table.columns}, {"rows", table.rows}};
-  json["player"] = {{"time", values.player.time},
-                    {"speed", values.player.speed},
-                    {"gain", values.player.gain},
-                    {"overlaid", values.player.overlaid},
-                    {"chatter", values.player.chatter}};
+  json["player"] = {{"time", values.player.time},       {"speed", values.player.speed},
+                    {"gain", values.player.gain},       {"overlaid", values.player.overlaid},
+                    {"chatter", values.player.chatter}, {"finest", values.player.finest}};
   return json;
 }
 

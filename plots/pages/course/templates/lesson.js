@@ -11,7 +11,7 @@ const reveal = (form, verdict) => {
 // What was answered, and whether it holds; nothing where there is no answer yet.
 const judged = (form) => {
   const chosen = form.querySelector("input[type=radio]:checked");
-  if (chosen) return chosen.value === form.dataset.right ? "Your prediction holds." : "It is otherwise.";
+  if (chosen) return chosen.value === form.dataset.right ? "Your prediction holds." : "Your prediction does not hold.";
   const text = form.querySelector("input[type=text]")?.value.trim().replace("−", "-").replace(",", ".");
   const number = Number(text);
   if (!text || Number.isNaN(number)) return null;
@@ -25,7 +25,7 @@ for (const form of document.querySelectorAll(".predict")) {
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const verdict = judged(form);
-    form.querySelector(".complaint").textContent = verdict ? "" : "Commit to an answer first: choose one, or write a number.";
+    form.querySelector(".complaint").textContent = verdict ? "" : `Commit to an answer first: ${form.querySelector("input[type=text]") ? "write a number" : "choose one"}.`;
     if (verdict) reveal(form, verdict);
   });
   form.querySelector(".skip").addEventListener("click", () => reveal(form, "Not predicted."));

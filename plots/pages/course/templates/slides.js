@@ -27,12 +27,12 @@ const prediction = (form) => {
 const question = (one) =>
   asked("Question", [made("p", { innerHTML: one.querySelector("summary").innerHTML })], Array.from(one.querySelectorAll("p")));
 
-// Of a long table as many as it takes, that each can be read.
+// Of a long table as many as it takes, that each can be read, with as many rows each.
 const tables = (heading, table) => {
-  const most = 8, rows = Array.from(table.tBodies[0].rows), list = [];
-  for (let from = 0; from < rows.length; from += most) {
+  const most = 8, rows = Array.from(table.tBodies[0].rows), list = [], count = Math.ceil(rows.length / Math.ceil(rows.length / most));
+  for (let from = 0; from < rows.length; from += count) {
     const part = table.cloneNode(true);
-    part.tBodies[0].replaceChildren(...rows.slice(from, from + most));
+    part.tBodies[0].replaceChildren(...rows.slice(from, from + count));
     list.push(slide(heading, part));
   }
   return list;
