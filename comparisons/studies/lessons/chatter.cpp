@@ -15,6 +15,9 @@ struct Chatter {
 
   /// Before the impact of that number, from 1, s.
   double flight(std::size_t n) const { return impacts[n].time - impacts[n - 1].time; }
+
+  /// The flight with the one before it, as a share of the two before these.
+  double pair(std::size_t n) const { return (flight(n) + flight(n - 1)) / (flight(n - 2) + flight(n - 3)); }
 };
 
 Chatter first_chatter(const History& history) {
@@ -32,15 +35,15 @@ Chatter first_chatter(const History& history) {
 
 /// The flights between impacts, and what is left of each.
 Table flights(const Chatter& chatter) {
-  Table table{{"impact of the base", "time (s)", "flight since the last (s)", "share of the flight before",
-               "speed after (rad/s)"},
+  Table table{{"impact of the base", "time (s)", "flight since the last (s)", "of the flight before",
+               "with that before it, of the pair before", "speed after (rad/s)"},
               {}};
   constexpr std::size_t count = 14;
   for (std::size_t i = 0; i < std::min(count, chatter.impacts.size()); ++i) {
-    table.rows.push_back({std::to_string(i + 1), cell(chatter.impacts[i].time),
-                          i > 0 ? cell(chatter.flight(i)) : "",
-                          i > 1 ? cell(chatter.flight(i) / chatter.flight(i - 1)) : "",
-                          cell(std::abs(chatter.impacts[i].after[0]))});
+    table.rows.push_back(
+        {std::to_string(i + 1), cell(chatter.impacts[i].time), i > 0 ? cell(chatter.flight(i)) : "",
+         i > 1 ? fixed(chatter.flight(i) / chatter.flight(i - 1), 4) : "",
+         i > 3 ? fixed(chatter.pair(i), 4) : "", cell(std::abs(chatter.impacts[i].after[0]))});
   }
   return table;
 }
@@ -65,7 +68,7 @@ LessonValues chatter_values(const Suite& suite, const std::vector<RunMetrics>& /
   // A flight in the midst, where neither the approach nor rounding shows, and the one two before it.
   const std::size_t middle = chatter.impacts.size() / 2;
   const double two = chatter.flight(middle) + chatter.flight(middle - 1);
-  const double pair = two / (chatter.flight(middle - 2) + chatter.flight(middle - 3));
+  const double pair = chatter.pair(middle);
   const double limit = chatter.impacts[middle].time + two * pair / (1 - pair);
   const History coarse = solve(scene, {.resolution = 1e-6});
   return {.numbers = {{"impacts", std::to_string(count_impacts(history))},

@@ -55,17 +55,14 @@ double impacts_to_a_tenth(double ratio) {
   return std::ceil(std::log(0.1) / (2 * std::log(ratio)));
 }
 
-Table shapes(const Scene& scene) {
+Table shapes() {
   Table table{{"height over width", "base", "ratio by shape", "ratio measured", "energy kept by shape",
-               "energy kept, measured", "fifth impact by shape (s)", "fifth impact, measured ratio (s)",
-               "impacts to a tenth of the energy, by shape", "the same, measured"},
+               "energy kept, measured", "impacts to a tenth of the energy, by shape", "the same, measured"},
               {}};
   for (const Measured& one : measured) {
     const double shape = housner_ratio(one.height_over_width), found = one.share * shape;
     table.rows.push_back({cell(one.height_over_width), one.base, fixed(shape, 3), fixed(found, 3),
                           percent(shape * shape, 1), percent(found * found, 1),
-                          fixed(impact_time(block_of(scene, one, shape), 5), 3),
-                          fixed(impact_time(block_of(scene, one, found), 5), 3),
                           cell(impacts_to_a_tenth(shape)), cell(impacts_to_a_tenth(found))});
   }
   return table;
@@ -112,7 +109,7 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
                       {"engine_late", power(std::abs(*ode.first_impact_time_difference), 1)},
                       {"ode_rms", power(*ode.rms_angle_difference, 1)},
                       {"spread", percent(assumed_spread, 0)}},
-          .tables = {{"shapes", shapes(scene)}, {"spreads", spreads(scene, concrete)}},
+          .tables = {{"shapes", shapes()}, {"spreads", spreads(scene, concrete)}},
           .player = {.time = 0, .speed = 0.5, .gain = 2},
           .measured = {{"fifth_early", by_shape - by_ratio},
                        {"lost_more", (1 - found * found) / (1 - shape * shape)}}};

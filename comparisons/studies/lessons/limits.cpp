@@ -21,8 +21,8 @@ double slip_error(Scene scene, const char* engine, double friction, double dt) {
 Table slipping(const Scene& scene) {
   Table table{{"friction of the scene", "Bullet: RMS difference (rad)", "ODE: RMS difference (rad)"}, {}};
   for (const double friction : {0.05, 0.1, 0.13, 0.16, 0.2, 0.5})
-    table.rows.push_back({cell(friction), cell(slip_error(scene, "bullet", friction, sample_step)),
-                          cell(slip_error(scene, "ode", friction, sample_step))});
+    table.rows.push_back({cell(friction), fixed(slip_error(scene, "bullet", friction, sample_step), 4),
+                          fixed(slip_error(scene, "ode", friction, sample_step), 4)});
   return table;
 }
 

@@ -56,7 +56,10 @@ LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& r
                             bullet = errors_of("bullet", "tuned", scene),
                             plain = errors_of("ode", "default", scene);
   const MannWhitney engines = mann_whitney(ode, bullet), sets = mann_whitney(ode, plain);
+  const RunMetrics& tuned = find_run(rows, "ode", "tuned", nominal);
   return {.numbers = {{"draws", std::to_string(draws)},
+                      {"matched", std::to_string(*tuned.impacts_matched)},
+                      {"matchable", std::to_string(*tuned.impacts_matched + *tuned.impacts_missed)},
                       {"one", power(ode[draws / 2], 1)},
                       {"least", power(quantile(ode, 0), 1)},
                       {"median", power(quantile(ode, 0.5), 1)},
@@ -69,7 +72,7 @@ LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& r
           .tables = {{"quartiles",
                       quartiles({{"ODE, tuned", ode}, {"ODE, default", plain}, {"Bullet, tuned", bullet}})},
                      {"matches", matches(rows)}},
-          .player = {.time = 0.55, .speed = 0.1, .gain = 3},
+          .player = {.time = 0.55, .speed = 0.1, .gain = 3, .finest = true},
           .measured = {{"spread_factor", quantile(ode, 1) / quantile(ode, 0)}}};
 }
 

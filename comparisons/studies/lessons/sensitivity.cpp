@@ -151,6 +151,13 @@ std::vector<double> relative_differences(const std::vector<double>& exact, const
   return list;
 }
 
+/// Until when a run agrees; beyond the horizon nothing is compared.
+std::string agreement(const RunMetrics& row) {
+  const bool to_horizon = row.horizon && *row.agreement_time >= *row.horizon;
+  return fmt::format("until {} s{}", fixed(*row.agreement_time, 2),
+                     to_horizon ? ", the horizon, at least" : "");
+}
+
 void add_engine(const std::string& name, const std::vector<double>& exact, const std::vector<double>& engine,
                 LessonValues& values) {
   const std::vector<double> apart = relative_differences(exact, engine);
@@ -175,22 +182,21 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
   const Peaks peaks = peaks_over_seeds(named);
   const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.exact, peaks.changed);
   LessonValues values;
-  values.numbers = {
-      {"change", power(change, 0)},
-      {"small", power(unseen_change, 0)},
-      {"parted_exact", fixed(parting(exact, changed, parted), 1)},
-      {"most", fixed(differences_so_far(exact, changed).back(), 2)},
-      {"lambda", fixed(line.rate, 1)},
-      {"doubling", fixed(std::log(2.0) / line.rate, 2)},
-      {"factor", fixed(std::exp(line.rate), 0)},
-      {"from", fixed(line.from, 1)},
-      {"until", fixed(line.until, 1)},
-      {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", engine_step).agreement_time, 2)},
-      {"ode_until", fixed(*find_run(rows, "ode", "tuned", engine_step).agreement_time, 2)},
-      {"tolerance", fixed(suite.tolerance, 2)},
-      {"seeds", std::to_string(seeds)},
-      {"changed_distance", fixed(changed_test.distance, 3)},
-      {"critical", fixed(changed_test.critical, 3)}};
+  values.numbers = {{"change", power(change, 0)},
+                    {"small", power(unseen_change, 0)},
+                    {"parted_exact", fixed(parting(exact, changed, parted), 1)},
+                    {"most", fixed(differences_so_far(exact, changed).back(), 2)},
+                    {"lambda", fixed(line.rate, 1)},
+                    {"doubling", fixed(std::log(2.0) / line.rate, 2)},
+                    {"factor", fixed(std::exp(line.rate), 0)},
+                    {"from", fixed(line.from, 1)},
+                    {"until", fixed(line.until, 1)},
+                    {"bullet_until", agreement(find_run(rows, "bullet", "tuned", engine_step))},
+                    {"ode_until", agreement(find_run(rows, "ode", "tuned", engine_step))},
+                    {"tolerance", fixed(suite.tolerance, 2)},
+                    {"seeds", std::to_string(seeds)},
+                    {"changed_distance", fixed(changed_test.distance, 3)},
+                    {"critical", fixed(changed_test.critical, 3)}};
   values.numbers.merge(paths(exact, changed, differences, line));
   add_engine("bullet", peaks.exact, peaks.bullet, values);
   add_engine("ode", peaks.exact, peaks.ode, values);

@@ -54,7 +54,7 @@ std::vector<Choice> choices() {
       {"ode", "default", "ODE, ERP 0.05", {{"erp", 0.05}}},
       {"ode", "tuned", "ODE, tuned: ERP 0.01", {}},
       {"ode", "default", "ODE, ERP 0.2, CFM 1e-5", {{"cfm", 1e-5}}},
-      {"bullet", "default", "Bullet, default: ERP 0.2, split impulse below 0.04 m", {}},
+      {"bullet", "default", "Bullet, default: ERP 0.2, split impulse deeper than 0.04 m", {}},
       {"bullet", "default", "Bullet, ERP 0.8", {{"erp2", 0.8}}},
       {"bullet", "default", "Bullet, split impulse at any depth", {{"splitImpulsePenetrationThreshold", 0}}},
       {"bullet", "tuned", "Bullet, tuned", {}}};

@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -10,15 +14,31 @@ namespace {
 constexpr double iteration_step = 1e-3;  // s
 constexpr double finest_step = 2e-5;     // s, of single precision beside double
 
-Table over_steps(const std::vector<RunMetrics>& rows, const std::string& scene) {
+/// Until when a run agrees: the last sample counts as the end.
+std::string agreement_cell(const RunMetrics& row, double duration) {
+  return *row.agreement_time + *row.dt > duration ? "to the end" : cell(*row.agreement_time);
+}
+
+/// The least and the largest error of an engine's first impact over its steps, each in its own steps.
+std::string shares(const std::vector<RunMetrics>& rows, const std::string& engine) {
+  double least = 0, most = -std::numeric_limits<double>::infinity();
+  for (const RunMetrics& row : rows) {
+    if (row.engine != engine || !row.dt || !row.first_impact_time_difference) continue;
+    const double share = *row.first_impact_time_difference / *row.dt;
+    least = std::min(least, share), most = std::max(most, share);
+  }
+  return fmt::format("{} to {}", fixed(least, 2), fixed(most, 2));
+}
+
+Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
   Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
                "agrees within tolerance until (s)"},
               {}};
   for (const RunMetrics& row : rows)
-    if (row.dt && row.scene == scene && row.rms_angle_difference)
+    if (row.dt && row.scene == scene.name && row.rms_angle_difference)
       table.rows.push_back({row.engine + ":" + row.solver, cell(*row.dt),
                             row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
-                            cell(*row.rms_angle_difference), cell(*row.agreement_time)});
+                            cell(*row.rms_angle_difference), agreement_cell(row, scene.scene.duration)});
   return table;
 }
 
@@ -105,8 +125,8 @@ Table by_steps(const Scene& scene) {
     table.rows.push_back({cell(dt)});
     for (const double error : last) table.rows.back().push_back(cell(error));
   }
-  table.rows.push_back({"order, first to last"});
-  for (std::size_t i = 0; i < last.size(); ++i)
+  table.rows.push_back({"order, first to last", "none", "none"});
+  for (std::size_t i = 2; i < last.size(); ++i)
     table.rows.back().push_back(
         fixed(std::log(std::abs(first[i] / last[i])) / std::log(coarsest / finest), 2));
   return table;
@@ -130,33 +150,32 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
     return power(error_of(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
   };
   const double first_impact = first_event(exact_answer(scene.scene), EventKind::impact)->time;
-  return {
-      .numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
-                  {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
-                  {"bullet_share",
-                   fixed(*find_run(rows, "bullet", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
-                  {"ode_share",
-                   fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
-                  {"tolerance", fixed(suite.tolerance, 2)},
-                  {"bullet_coarse", rms("bullet", 1e-2)},
-                  {"bullet_fine", rms("bullet", 1e-4)},
-                  {"ode_coarse", rms("ode", 1e-2)},
-                  {"ode_fine", rms("ode", 1e-4)},
-                  {"single_fine", rms("bullet-single", 1e-4)},
-                  {"bullet_middle", rms("bullet", 1e-3)},
-                  {"single_middle", rms("bullet-single", 1e-3)},
-                  {"single_finer", finer("bullet-single")},
-                  {"double_finer", finer("bullet")},
-                  {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
-                  {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
-      .tables = {{"steps", over_steps(rows, scene.name)},
-                 {"iterations", over_iterations(scene.scene)},
-                 {"by_steps", by_steps(read_scene(shipped("scenes") / "housner-block.toml", {}))}},
-      .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
-      .measured = {{"first_impact_in_steps",
-                    *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
-                   {"rms_fall", *find_run(rows, "ode", "tuned", 1e-2).rms_angle_difference /
-                                    *find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference}}};
+  return {.numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
+                      {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
+                      {"bullet_shares", shares(rows, "bullet")},
+                      {"ode_shares", shares(rows, "ode")},
+                      {"ode_share",
+                       fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
+                      {"tolerance", fixed(suite.tolerance, 2)},
+                      {"bullet_coarse", rms("bullet", 1e-2)},
+                      {"bullet_fine", rms("bullet", 1e-4)},
+                      {"ode_coarse", rms("ode", 1e-2)},
+                      {"ode_fine", rms("ode", 1e-4)},
+                      {"single_fine", rms("bullet-single", 1e-4)},
+                      {"bullet_middle", rms("bullet", 1e-3)},
+                      {"single_middle", rms("bullet-single", 1e-3)},
+                      {"single_finer", finer("bullet-single")},
+                      {"double_finer", finer("bullet")},
+                      {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
+                      {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
+          .tables = {{"steps", over_steps(rows, scene)},
+                     {"iterations", over_iterations(scene.scene)},
+                     {"by_steps", by_steps(read_scene(shipped("scenes") / "housner-block.toml", {}))}},
+          .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
+          .measured = {{"first_impact_in_steps",
+                        *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
+                       {"rms_fall", *find_run(rows, "ode", "tuned", 1e-2).rms_angle_difference /
+                                        *find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference}}};
 }
 
 }  // namespace rockstack

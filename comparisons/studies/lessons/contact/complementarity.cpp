@@ -6,6 +6,7 @@
 
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/results/shown_pattern.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 
@@ -30,7 +31,7 @@ std::string start_of(const History& history) {
 /// The four signs: with and without a rotation that takes the corner off, on either side of the friction that
 /// jams.
 Table four_cases(Scene scene) {
-  Table table{{"friction", "ω (rad/s)", "A (m/s²)", "m B", "N that obey, closed form (weights)",
+  Table table{{"friction", "ω (rad/s)", "A (m/s²)", "m B", "N that satisfy the laws, closed form (weights)",
                "N exact (weights)", "motions without impulse, exact solver"},
               {}};
   const double weight = weight_of(scene), mass = scene.blocks.front().mass, rough = scene.friction.front(),
@@ -84,8 +85,8 @@ Table early_motions(const Scene& jams, const Scene& several, const BranchTree& t
   const std::vector<std::string> empty{"", ""};
   for (const Branch& branch : tree.branches)
     add(fmt::format("exact, branch {}: goes on with {}", &branch - tree.branches.data() + 1,
-                    branch.start ? name(branch.start->ways[branch.start->taken])
-                                 : name(branch.history.events.front().to)),
+                    branch.start ? shown_pattern(branch.start->ways[branch.start->taken])
+                                 : shown_pattern(branch.history.events.front().to)),
         "", empty, branch.history);
   add("exact, after an impulse that stops the slip", "", early_cells(exact_answer(jams)),
       exact_answer(stuck_at_once(several)));
@@ -102,13 +103,19 @@ Table early_motions(const Scene& jams, const Scene& several, const BranchTree& t
 
 Table branches_of(const Scene& scene, const BranchTree& tree) {
   const auto rows = branches_json(scene, tree);
-  Table table{{"branch", "leaves branch", "from (s)", "with", "instead of", "ends with", "at (s)"}, {}};
+  const auto blocks = static_cast<int>(scene.blocks.size());
+  Table table{
+      {"branch", "leaves branch", "from (s)", "with pattern", "instead of pattern", "ends with", "at (s)"},
+      {}};
   const auto text = [](const nlohmann::ordered_json& value) {
     return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
   };
+  const auto pattern = [&](const nlohmann::ordered_json& value) {
+    return value.is_null() ? "" : shown_pattern(named_pattern(value.get<std::string>(), blocks));
+  };
   for (const auto& row : rows)
-    table.rows.push_back({text(row["branch"]), text(row["parent"]), text(row["time"]), text(row["takes"]),
-                          text(row["instead_of"]), text(row["ends"]), text(row["end_time"])});
+    table.rows.push_back({text(row["branch"]), text(row["parent"]), text(row["time"]), pattern(row["takes"]),
+                          pattern(row["instead_of"]), text(row["ends"]), text(row["end_time"])});
   return table;
 }
 
@@ -152,7 +159,7 @@ LessonValues complementarity_values(const Suite& suite, const std::vector<RunMet
                   branches_of(several,
                               solve_branches(several, {.sample_times = regular_times(1e-3, several.duration)},
                                              most))}},
-      .player = {.time = 0, .speed = 0.05, .gain = 1, .overlaid = true},
+      .player = {.time = 0, .speed = 0.05, .gain = 1},
       .measured = {{"jammed", jammed}, {"chosen", chosen}}};
 }
 

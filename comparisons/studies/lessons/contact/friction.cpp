@@ -4,6 +4,7 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
+#include "comparisons/measures/results/shown_pattern.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -45,7 +46,8 @@ double engine_ratio(const char* engine, const Scene& scene, const Event& impact)
 
 Table impact_ratios(const Scene& scene) {
   const double r = ratio_of(scene.blocks.front());
-  Table table{{"friction", "slips", "closed form", "exact solver", "Bullet", "ODE quickstep", "ODE step"},
+  Table table{{"friction", "slips", "ω⁺/ω⁻, closed form", "ω⁺/ω⁻, exact solver", "ω⁺/ω⁻, Bullet",
+               "ω⁺/ω⁻, ODE quickstep", "ω⁺/ω⁻, ODE step"},
               {}};
   for (const double friction : {1.0, 0.6, 0.4, 0.345, 0.3, 0.2, 0.1}) {
     const Scene fast = before_impact(scene, friction);
@@ -130,7 +132,7 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"ratio", fixed(impact.after[0] / impact.before[0], 4)},
                       {"time", fixed(impact.time, 4)},
                       {"swing_friction", fixed(contact_need(swing).force.friction, 4)},
-                      {"after", name(impact.to)},
+                      {"after", shown_pattern(impact.to)},
                       {"largest_slip", fixed(1e3 * floor.largest_slip, 2)},
                       {"final_slip", fixed(std::abs(1e3 * floor.final_slip), 2)},
                       {"slips", std::to_string(count_slips(history).all)},

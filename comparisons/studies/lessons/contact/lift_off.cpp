@@ -59,7 +59,7 @@ Scene sliding(Scene scene, double speed, double friction) {
 }
 
 Table slides(const Scene& scene, const Throw& thrown, double speed) {
-  Table table{{"friction", "after the landing (m/s): v − μ g t", "exact solver", "stops at (s): v/(μ g)",
+  Table table{{"friction", "after the landing (m/s): v₀ − μ g t", "exact solver", "stops at (s): v₀/(μ g)",
                "exact solver", "slides (m): closed form", "exact solver", "without the throw (m)"},
               {}};
   for (const double friction : {0.1, 0.2, 0.4}) {
