@@ -48,8 +48,8 @@ Table lifting(const Scene& scene) {
     bool lifts = false;
     for (const std::string& warning : warnings)
       lifts = lifts || warning.find("lift off") != std::string::npos;
-    table.rows.push_back({cell(share), cell(history.forces[0].least_normal),
-                          cell(history.forces[0].least_normal_time),
+    table.rows.push_back({cell(share), fixed(history.forces[0].least_normal, 1),
+                          fixed(history.forces[0].least_normal_time, 4),
                           lifts ? "blocks would lift off" : "blocks stay on the ground"});
   }
   return table;

@@ -64,8 +64,8 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
   for (std::size_t k = 0; k < panels; ++k) {
     const std::vector<Run> runs = each_of(departures, &Departure::run);
     const auto sizes = each_of(departures, [&](const Departure& one) { return one.sizes[k]; });
-    const std::string words =
-        together ? "largest |Δθ| (rad)" : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
+    const std::string words = together ? (subject.on_slide ? "|Δθ| (rad)" : "largest |Δθ| (rad)")
+                                       : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
     const auto axes = [&](double, double up) {
       return time_range(axis, room_for_marks) + logarithmic_range("y", range.low, range.high, up) +
              grid_lines;

@@ -54,15 +54,17 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
     if (!tells_slips(runs[i])) legend[i].second += ", where nothing slips";
   const TimeAxis axis = subject.time_axis(runs, legend);
   Sheet sheet = subject.sheet(legend, answer);
+  const double usual = panel_height(static_cast<int>(quantities.size()));
   for (std::size_t p = 0; p < quantities.size(); ++p) {
     const SlipPanel& quantity = quantities[p];
     const Reach extent = extent_of(runs, quantity.curves, 1, least_drawn * quantity.scale);
     const auto axes = [&](double, double height) {
       return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
     };
-    const SeriesPanel panel{"time (s)",     quantity.words,
-                            quantity.words, p + 1 == quantities.size(),
-                            axes,           panel_height(static_cast<int>(quantities.size()))};
+    const SeriesPanel panel{
+        "time (s)",     quantity.words,
+        quantity.words, p + 1 == quantities.size(),
+        axes,           subject.height(usual, usual * static_cast<double>(quantities.size()))};
     add_curves(sheet, panel, runs, quantity.curves, fmt::format("contact_{}", p));
   }
   return sheet.finish();

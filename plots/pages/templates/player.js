@@ -95,7 +95,8 @@ class Player {
     this.makeControls();
     if (data.start) this.start(data.start);
     const narrowest = 150; // pixels, in which a motion and its name can be read
-    if (this.find("stage").clientWidth < narrowest * this.shown().length) this.find("view").value = "over";
+    const wide = this.find("stage").clientWidth;
+    if (wide && wide < narrowest * this.shown().length) this.find("view").value = "over";
     new ResizeObserver(() => this.resize()).observe(this.find("stage"));
     this.resize();
     this.say();
