@@ -80,4 +80,4 @@ def table(name, solver=""):
     return converges
 
 
-TABLES = {name: table(name) for name in ("jolt", "rapier", "physx", "planck", "cannon-es", "havok")} | {"mujoco-js": table("mujoco-js", ":newton")}
+TABLES = {name: table(name) for name in ("jolt", "rapier", "physx", "planck", "cannon-es", "havok", "ammo")} | {"mujoco-js": table("mujoco-js", ":newton")}

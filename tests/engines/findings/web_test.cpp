@@ -59,6 +59,27 @@ TEST(WebEngines, GiveTheSameBitsWhateverTheirProcessHasRun) {
   }
 }
 
+/// Versions 3.24 and 3.26 of Bullet in single precision, compiled and as WebAssembly.
+TEST(WebEngines, AmmoHasTheBitsOfCompiledBullet) {
+  const WorkerEngine* web = there("ammo:sequential-impulse");
+  const WorkerEngine* compiled = there("bullet-single:sequential-impulse");
+  if (web == nullptr || compiled == nullptr) GTEST_SKIP() << "one of them is not there";
+  Scene pair = slender_block(1);
+  pair.blocks = {make_block(1.25, 1.25, 2500), make_block(1, 2.5, 2500)};
+  pair.initial = {{0.15, 0.15}, {0, 0}};
+  for (const Scene& scene : {slender_block(1), pair}) {
+    for (const double dt : {1e-3, 2.5e-4}) {
+      const auto velocities = [&](const WorkerEngine& engine, const Parameters& parameters) {
+        return simulate(engine, scene, dt, parameters).history.velocities;
+      };
+      EXPECT_EQ(velocities(*web, web->default_parameters()),
+                velocities(*compiled, compiled->default_parameters()));
+      EXPECT_EQ(velocities(*web, web->tuned_parameters()),
+                velocities(*compiled, with(compiled->tuned_parameters(), {{"warmstartingFactor", 0.85}})));
+    }
+  }
+}
+
 /// A setting that alone takes most of the error away, and in the tuned set brings it back.
 struct Cause {
   const char* engine;

@@ -1,0 +1,46 @@
+#!/usr/bin/env node
+// A stack of blocks in ammo.js by its own calls alone. What is not set stays as the library has it.
+
+import { inPackage, printAngles, readQuestion } from './question.mjs';
+
+const { default: load } = await import(inPackage('ammojs3/dist/ammo.wasm.js'));
+const ammo = await load();
+const question = readQuestion();
+const { set, reach } = question;
+
+const configuration = new ammo.btDefaultCollisionConfiguration();
+const world = new ammo.btDiscreteDynamicsWorld(new ammo.btCollisionDispatcher(configuration), new ammo.btDbvtBroadphase(),
+  new ammo.btSequentialImpulseConstraintSolver(), configuration);
+const solver = world.getSolverInfo();
+const setters = {
+  numIterations: (value) => solver.set_m_numIterations(value),
+  splitImpulsePenetrationThreshold: (value) => solver.set_m_splitImpulsePenetrationThreshold(value),
+};
+for (const [name, value] of Object.entries(set)) setters[name](value);
+
+// The friction of two bodies is the product of theirs, so that each has the root.
+const add = ({ width, height, depth, mass, x, y, angle }, inertia) => {
+  const shape = new ammo.btBoxShape(new ammo.btVector3(width / 2, height / 2, depth / 2));
+  const body = new ammo.btRigidBody(new ammo.btRigidBodyConstructionInfo(mass, null, shape, inertia));
+  const rotation = new ammo.btQuaternion(0, 0, Math.sin(-angle / 2), Math.cos(angle / 2));
+  body.setCenterOfMassTransform(new ammo.btTransform(rotation, new ammo.btVector3(x, y, 0)));
+  body.setFriction(Math.sqrt(question.friction));
+  world.addRigidBody(body);
+  return body;
+};
+const size = 2 * reach;
+add({ width: size, height: size, depth: size, mass: 0, x: 0, y: -reach, angle: 0 }, new ammo.btVector3(0, 0, 0));
+const bodies = question.blocks.map((block) => {
+  const body = add(block, new ammo.btVector3(block.aboutX, block.aboutY, block.aboutZ));
+  body.setLinearFactor(new ammo.btVector3(1, 1, 0));
+  body.setAngularFactor(new ammo.btVector3(0, 0, 1));
+  body.setActivationState(4);  // it is not put to sleep
+  return body;
+});
+printAngles(question, (x, y) => {
+  world.setGravity(new ammo.btVector3(x, y, 0));
+  world.stepSimulation(question.dt, 0);
+}, (k) => {
+  const rotation = bodies[k].getWorldTransform().getRotation();
+  return -2 * Math.atan2(rotation.z(), rotation.w());
+});
