@@ -221,8 +221,8 @@ bool surely_sticks(const TouchingContacts<Real>& contacts, const Joints<Real>& j
     if (!(force.normal * right + force.moment > least)) return false;
     if (!(-force.moment - force.normal * left > least)) return false;
   }
-  return std::ranges::none_of(
-      pairs, [&](int k) { return changes_face<Real>(question, forces, k, joints[k], -rounding); });
+  return std::none_of(pairs.begin(), pairs.end(),
+                      [&](int k) { return changes_face<Real>(question, forces, k, joints[k], -rounding); });
 }
 
 template <class Real>

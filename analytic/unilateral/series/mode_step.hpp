@@ -2,7 +2,7 @@
 
 #include "analytic/steps/body_force.hpp"
 #include "analytic/steps/landing.hpp"
-#include "analytic/unilateral/series/held_points.hpp"
+#include "analytic/unilateral/series/held_joint.hpp"
 
 namespace rockstack {
 
