@@ -67,7 +67,7 @@ struct Files {
 }
 
 /// Why a program could not be started, where it left that behind.
-void require_started(const std::string& path, const Descriptor& failure) {
+void require_started(const std::string& path, const FileDescriptor& failure) {
   const std::string bytes = content(failure);
   int error = 0;
   if (bytes.size() != sizeof error) return;
@@ -115,21 +115,21 @@ double seconds(const timeval& time) {
 
 }  // namespace
 
-Descriptor::Descriptor(int number) : number_(number) {
+FileDescriptor::FileDescriptor(int number) : number_(number) {
   if (number < 0) fail("no descriptor for a worker");
 }
 
-void Descriptor::close() {
+void FileDescriptor::close() {
   if (number_ >= 0) ::close(std::exchange(number_, -1));
 }
 
-Descriptor high(int number) {
-  const Descriptor low(number);
-  return Descriptor(fcntl(low.get(), F_DUPFD_CLOEXEC, 10));
+FileDescriptor high(int number) {
+  const FileDescriptor low(number);
+  return FileDescriptor(fcntl(low.get(), F_DUPFD_CLOEXEC, 10));
 }
 
-Descriptor memory_file(std::string_view content) {
-  Descriptor file = high(memfd_create("rockstack", MFD_CLOEXEC));
+FileDescriptor memory_file(std::string_view content) {
+  FileDescriptor file = high(memfd_create("rockstack", MFD_CLOEXEC));
   while (!content.empty()) {
     const ssize_t written = write(file.get(), content.data(), content.size());
     if (written <= 0) fail("no memory for a worker's input");
@@ -139,7 +139,7 @@ Descriptor memory_file(std::string_view content) {
   return file;
 }
 
-std::string content(const Descriptor& file) {
+std::string content(const FileDescriptor& file) {
   std::string bytes(static_cast<std::size_t>(std::max<off_t>(lseek(file.get(), 0, SEEK_END), 0)), '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
@@ -190,7 +190,7 @@ Child::Child(const std::filesystem::path& program, int input, int reply, const L
 
 Child::Child(const std::filesystem::path& program, int input, int reply, const Limits& limits, Ends ends)
     : program_(program.string()), failure_(memory_file({})), complaints_(std::move(ends.ours)) {
-  const Descriptor nothing = high(open("/dev/null", O_WRONLY | O_CLOEXEC));
+  const FileDescriptor nothing = high(open("/dev/null", O_WRONLY | O_CLOEXEC));
   const pid_t parent = getpid();
   number_ = fork();
   if (number_ < 0) fail("a worker cannot be started");

@@ -3,24 +3,47 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "engines/worker/process.hpp"
-
 namespace rockstack {
 
+/// What a worker may take. The memory limit is one on what it may write to and shares with nobody
+/// (RLIMIT_DATA), not on the addresses that it reserves; a program with address sanitizer runs without it,
+/// because that claims terabytes.
+struct Limits {
+  /// While this process runs, s: by the clock, also where the worker sleeps or is stopped, less what it
+  /// waited for processors that others had; may be infinite.
+  double time = 600;
+  std::uint64_t memory = std::uint64_t{4} << 30;    ///< bytes
+  std::uint64_t reply = std::uint64_t{16} << 20;    ///< bytes of its reply, as of any file that it writes
+  const std::function<bool()>* unwanted = nullptr;  ///< asked every few ms: true ends the run; null: none
+};
+
+/// How a process ended, or answered.
+struct ProcessEnd {
+  bool timed_out = false;     ///< and was killed for it
+  bool unwanted = false;      ///< likewise
+  bool stopped = false;       ///< by a signal, and not going on, when it was killed
+  int signal = 0;             ///< that ended it otherwise; 0: none did
+  int exit_code = 0;          ///< where it ended by itself
+  double processor_time = 0;  ///< user and system, as the operating system accounts for it, s
+  std::string reply;          ///< what it wrote to descriptor 3
+  std::string last_words;     ///< the line on standard error, of its first 64 KiB, that tells most
+};
+
 /// An open file that closes itself and that no other program inherits.
-class Descriptor {
+class FileDescriptor {
  public:
   /// @throws std::runtime_error for a number below 0.
-  explicit Descriptor(int number);
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() { close(); }
+  explicit FileDescriptor(int number);
+  FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&&) = delete;
+  ~FileDescriptor() { close(); }
   int get() const { return number_; }
   void close();
 
@@ -29,17 +52,17 @@ class Descriptor {
 };
 
 /// The same file out of the way of the numbers that a child gives to its own files.
-Descriptor high(int number);
+FileDescriptor high(int number);
 
 /// A file in memory that has some content.
-Descriptor memory_file(std::string_view content);
+FileDescriptor memory_file(std::string_view content);
 
 /// All of such a file.
-std::string content(const Descriptor& file);
+std::string content(const FileDescriptor& file);
 
 /// Of a pipe or a pair of sockets: the one of this process, and the one of its child.
 struct Ends {
-  Descriptor ours, theirs;
+  FileDescriptor ours, theirs;
 };
 
 /// What the operating system's scheduler has given to the threads of a session that are there, s.
@@ -107,8 +130,8 @@ class Child {
   Child(const std::filesystem::path& program, int input, int reply, const Limits& limits, Ends ends);
 
   std::string program_;
-  Descriptor failure_;
-  Descriptor complaints_;
+  FileDescriptor failure_;
+  FileDescriptor complaints_;
   pid_t number_ = 0;
 };
 

@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engines/worker/child.hpp"
-
 namespace rockstack {
 namespace {
 
@@ -29,7 +27,7 @@ Ends socket_pair() {
 /// Waits for a tick at most until the socket takes some of what is left of a question, or has more of a
 /// reply.
 /// @return false where no more will come.
-bool exchange(const Descriptor& socket, const Child& child, std::string_view& left, std::string& reply,
+bool exchange(const FileDescriptor& socket, const Child& child, std::string_view& left, std::string& reply,
               std::chrono::milliseconds tick) {
   pollfd watched{socket.get(), static_cast<short>(left.empty() ? POLLIN : POLLIN | POLLOUT), 0};
   if (poll(&watched, 1, static_cast<int>(tick.count())) <= 0) return !child.has_ended();
@@ -46,8 +44,8 @@ bool exchange(const Descriptor& socket, const Child& child, std::string_view& le
 }  // namespace
 
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits) {
-  const Descriptor in = memory_file(input);
-  const Descriptor reply = memory_file({});
+  const FileDescriptor in = memory_file(input);
+  const FileDescriptor reply = memory_file({});
   Child child(program, in.get(), reply.get(), limits);
   Allowance time(child.number(), limits);
   child.wait_for_end(time, tick_of(limits));
@@ -60,7 +58,7 @@ struct LastingProcess::State {
   State(const std::filesystem::path& program, const Limits& limits, Ends ends = socket_pair())
       : socket(std::move(ends.ours)), child(program, ends.theirs.get(), ends.theirs.get(), limits) {}
 
-  Descriptor socket;  ///< the other end is standard input of the program, and its descriptor 3
+  FileDescriptor socket;  ///< the other end is standard input of the program, and its descriptor 3
   Child child;
 };
 

@@ -1,37 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <string>
 #include <string_view>
 
+#include "engines/worker/child.hpp"
+
 namespace rockstack {
-
-/// What a worker may take. The memory limit is one on what it may write to and shares with nobody
-/// (RLIMIT_DATA), not on the addresses that it reserves; a program with address sanitizer runs without it,
-/// because that claims terabytes.
-struct Limits {
-  /// While this process runs, s: by the clock, also where the worker sleeps or is stopped, less what it
-  /// waited for processors that others had; may be infinite.
-  double time = 600;
-  std::uint64_t memory = std::uint64_t{4} << 30;    ///< bytes
-  std::uint64_t reply = std::uint64_t{16} << 20;    ///< bytes of its reply, as of any file that it writes
-  const std::function<bool()>* unwanted = nullptr;  ///< asked every few ms: true ends the run; null: none
-};
-
-/// How a process ended, or answered.
-struct ProcessEnd {
-  bool timed_out = false;     ///< and was killed for it
-  bool unwanted = false;      ///< likewise
-  bool stopped = false;       ///< by a signal, and not going on, when it was killed
-  int signal = 0;             ///< that ended it otherwise; 0: none did
-  int exit_code = 0;          ///< where it ended by itself
-  double processor_time = 0;  ///< user and system, as the operating system accounts for it, s
-  std::string reply;          ///< what it wrote to descriptor 3
-  std::string last_words;     ///< the line on standard error, of its first 64 KiB, that tells most
-};
 
 /// Starts a program in a session of its own, without a terminal, gives it `input` as standard input and waits
 /// for its end. Safe to call from several threads. The program goes when this one does, and what it has
