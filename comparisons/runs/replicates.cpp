@@ -170,10 +170,9 @@ void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
   };
   nominal.draws = static_cast<int>(replicates.size()) + 1;
   nominal.draws_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
-  nominal.draws_other_verdict =
-      (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
-        return row.status == RunStatus::done && differ(row.toppling_verdict);
-      });
+  nominal.draws_other_verdict = (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
+                                  return row.status == RunStatus::done && differ(row.toppling_verdict);
+                                });
   for (const Column& column : columns()) {
     if (!column.replicated) continue;
     const std::vector<double> values = values_of(column, first, replicates);

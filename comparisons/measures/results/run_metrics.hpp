@@ -20,9 +20,9 @@ std::string name(RunStatus status);
 RunStatus run_status(const std::string& name);
 
 /// What was run and how it differs from the exact solution: one row of a comparison, with the members that
-/// columns.txt names, texts and optional numbers. Empty where it does not apply, was not asked for, or the run
-/// failed. columns() holds what each means, and its unit. Numbers of the motion are medians over replicates
-/// where the suite asks for some.
+/// columns.txt names, texts and optional numbers. Empty where it does not apply, was not asked for, or the
+/// run failed. columns() holds what each means, and its unit. Numbers of the motion are medians over
+/// replicates where the suite asks for some.
 struct RunMetrics {
 #include "comparisons/measures/results/run_metrics_members.inc"
 };
