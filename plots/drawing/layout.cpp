@@ -40,7 +40,7 @@ double title_height(const std::string& title) {
 constexpr auto fresh_panel =
     "unset grid\nunset object\nunset logscale\nset format x '% h'\nset format y '% h'\nunset xlabel\n"
     "unset ylabel\nset xtics autofreq font '' textcolor rgb '#000000'\n"
-    "set ytics autofreq font '' textcolor rgb '#000000'\n";
+    "set ytics autofreq font '' textcolor rgb '#000000'\nset mxtics default\nset mytics default\n";
 
 std::string joined(const std::vector<std::string>& elements) {
   return fmt::format("{}", fmt::join(elements, ", \\\n  "));

@@ -36,7 +36,7 @@ Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
               {}};
   for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene.name && row.rms_angle_difference)
-      table.rows.push_back({row.engine + ":" + row.solver, cell(*row.dt),
+      table.rows.push_back({row.engine + " " + row.solver, cell(*row.dt),
                             row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
                             cell(*row.rms_angle_difference), agreement_cell(row, scene.scene.duration)});
   return table;

@@ -224,8 +224,7 @@ std::string exact_line(double cost, bool named) {
   if (cost <= 0) return "";
   std::string line = fmt::format(
       "set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 3 lc rgb '#000000' back\n", plain(cost));
-  if (named)
-    line += fmt::format("set label ' exact solver' at {}, graph 0.1 left font ',12'\n", plain(cost));
+  if (named) line += fmt::format("set label ' exact solver' at {}, graph 0.1 left font ',12'\n", plain(cost));
   return line;
 }
 

@@ -15,7 +15,7 @@ struct Term {
 
 constexpr std::array terms_of_difference{
     Term{"contact model", "#4477AA", &RunMetrics::model_difference},
-    Term{"contact softness", "#CCBB44", &RunMetrics::softness_difference},
+    Term{"contact softness", "#997700", &RunMetrics::softness_difference},
     Term{"time step", "#AA3377", &RunMetrics::step_difference}};
 
 /// What a logarithmic axis does not reach stands on its left edge.

@@ -63,7 +63,7 @@ Curve marks(const std::vector<std::string>& patterns, const Shares& shares, doub
 
 /// The exact share as a bar behind the marks of its row.
 constexpr auto exact_bar =
-    "$exact using (0):2:(0):1:($2-0.42):($2+0.42) with boxxyerror fillcolor rgb '#DADADA' fillstyle solid 1 "
+    "$exact using (0):2:(0):1:($2-0.42):($2+0.42) with boxxyerror fillcolor rgb '#9A9A9A' fillstyle solid 1 "
     "noborder notitle";
 
 std::string pattern_tics(std::vector<std::string> patterns) {
@@ -121,7 +121,7 @@ Drawing occupancy(const SceneSubject& subject) {
     series.back().context.clear();
   }
   Legend legend = mark_legend(runs, 1.5);
-  legend.insert(legend.begin(), {"with boxes fillcolor rgb '#DADADA' fillstyle solid 1 noborder", "exact"});
+  legend.insert(legend.begin(), {"with boxes fillcolor rgb '#9A9A9A' fillstyle solid 1 noborder", "exact"});
   Sheet sheet = subject.sheet(legend, answer(all));
   sheet.data(data);
   const double row = 16 + 8 * static_cast<double>(all.size()),

@@ -17,7 +17,8 @@ TEST(LinearTics, AreRoundAndHaveRoom) {
 
 TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
   EXPECT_EQ(logarithmic_tics("x", 1e-4, 1e-2, 300), "set format x '10^{%T}'\nset xtics 0.0001, 10\n");
-  EXPECT_EQ(logarithmic_tics("x", 1e-6, 1e-1, 300), "set format x '10^{%T}'\nset xtics 1e-06, 100\n");
+  EXPECT_EQ(logarithmic_tics("x", 1e-6, 1e-1, 300),
+            "set format x '10^{%T}'\nset xtics 1e-06, 100\nunset mxtics\n");
   EXPECT_EQ(logarithmic_tics("y", 0.02, 0.5, 300),
             "set ytics ('3·10^{-2}' 0.03, '10^{-1}' 0.1, '3·10^{-1}' 0.3)\n");
   EXPECT_EQ(logarithmic_tics("y", 0.2, 0.9, 300),
