@@ -263,7 +263,7 @@ const makeTrial = async (home, page) => {
   canvas.setAttribute("role", "img");
   told.setAttribute("role", "status");
   home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
-    { textContent: `${what} over time, ${rises ? "m" : "rad"}: ${data.blocks.map((_, k) => `block ${k + 1} ${colourWords[k % colours.length]}`).join(", ")}. Grey: as in the text${data.blocks.length > 1 ? ", dashed above block 1" : ""}.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that obey." : ""}` })), told), root);
+    { textContent: `${what} over time, ${rises ? "m" : "rad"}: ${data.blocks.map((_, k) => `block ${k + 1} ${colourWords[k % colours.length]}`).join(", ")}. Grey: as in the text${data.blocks.length > 1 ? ", dashed above block 1" : ""}.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that satisfy the laws." : ""}` })), told), root);
   home.hidden = false;
   const player = startPlayer(root, data), trial = new Trial(player, data), first = player.tracks[0];
   trial.branches = home.dataset.branches !== undefined;
@@ -286,7 +286,7 @@ const makeTrial = async (home, page) => {
   sliders.append(back);
   trial.shows.push((answer) => {
     for (const fit of fits) fit();
-    told.textContent = answer ? `${answer.verdict.startsWith("block") ? "B" + answer.verdict.slice(1) : "It " + answer.verdict}.${trial.others ? ` Motions that obey beside it: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText;
+    told.textContent = answer ? `${answer.verdict.startsWith("block") ? "B" + answer.verdict.slice(1) : "It " + answer.verdict}.${trial.others ? ` Other motions that satisfy the laws: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText;
     canvas.setAttribute("aria-label", `${what} over time. ${told.textContent}`);
     draw();
   });
