@@ -37,7 +37,7 @@ Foresight<Real, N> foresee(const Model<Real, N>& model, const PerBlock<Real, N>&
                             after.well_conditioned};
   const PatternSolution<Real, N>& solution = result.impact.solution;
   PerBlock<Real, N> open = thrown;
-  Truth<Real> stays_closed = other_side != other_side;  // besides the one that impacts
+  Truth<Real> stays_closed = Real(1) < Real(0);  // besides the one that impacts
   for (std::size_t k = 0; k < thrown.size(); ++k) {
     const auto closed = (sides[k] == Real(0)) & (other_side != Real(0));
     const Real least = -solution.rounding[k];

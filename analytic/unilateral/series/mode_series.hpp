@@ -79,7 +79,7 @@ struct ForceSeries {
 
 /// Three numbers, x, y and angle, of the ground, which are zero, and of each block.
 template <class Real>
-using ChainVector = std::array<Real, 3 * (max_blocks + 1)>;
+using ChainVector = std::array<Real, std::size_t{3} * (max_blocks + 1)>;
 
 /// Coefficient n of a body vector in the frame of the ground.
 template <class Real>

@@ -185,7 +185,7 @@ class SeriesMaker {
   /// forces that do it.
   void constrain(std::size_t n, const Real& factor, ChainVector<Real>& motion) {
     if (held_.empty()) return;
-    std::array<Real, 3 * max_blocks> conditions, unknowns;
+    std::array<Real, std::size_t{3} * max_blocks> conditions, unknowns;
     std::size_t row = 0;
     for (const HeldJoint<Real>& joint : held_)
       joint.each_row([&](const auto& held, const Real& left) {
