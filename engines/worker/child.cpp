@@ -95,9 +95,10 @@ bool is(int state, pid_t child) {
          found.si_pid == child;
 }
 
-/// Kills a child and all that it has left in its session, as groups of jobs. Precondition: it has not been
-/// waited for, so that its number is still that of its session.
+/// Kills a child, which may not have its session yet, and all that it has left in that, as groups of jobs.
+/// Precondition: it has not been waited for, so that its number is still that of its session.
 void kill_session(pid_t child) {
+  kill(child, SIGKILL);
   kill(-child, SIGKILL);
   each_process_of(child, [](pid_t process) { kill(process, SIGKILL); });
 }

@@ -149,6 +149,19 @@ TEST(Workers, RunThatNobodyWantsAnyMoreIsStopped) {
   EXPECT_EQ(asked, 3);
 }
 
+// Where processors are scarce it is killed before it has a session of its own.
+TEST(Workers, RunThatNobodyWantsFromTheStartIsStopped) {
+  const std::function<bool()> unwanted = [] { return true; };
+  Limits limits;
+  limits.unwanted = &unwanted;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 16; ++i)
+    threads.emplace_back([&] {
+      for (int j = 0; j < 20; ++j) EXPECT_EQ(run("loop", limits).status, "stopped");
+    });
+  for (std::thread& thread : threads) thread.join();
+}
+
 TEST(Workers, TimeLimitHoldsForAWorkerThatHasClosedItsStandardError) {
   Limits limits;
   limits.time = 0.3;
