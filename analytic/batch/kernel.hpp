@@ -3,6 +3,7 @@
 #include "analytic/batch/bounds.hpp"
 #include "analytic/batch/foresight.hpp"
 #include "analytic/batch/load.hpp"
+#include "analytic/batch/record_walk.hpp"
 #include "analytic/batch/step_rows.hpp"
 #include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/taylor_step.hpp"
@@ -31,9 +32,8 @@ class StepKernel {
   StepKernel(StepRows<blocks>& rows, std::size_t lane) : rows_(rows), lane_(lane) {}
 
   Real load(const LaneRow& row) const { return rockstack::load<Real>(row, lane_); }
-  void store(const Real& values, LaneRow& row) const { values.store(row.lanes.data() + lane_); }
-
-  void store_truth(const Mask& mask, LaneRow& row) const { store(select(mask, Real(1), Real(0)), row); }
+  void store(const Real& values, LaneRow& row) const { rockstack::store(values, row, lane_); }
+  void store_truth(const Mask& mask, LaneRow& row) const { rockstack::store_truth<Real>(mask, row, lane_); }
 
   void make_step() {
     const Real busy = load(rows_.busy);
@@ -57,7 +57,7 @@ class StepKernel {
     store_truth(plain_, rows_.plain);
     go_on();
     if (any(lands_)) meet();
-    walk();
+    walk_record(rows_, lane_, start_.length, plain_);
     if (any((busy > Real(0)) & ~(plain_ | (lands_ & silent_)))) tell();
   }
 
@@ -319,46 +319,6 @@ class StepKernel {
     }
     store_truth(lands_, rows_.lands);
     store_truth(silent_, rows_.silent);
-  }
-
-  /// Asks for the next step of the lanes that a plain one has led to the next sample of a record, as
-  /// GroundPieces and scaled_body_force() do of one.
-  void walk() {
-    const Real sample = load(rows_.sample) + Real(1);
-    const Real longest = load(rows_.longest);
-    Mask walks = plain_ & (load(rows_.busy) > Real(0)) & (load(rows_.clear) > Real(0)) &
-                 (sample < load(rows_.last)) & (start_.length >= load(rows_.remaining)) &
-                 (start_.length < longest);
-    LaneRow firsts, seconds;
-    store_truth(walks, rows_.walked);
-    if (!any(walks)) return;
-    for (std::size_t lane = lane_; lane < lane_ + Real::size; ++lane) {
-      if (!(rows_.walked[lane] > 0)) continue;
-      const double* from = rows_.samples[lane] + static_cast<std::ptrdiff_t>(rows_.sample[lane]) + 1;
-      firsts[lane] = from[0];
-      seconds[lane] = from[1];
-    }
-    const Real first = load(firsts);
-    const Real interval = load(rows_.interval);
-    const Real start = sample * interval;
-    const Real rate = (load(seconds) - first) / interval;
-    const Real value = first + (start - sample * interval) * rate + load(rows_.constant);
-    const Real length = (sample + Real(1)) * interval - start;
-    walks = walks & (length < longest);
-    const Real scale = -(length * length);
-    const Real change = rate * length;
-    const Mask straight = abs(change) <= load(rows_.negligible_change);
-    const auto put = [&](const Real& values, LaneRow& row) { store(select(walks, values, load(row)), row); };
-    put((value + Real(0) * rate + Real(0)) * scale, rows_.body_force_x[0]);
-    put(select(straight, Real(-0.0), change * scale), rows_.body_force_x[1]);
-    put(load(rows_.gravity) * scale, rows_.body_force_y[0]);
-    put(Real(-0.0), rows_.body_force_y[1]);
-    put(select(straight, Real(1), Real(2)), rows_.body_force_terms);
-    put(length, rows_.length);
-    put(length, rows_.remaining);
-    put(sample, rows_.sample);
-    put(load(rows_.pieces) + Real(1), rows_.pieces);
-    store_truth(walks, rows_.walked);
   }
 
   /// Foresees the impacts.

@@ -13,6 +13,16 @@ Real load(const LaneRow& row, std::size_t lane) {
   return Real::load(row.lanes.data() + lane);
 }
 
+template <class Real>
+void store(const Real& values, LaneRow& row, std::size_t lane) {
+  values.store(row.lanes.data() + lane);
+}
+
+template <class Real>
+void store_truth(const typename Real::Mask& mask, LaneRow& row, std::size_t lane) {
+  store(select(mask, Real(1), Real(0)), row, lane);
+}
+
 template <class Real, int N>
 Stack<Real, N> load_stack(const StepRows<static_cast<std::size_t>(N)>& rows, std::size_t lane) {
   Stack<Real, N> stack;
