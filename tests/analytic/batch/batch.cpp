@@ -164,6 +164,24 @@ TEST_P(Batch, GivesTheBitsOfBlocksThatRockUnderARecord) {
                                              .cancelled = kept ? &unwanted : nullptr});
 }
 
+// Impacts on a closed interface, after which the laws may choose other patterns.
+TEST_P(Batch, GivesTheBitsOfImpactsOnAClosedInterfaceUnderEitherLaw) {
+  Draw draw(700);
+  std::vector<Scene> scenes;
+  for (int i = 0; i < 300 / stride; ++i) {
+    Scene scene = released({block(draw.between(0.3, 2), draw.between(0.3, 3)),
+                            block(draw.between(0.3, 2), draw.between(0.3, 3))},
+                           {0, 0}, 0.5);
+    const bool lower = draw.coin();
+    const double angle = draw.between(0.01, 0.1);
+    scene.initial.angles = lower ? std::vector{angle, angle} : std::vector{0, angle};
+    scene.initial.velocities = lower ? std::vector{-2.0, -2.0} : std::vector{0.0, -2.0};
+    scene.law = draw.coin() ? Law::paper : Law::consistent;
+    scenes.push_back(scene);
+  }
+  expect_the_bits_of_each_alone(scenes, {.events = EventsKept::all, .peaks = true, .tolerance = 1e-9});
+}
+
 // Squat blocks lean far past one radian before they topple.
 TEST_P(Batch, GivesTheBitsOfBlocksThatLeanFar) {
   std::vector<Scene> scenes;
