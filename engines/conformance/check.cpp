@@ -5,10 +5,9 @@
 #include <sstream>
 #include <utility>
 
+#include "rockstack_conformance_texts.hpp"
+
 namespace rockstack {
-
-extern const std::string_view limits_txt;  ///< of this folder
-
 namespace {
 
 /// Whether words have this one or * among them.

@@ -5,10 +5,9 @@
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/scores.hpp"
 #include "plots/figures/figure.hpp"
+#include "rockstack_plots_texts.hpp"
 
 namespace rockstack::plots {
-
-extern const std::string_view figures_txt;  ///< of this folder
 
 using DrawScene = Drawing(const SceneSubject&);
 using DrawComparison = Drawings(const ComparisonSubject&);

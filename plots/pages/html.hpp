@@ -14,7 +14,7 @@
 #include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/figures/figure.hpp"
-#include "plots/pages/templates.hpp"
+#include "rockstack_plots_texts.hpp"
 
 namespace rockstack::plots {
 

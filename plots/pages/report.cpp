@@ -133,8 +133,8 @@ std::string first_screen(const fs::path& results, const Comparison& comparison) 
   const std::string stem = first_figure;
   std::string verdict = answer_box(comparison.verdict.headline);
   if (fs::exists(results / "figures" / (stem + ".svg")))
-    verdict += drawn_figure(results, stem, stem + "-", figure_in(stem)->title) +
-               element("p", first_words, " class=\"hint\"");
+    verdict += element("p", first_words, " class=\"hint\"") +
+               drawn_figure(results, stem, stem + "-", figure_in(stem)->title);
   std::string parts = element("div", verdict);
   if (const std::size_t scene = first_motion(comparison); scene < comparison.scenes.size())
     parts += element(

@@ -12,7 +12,8 @@
 #include "engines/worker/registry.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player_data.hpp"
-#include "plots/pages/templates.hpp"
+#include "rockstack_live_texts.hpp"
+#include "rockstack_plots_texts.hpp"
 
 namespace rockstack::live {
 namespace {

@@ -5,7 +5,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace rockstack::live {
@@ -41,8 +40,5 @@ struct LivePage {
 /// The page: one file that needs no network but this server. @throws InputError for a scene that is none, or
 /// beyond what a live page takes.
 LivePage make_live_page(const PageStart& start);
-
-// The files of comparisons/interfaces/live/page/, with {{places}} to fill.
-extern const std::string_view live_html, live_css, live_js, controls_js;
 
 }  // namespace rockstack::live

@@ -4,11 +4,9 @@
 
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_measures_texts.hpp"
 
 namespace rockstack {
-
-extern const std::string_view columns_txt;  ///< of this folder
-
 namespace {
 
 /// Those of quartiles stand behind the one that they are of.

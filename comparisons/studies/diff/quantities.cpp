@@ -6,11 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_comparisons_texts.hpp"
 
 namespace rockstack {
-
-extern const std::string_view quantities_txt;  ///< of this folder
-
 namespace {
 
 using Better = ReportedQuantity::Better;

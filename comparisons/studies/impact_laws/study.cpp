@@ -13,11 +13,9 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_comparisons_texts.hpp"
 
 namespace rockstack {
-
-extern const std::string_view share_columns_txt, verdict_columns_txt;  ///< of this folder
-
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -11,11 +11,9 @@
 #include "analytic/solve_batch.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_comparisons_texts.hpp"
 
 namespace rockstack {
-
-extern const std::string_view run_columns_txt;  ///< of this folder: behind the peaks of the blocks
-
 namespace {
 
 /// What `part` throws, as a text; empty where it throws nothing.
