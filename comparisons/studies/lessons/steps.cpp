@@ -21,7 +21,7 @@ std::string agreement_cell(const RunMetrics& row, double duration) {
 
 /// The least and the largest error of an engine's first impact over its steps, each in its own steps.
 std::string shares(const std::vector<RunMetrics>& rows, const std::string& engine) {
-  double least = 0, most = -std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const RunMetrics& row : rows) {
     if (row.engine != engine || !row.dt || !row.first_impact_time_difference) continue;
     const double share = *row.first_impact_time_difference / *row.dt;
