@@ -30,8 +30,8 @@ TEST(Registry, EveryEngineIsThereOrNamedAsLeftOut) {
   for (const std::string& name : engines_left_out()) names.insert(name);
   for (const WorkerEngine& engine : engines()) names.insert(engine.name);
   EXPECT_EQ(names, (std::set<std::string>{"ammo", "box2d", "bullet", "bullet-single", "cannon-es", "chipmunk",
-                                          "dart", "havok", "jolt", "mujoco", "mujoco-js", "ode", "physx",
-                                          "planck", "rapier", "siconos", "simbody"}));
+                                          "dart", "havok", "jolt", "matter-js", "mujoco", "mujoco-js", "ode",
+                                          "physx", "planck", "rapier", "siconos", "simbody"}));
 }
 
 TEST(Registry, EngineIsFoundByNameAndBySolver) {
