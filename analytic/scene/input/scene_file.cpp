@@ -234,6 +234,9 @@ GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& 
     for (double& sample : motion.samples) sample *= scale->number;
   }
   if (wanted_peak != nullptr) scale_to_peak(motion, *wanted_peak);
+  const double time_scale = number_or(table, "time_scale", 1);
+  require_positive(table.key + ".time_scale", time_scale);
+  motion.interval *= time_scale;
   return motion;
 }
 

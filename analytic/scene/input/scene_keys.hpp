@@ -97,7 +97,9 @@ inline constexpr KeyTable record_keys{
       "a file beside the scene: AT2, COSMOS, ESM, GeoNet, K-NET, SMC, Volume 2, columns", required_key,
       "accelerogram; \"FILE:CHANNEL\" takes one of several channels"},
      {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
-     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"}}};
+     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"},
+     {"time_scale", "1.0", "", "> 0", "1",
+      "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"}}};
 
 inline constexpr KeyTable samples_keys{
     "[ground.horizontal]",
@@ -106,7 +108,9 @@ inline constexpr KeyTable samples_keys{
       "accelerations, straight lines between them, zero afterwards"},
      {"interval", "0.1", "s", "> 0", required_key, "time from one sample to the next"},
      {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
-     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"}}};
+     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"},
+     {"time_scale", "1.0", "", "> 0", "1",
+      "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"}}};
 
 inline constexpr KeyTable pulse_keys{
     "[ground.horizontal]",

@@ -30,6 +30,15 @@ TEST(GroundReading, PeakIsReachedToTheLastBit) {
   EXPECT_EQ(motion.samples[1], -6.97);
 }
 
+TEST(GroundReading, TimeScaleMultipliesTheIntervalAlone) {
+  const GroundMotion motion =
+      read_ground("samples = [1, -2]\ninterval = 0.5\nscale = -0.5\ntime_scale = 0.5\n");
+  EXPECT_EQ(motion.interval, 0.25);
+  EXPECT_EQ(motion.samples, (std::vector<double>{-0.5, 1}));
+  EXPECT_EQ(error_in("samples = [1]\ninterval = 1\ntime_scale = 0\n"),
+            "scene.toml:16: ground.horizontal.time_scale = 0: must be a number from 1e-20 to 1e+20");
+}
+
 TEST(GroundReading, ARecordIsFoundBesideTheSceneFile) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "records");
@@ -68,10 +77,12 @@ TEST(GroundReading, ScaleAndPeakExcludeEachOther) {
 }
 
 TEST(GroundReading, RecordAndSamplesExcludeEachOther) {
-  EXPECT_EQ(error_in("record = \"a\"\nsamples = [1, 2]\ninterval = 1\n"),
-            "scene.toml:16: ground.horizontal.interval: unknown key, must be one of record, scale, peak");
-  EXPECT_EQ(error_in("record = \"a\"\ninterval = 1\n"),
-            "scene.toml:15: ground.horizontal.interval: unknown key, must be one of record, scale, peak");
+  EXPECT_EQ(
+      error_in("record = \"a\"\nsamples = [1, 2]\ninterval = 1\n"),
+      "scene.toml:16: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale");
+  EXPECT_EQ(
+      error_in("record = \"a\"\ninterval = 1\n"),
+      "scene.toml:15: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale");
 }
 
 TEST(GroundReading, OneSourceIsNeeded) {
