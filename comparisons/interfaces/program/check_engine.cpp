@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -21,7 +22,8 @@ struct Finding {
   std::string engine, settings, check;
   std::string what = {};           ///< of the value, with its unit; or the reason
   std::string verdict = "no run";  ///< or "holds", "fails", "known limit"
-  double value = 0, limit = 0;
+  double value = std::numeric_limits<double>::quiet_NaN(),
+         limit = value;      ///< not numbers where none is known
   std::size_t warnings = 0;  ///< of its runs
 };
 
@@ -146,7 +148,7 @@ void print_capabilities(const Json& able) {
 }
 
 void print(const Finding& finding) {
-  const std::string numbers = finding.verdict == "no run"
+  const std::string numbers = std::isnan(finding.value)
                                   ? std::string(24, ' ')
                                   : fmt::format("{:>10.3g} of {:<10.3g}", finding.value, finding.limit);
   fmt::print("  {:<8} {:<32} {:<11} {}  {}{}\n", finding.settings, finding.check, finding.verdict, numbers,
@@ -183,6 +185,13 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
     }
     if (common.talks()) print_capabilities(report["engines"].back());
     for (const std::string& settings : sets) {
+      // What no check can be held to is not run, unless checks are named.
+      const std::string beyond =
+          arguments.checks.empty() ? known_limit(engine->name, engine->solver, settings, "*") : "";
+      if (!beyond.empty()) {
+        tell({engine->full_name(), settings, "all", beyond, "known limit"});
+        continue;
+      }
       for (const Check& check : chosen) tell(judge(*engine, settings, check));
     }
   }
