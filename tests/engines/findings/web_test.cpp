@@ -453,6 +453,33 @@ TEST(WebEngines, WhatSticksInMatterCreeps) {
   }
 }
 
+/// Each of two corners gives half of what one would alone, by its own effective mass: of a flat landing
+/// (1 + e)/(1 + b²m/I) − 1 is left, where that is above 0.
+TEST(WebEngines, FlatLandingsInMatterBounceByTheirShape) {
+  const WorkerEngine* engine = there("matter-js:sequential-impulse");
+  if (engine == nullptr) GTEST_SKIP() << "Matter.js is not there";
+  const Parameters set = with(engine->tuned_parameters(), {{"restitution", 0.8}});
+  for (const double width : {0.4, 0.8, 1.6}) {
+    const Block block = make_block(width, 1, 500);
+    Scene scene;
+    scene.blocks = {block};
+    scene.law = Law::unilateral;
+    scene.initial = {{0}, {0}};
+    scene.initial.gaps = {0.2};
+    scene.engine.friction = 1000;
+    scene.duration = 0.3;
+    const double inertia = set.at("inertiaScale") * block.inertia / block.mass;
+    const double kept = 1.8 / (1 + width * width / 4 / inertia) - 1;
+    double down = 0, up = 0;
+    for (const BodyState& body : run(*engine, set_up(scene, 2.5e-4, set), set, true).bodies) {
+      down = std::max(down, -body.velocity_y);
+      if (down > 1.5) up = std::max(up, body.velocity_y);
+    }
+    // A step's share of the fall, 0.2 s.
+    EXPECT_NEAR(up / down, std::max(kept, 0.0), 0.005) << width;
+  }
+}
+
 /// What slides is slowed by 2v/(m dt), m in kg: each of two points holds an impulse in kg px that is bounded
 /// by the slip of a step in px. No coefficient of friction and no weight is in that.
 TEST(WebEngines, FrictionOfWhatSlidesInMatterKnowsNoWeight) {
