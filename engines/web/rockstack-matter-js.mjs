@@ -7,7 +7,7 @@ const settings = [
   setting('lengthUnit', 0.01, 0.01, 1e-6, 1e6, { unit: 'm' }),
   setting('unitMass', 0, 0, 0, 1e12, { unit: 'kg' }),
   setting('inertiaScale', 4, 3, 1e-6, 1e6),
-  setting('positionIterations', 6, 6, 0, 1e6, whole),
+  setting('positionIterations', 6, 7, 0, 1e6, whole),
   setting('velocityIterations', 4, 50, 1, 1e6, whole),
   setting('slop', 0.05, 0.05, 0, 1e3),
   setting('frictionStatic', 0.5, 0.5, 0, 1e12),
