@@ -51,20 +51,15 @@ class GuardCollector {
     if (joint.touch == Contact::closed) {
       add_pressure(k);
     } else if (joint.pivots()) {
-      push_force(force(k).normal, 1, k);
       push_if_needed(opening_angle(k), Change::closing, k);
     } else if (!stack_.soft(static_cast<std::size_t>(k))) {
       add_landings(k);
     }
     if (!joint.touches()) return;
+    const Hull<Real> normal = hull(force(k).normal);
+    if (joint.pivots() && !(normal.least > 0)) push_force(force(k).normal, 1, k);
     if (joint.slip == 0) {
-      if (!joint.settled && is_corner_pair(stack_, k, joint)) {
-        push_cone_side(force(k), -joint.side(), k);
-        if (!stays_on_upper_face(k)) push_cone_side(on_upper_face(series_, k, force(k)), joint.side(), k);
-      } else {
-        push_cone_side(force(k), -1, k);
-        push_cone_side(force(k), 1, k);
-      }
+      add_friction(k, normal);
     } else {
       push_if_needed(times(joint.slip, derivative(slip(k))), Change::halt, k);
       if (k > 0) joint.pivots() ? add_pivot_ends(k) : add_flat_ends(k);
@@ -127,18 +122,29 @@ class GuardCollector {
     push_force(combined(friction, force.normal, sign, force.tangential), 1 + friction, k);
   }
 
-  /// Whether bounds tell that a pair of corners keeps its friction on the upper face. With φ the angle
-  /// between the faces, what is left of that, μN' + side T', is N (μ cos φ − side sin φ) + T (μ sin φ + side
-  /// cos φ).
-  bool stays_on_upper_face(int k) const {
+  /// Both sides of the cone, where bounds do not tell that friction is left by more than rounding. A pair of
+  /// corners asks one of them of the upper face: with φ the angle between the faces, what is left there, μN'
+  /// + side T', is N (μ cos φ − side sin φ) + T (μ sin φ + side cos φ).
+  void add_friction(int k, const Hull<Real>& normal) {
     using std::abs;
-    const Polynomial<Real> angle = opening_angle(k);
-    const Real side = joints_[k].side(), friction = stack_.friction[k];
-    const Real turn = abs(angle[0]) + reach(angle);
-    // |sin φ| ≤ |φ|, and cos φ ≥ 1 − φ²/2.
-    const Real bent = (1 + friction) * (turn + turn * turn / 2);
-    const Hull<Real> normal = hull(force(k).normal), tangential = hull(times(side, force(k).tangential));
-    return friction * normal.least + tangential.least > bent * (normal.size() + tangential.size());
+    const Joint<Real>& joint = joints_[k];
+    const Real friction = stack_.friction[k];
+    const Hull<Real> tangential = hull(force(k).tangential);
+    const bool pair = !joint.settled && is_corner_pair(stack_, k, joint);
+    for (const int sign : {-1, 1}) {
+      const Real left = friction * normal.least + (sign > 0 ? tangential.least : -tangential.greatest);
+      if (!pair || sign != joint.side()) {
+        if (!(left > tolerance<Real>(1e-12) * (friction * normal.size() + tangential.size())))
+          push_cone_side(force(k), sign, k);
+        continue;
+      }
+      const Polynomial<Real> angle = opening_angle(k);
+      const Real turn = abs(angle[0]) + reach(angle);
+      // |sin φ| ≤ |φ|, and cos φ ≥ 1 − φ²/2.
+      const Real bent = (1 + friction) * (turn + turn * turn / 2);
+      if (!(left > bent * (normal.size() + tangential.size())))
+        push_cone_side(on_upper_face(series_, k, force(k)), sign, k);
+    }
   }
 
   /// How far the right or left end of the lower face is beyond that of the upper one.

@@ -15,22 +15,27 @@ class HeldJoint {
   /// the force that holds it makes of their motion.
   struct Row {
     Eigen::Matrix<Real, 6, 1> gradient, effect;
+    int first;  ///< where the body below is in a ChainVector
+    Real left;  ///< by what bodies have to change it
 
-    Real dot(const Real* motion) const {
+    Real dot(const ChainVector<Real>& motion) const {
+      const Real* around = &motion[first];
       Real sum = 0;
-      for (int e = 0; e < 6; ++e) sum += gradient[e] * motion[e];
+      if (first > 0)  // else there is the ground below
+        for (int e = 0; e < 3; ++e) sum += gradient[e] * around[e];
+      for (int e = 3; e < 6; ++e) sum += gradient[e] * around[e];
       return sum;
     }
-    /// The same of what another one does, of a joint so many interfaces below.
-    Real dot(const Row& other, int below) const {
+    /// The same of what another one does.
+    Real dot(const Row& other) const {
+      const int shift = first - other.first;
       Real sum = 0;
-      for (int e = 0; e < 6; ++e)
-        if (const int of_other = e + 3 * below; of_other >= 0 && of_other < 6)
-          sum += gradient[e] * other.effect[of_other];
+      for (int e = std::max(0, -shift), end = std::min(6, 6 - shift); e < end; ++e)
+        sum += gradient[e] * other.effect[e + shift];
       return sum;
     }
-    void act(const Real& force, Real* motion) const {
-      Eigen::Map<Eigen::Matrix<Real, 6, 1>>{motion} += force * effect;
+    void act(const Real& force, ChainVector<Real>& motion) const {
+      Eigen::Map<Eigen::Matrix<Real, 6, 1>>{&motion[first]} += force * effect;
     }
   };
 
@@ -41,12 +46,12 @@ class HeldJoint {
              const GrowingPoint<Real>& point) {
     point_ = point;
     interface_ = interface;
-    first_ = joint.touch == Contact::closed ? 0 : 1;
-    end_ = joint.slip == 0 ? 3 : 2;
+    flat_ = joint.touch == Contact::closed;
     slip_ = joint.slip;
     friction_ = stack.friction[interface];
     half_width_ = stack.blocks[interface].half_width;
-    left_[0] = 0;
+    for (Row& row : rows_) row.first = 3 * static_cast<int>(interface);
+    rows_[0].left = 0;
     point_.extend(0);
     add_rows(stack);
   }
@@ -54,12 +59,14 @@ class HeldJoint {
   std::size_t interface() const { return interface_; }
   const GrowingPoint<Real>& point() const { return point_; }
   bool sticks() const { return slip_ == 0; }
-  bool flat() const { return first_ == 0; }
+  bool flat() const { return flat_; }
 
-  /// Calls f(row, what is left of it), one by one.
+  /// Calls f of each row.
   template <class F>
   void each_row(const F& f) const {
-    for (std::size_t i = first_; i < end_; ++i) f(rows_[i], left_[i]);
+    if (flat()) f(rows_[0]);
+    f(rows_[1]);
+    if (sticks()) f(rows_[2]);
   }
 
   /// Bodies have their order 1.
@@ -80,15 +87,16 @@ class HeldJoint {
     if (sticks()) {
       // What is at one place has no lower orders apart, so that turning it leaves the start's axes alone.
       const Point<Real> at{point_.place[0].y(), point_.place[0].x()};
-      const Point<Real> apart = turned(*point_.body, point_.body_arm, m) - turned(*point_.face, at, m);
+      Point<Real> apart = turned(*point_.body, point_.body_arm, m);
+      if (point_.corner.face >= 0) apart -= turned(*point_.face, at, m);
       left = apart.x() * point_.face->up[0] + apart.y() * point_.face->along[0];
     } else {
       extend_arm(m);
       point_.apart[m] = point_.arm[m];
       left = on_face(point_.apart, m + 1, *point_.face, m);
     }
-    left_[1] = point_.corner.upward * left.x();
-    left_[2] = point_.corner.upward * left.y();
+    rows_[1].left = point_.corner.upward * left.x();
+    rows_[2].left = point_.corner.upward * left.y();
   }
 
   /// Adds coefficient n of the force as far as lower ones tell it. What is at one place has no lever that
@@ -97,11 +105,12 @@ class HeldJoint {
     point_.add_force(force, sticks() ? 0 : n, n, forces);
   }
 
-  /// Takes the unknowns of its rows for coefficient n of its force.
-  void note_force(const Real* unknowns, std::size_t n, ForceSeries<Real>& force) const {
+  /// Takes the unknowns of its rows for coefficient n of its force; those that follow.
+  const Real* note_force(const Real* unknowns, std::size_t n, ForceSeries<Real>& force) const {
     if (flat()) force.moment[n] = *unknowns++ * half_width_;
     const Real normal = force.normal[n] = *unknowns++;
     force.tangential[n] = sticks() ? *unknowns++ : -slip_ * friction_ * normal;
+    return unknowns;
   }
 
   /// The same coefficients, of bodies and of the force, as they are.
@@ -113,7 +122,7 @@ class HeldJoint {
     const Point<Real> apart = point_.apart[m];
     point_.extend_apart(m);
     const Point<Real> change = point_.apart[m] - apart;
-    point_.place[m] = {Real(0), point_.corner.upward * left_[2] + change.x() * cosine() -
+    point_.place[m] = {Real(0), point_.corner.upward * rows_[2].left + change.x() * cosine() -
                                     change.y() * sine() - point_.face->angle[m] * point_.place[0].x()};
   }
 
@@ -155,11 +164,10 @@ class HeldJoint {
 
   GrowingPoint<Real> point_;
   std::size_t interface_;
-  std::size_t first_, end_;  ///< of rows
+  bool flat_;
   int slip_;
   Real friction_, half_width_;
-  std::array<Row, 3> rows_;   ///< of the angle, of the gap, and of the slip
-  std::array<Real, 3> left_;  ///< of them
+  std::array<Row, 3> rows_;  ///< of the angle, of the gap, and of the slip
 };
 
 }  // namespace rockstack

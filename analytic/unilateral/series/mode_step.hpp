@@ -72,11 +72,11 @@ class SeriesMaker {
     ChainVector<Real> motion;
     accelerate(n, body_force, motion);
     constrain(n, factor, motion);
-    for (std::size_t k = 0; k < series_.bodies.size(); ++k) {
-      BodySeries<Real>& body = series_.bodies[k];
-      const Real* own = &motion[3 * (k + 1)];
+    const Real* own = &motion[3];
+    for (BodySeries<Real>& body : series_.bodies) {
       body.centre[m] = {own[0] / factor, own[1] / factor};
       turn<Real>(body, m, own[2] / factor);
+      own += 3;
     }
     for (HeldJoint<Real>& joint : held_) joint.end(series_.forces[joint.interface()], m);
     known_.extend_places(m);
@@ -140,28 +140,17 @@ class SeriesMaker {
     std::size_t count = 0;
     for (const Joint<Real>& joint : joints_) count += joint.touches();
     held_.resize(count);
-    std::size_t at = 0, rows = 0;
+    std::size_t at = 0;
     for (int k = 0; k < stack_.size(); ++k) {
       const Joint<Real>& joint = joints_[k];
       if (!joint.touches()) continue;
       const CornerOnFace<Real> corner = stack_.held_point(k, joint);
       held_[at].start(stack_, joint, static_cast<std::size_t>(k),
                       {stack_, corner, body_of(corner.face), body_of(corner.body)});
-      held_[at++].each_row([&](const auto&, const Real&) { ++rows; });
+      held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
     }
-    NumberTable<Real> matrix(rows, rows);
-    std::size_t column = 0;
-    for (const HeldJoint<Real>& acting : held_)
-      acting.each_row([&](const auto& action, const Real&) {
-        std::size_t row = 0;
-        for (const HeldJoint<Real>& joint : held_) {
-          const int below = static_cast<int>(joint.interface()) - static_cast<int>(acting.interface());
-          joint.each_row(
-              [&](const auto& held, const Real&) { matrix(row++, column) = held.dot(action, below); });
-        }
-        ++column;
-      });
-    system_ = LinearSystem<Real>(rows, matrix);
+    system_ =
+        LinearSystem<Real>(size_, [&](std::size_t i, std::size_t j) { return rows_[i]->dot(*rows_[j]); });
   }
 
   /// Coefficient n of accelerations by all forces, of contact forces by those that are known.
@@ -177,8 +166,13 @@ class SeriesMaker {
     }
     for (const HeldJoint<Real>& joint : held_) joint.add_force(series_.forces[joint.interface()], n, motion);
     known_.add_forces(n, motion);
-    for (std::size_t k = 0; k < joints_.size(); ++k)
-      for (std::size_t e = 3 * k; e < 3 * k + 3; ++e) motion[e + 3] *= stack_.inverse_mass[e];
+    const Real* lightness = stack_.inverse_mass.data();
+    for (std::size_t k = 0; k < joints_.size(); ++k, lightness += 3) {
+      Real* own = &motion[3 * (k + 1)];
+      own[0] *= lightness[0];
+      own[1] *= lightness[1];
+      own[2] *= lightness[2];
+    }
   }
 
   /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the
@@ -186,18 +180,13 @@ class SeriesMaker {
   void constrain(std::size_t n, const Real& factor, ChainVector<Real>& motion) {
     if (held_.empty()) return;
     std::array<Real, std::size_t{3} * max_blocks> conditions, unknowns;
-    std::size_t row = 0;
-    for (const HeldJoint<Real>& joint : held_)
-      joint.each_row([&](const auto& held, const Real& left) {
-        conditions[row++] = -(held.dot(&motion[3 * joint.interface()]) + factor * left);
-      });
+    for (std::size_t i = 0; i < size_; ++i)
+      conditions[i] = -(rows_[i]->dot(motion) + factor * rows_[i]->left);
     system_.solve(conditions.data(), unknowns.data());
-    row = 0;
-    for (const HeldJoint<Real>& joint : held_) {
-      joint.note_force(&unknowns[row], n, series_.forces[joint.interface()]);
-      joint.each_row(
-          [&](const auto& held, const Real&) { held.act(unknowns[row++], &motion[3 * joint.interface()]); });
-    }
+    for (std::size_t i = 0; i < size_; ++i) rows_[i]->act(unknowns[i], motion);
+    const Real* unknown = unknowns.data();
+    for (const HeldJoint<Real>& joint : held_)
+      unknown = joint.note_force(unknown, n, series_.forces[joint.interface()]);
   }
 
   const ContactModel<Real>& stack_;
@@ -206,6 +195,8 @@ class SeriesMaker {
   Known& known_;
   ModeSeries<Real>& series_;
   ShortVector<HeldJoint<Real>> held_;
+  std::size_t size_ = 0;
+  std::array<const typename HeldJoint<Real>::Row*, std::size_t{3} * max_blocks> rows_;  ///< of what is held
   LinearSystem<Real> system_;
 };
 
@@ -242,9 +233,8 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
   constexpr std::size_t most = max_orders<Real>;
   std::size_t orders = 0;
   // What the last two coefficients leave out, in shares of what is negligible.
-  const auto of_positions = [&] {
-    return std::max(maker.size_of(orders + 1, unit), maker.size_of(orders, unit)) /
-           (std::numeric_limits<Real>::epsilon() / 16);
+  const auto of_position = [&](std::size_t m) {
+    return maker.size_of(m, unit) / (std::numeric_limits<Real>::epsilon() / 16);
   };
   Real force = std::numeric_limits<Real>::min();
   Real last = 0, of_forces = 0;
@@ -256,11 +246,12 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
     const Real before = std::exchange(last, own / force);
     of_forces = std::max(last, before) / tolerance<Real>(1e-8);
     ++orders;
-    reached = orders > 2 + known.silent_orders() && of_forces <= 1 && of_positions() <= 1;
+    reached = of_forces <= 1 && of_position(orders + 1) <= 1 && of_position(orders) <= 1 &&
+              orders > 2 + known.silent_orders();
   }
   using std::pow;
-  const Real ratio =
-      reached ? Real(1) : Real(0.9) * pow(1 / std::max(of_positions(), of_forces), 1 / Real(most));
+  const auto excess = [&] { return std::max({of_position(orders + 1), of_position(orders), of_forces}); };
+  const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / excess(), 1 / Real(most));
   maker.finish(orders, std::min(ratio, Real(1)));
   step.lengthens = orders + 2 < most;
   return step;
