@@ -57,6 +57,7 @@ class ContactChatter {
   /// `free` is the acceleration without contact.
   Joints<Real> without_slow(const Joints<Real>& touching, const Joints<Real>& mode, const Bodies<Real>& after,
                             const FreeVector<Real>& free) const {
+    if (surely_fast(touching, mode, after, free)) return mode;
     const FreeVector<Real> acceleration =
         respond<Real>({stack_, after, free, ContactLevel::accelerations}, mode).motion;
     const FreeVector<Real> rates = vector_of(after.rate);
@@ -87,6 +88,20 @@ class ContactChatter {
   }
 
  private:
+  /// Whether all sticks, and interfaces that part turn so fast that no force brings them back.
+  bool surely_fast(const Joints<Real>& touching, const Joints<Real>& mode, const Bodies<Real>& after,
+                   const FreeVector<Real>& free) const {
+    using std::abs;
+    if (!std::ranges::all_of(mode, std::mem_fn(&Joint<Real>::sticks))) return false;
+    const Real most = most_turning(stack_, after.rate, free);
+    for (std::size_t k = 0; k < mode.size(); ++k) {
+      if (touching[k].touch == mode[k].touch) continue;
+      const Real speed = abs(relative_angle(after.rate, k));
+      if (!(speed > slow_speed_ && speed * speed > 2 * resolution_ * most)) return false;
+    }
+    return true;
+  }
+
   bool parts_slowly(int interface, const Joint<Real>& touching, const Joint<Real>& mode,
                     const Bodies<Real>& after, const FreeVector<Real>& acceleration, bool alone) const {
     using std::abs;

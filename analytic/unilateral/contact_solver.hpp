@@ -43,7 +43,7 @@ class ContactSolver {
 
   /// @throws std::runtime_error where the motion cannot go on.
   void run() {
-    decide(Joints<Real>(state_.joints), state_.bodies, 0);
+    decide(Joints<Real>(state_.joints), state_.bodies, 0, springs_.empty());
     for (; !ended_ && !pieces_.finished(); advance()) stop_if_cancelled(cancelled_);
     if (!ended_) recorder_.note_rest(state_, springs_, scene_.duration);
   }
@@ -181,11 +181,12 @@ class ContactSolver {
     place(stack_, state_.joints, state_.bodies);
     if (stack_.restitution > 0) fresh_.mark_bounces(touching, impact->mode, time());
     note(impact->kind, interface, before, rates, impact->consistency);
-    decide(impact->mode, state_.bodies, 0);
+    decide(impact->mode, state_.bodies, 0, true);
   }
 
-  /// Decides by the laws of contact as they stand `later`, s, where bodies will be by then.
-  void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& later) {
+  /// Decides by the laws of contact as they stand `later`, s, where bodies will be by then. `placed`: they
+  /// are exactly on their joints now.
+  void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& later, bool placed = false) {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
     const FreeVector<Real> free = free_acceleration(later, bodies);
@@ -207,7 +208,16 @@ class ContactSolver {
     const Poses<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
     fresh_.mark(touching, joined, state_.joints, time());
-    hold();
+    const bool stays = same_modes(touching, *mode) && same_modes(joints, *mode) &&
+                       std::ranges::all_of(*mode, [](const Joint<Real>& joint) { return joint.slip == 0; });
+    if (placed && stays) {
+      // The contacts that hold them are known.
+      const FreeVector<Real> velocities = vector_of(rates);
+      state_.bodies.rate = poses_of<Real>(respond(*contacts, *mode, &velocities).motion);
+      place(stack_, state_.joints, state_.bodies);
+    } else {
+      hold();
+    }
     if (!same_modes(before, state_.joints))
       note(kind_of(before, state_.joints), lowest_change(before, state_.joints), before, rates,
            others ? Consistency::several : Consistency::consistent);

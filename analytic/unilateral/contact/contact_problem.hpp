@@ -44,12 +44,16 @@ ContactForceRows<Real> held_by(const TouchingContacts<Real>& contacts, const Joi
   return held;
 }
 
-/// The forces that leave nothing of the conditions of their rows.
+/// The forces that leave nothing of the conditions of their rows; of velocities where they are given.
 template <class Real>
-ShortNumbers<Real> holding(const TouchingContacts<Real>& contacts, const ContactForceRows<Real>& held) {
+ShortNumbers<Real> holding(const TouchingContacts<Real>& contacts, const ContactForceRows<Real>& held,
+                           const FreeVector<Real>* velocities = nullptr) {
   const auto entry = [&](std::size_t i, std::size_t j) { return contacts.effect(held[i].row, held[j]); };
   ShortNumbers<Real> right_side(held.size());
-  for (std::size_t i = 0; i < held.size(); ++i) right_side[i] = -contacts.free(held[i].row);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const std::size_t row = held[i].row;
+    right_side[i] = -(velocities != nullptr ? contacts.row(row).dot(*velocities) : contacts.free(row));
+  }
   return LinearSystem<Real>(held.size(), entry).solve(right_side);
 }
 
@@ -77,12 +81,14 @@ ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contac
   return held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
 }
 
-/// The motion that is left of a free one where `contacts` are in a mode of theirs.
+/// The motion that is left of a free one where `contacts` are in a mode of theirs, or of velocities.
 template <class Real>
-ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<Real>& mode) {
+ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
+                           const FreeVector<Real>* velocities = nullptr) {
   const ContactForceRows<Real> held = held_by(contacts, mode);
-  const ShortNumbers<Real> values = holding(contacts, held);
-  ModeResponse<Real> response{contacts.question().free, held_forces(contacts, mode, values)};
+  const ShortNumbers<Real> values = holding(contacts, held, velocities);
+  ModeResponse<Real> response{velocities != nullptr ? *velocities : contacts.question().free,
+                              held_forces(contacts, mode, values)};
   for (std::size_t i = 0; i < held.size(); ++i) contacts.act(held[i], values[i], response.motion);
   return response;
 }
@@ -91,6 +97,27 @@ ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<
 template <class Real>
 ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
   return respond(TouchingContacts<Real>(question, joints), joints);
+}
+
+/// No interface's angular acceleration is larger where all joints stick. Of all accelerations that obey them,
+/// forces change the free ones least, in the metric of kinetic energy (Gauss's principle), and one that obeys
+/// turns no block: then a block's centre follows the one below but for the centripetal accelerations of both
+/// arms of their contact.
+template <class Real>
+Real most_turning(const ContactModel<Real>& stack, const Poses<Real>& rates, const FreeVector<Real>& free) {
+  using std::abs;
+  using std::sqrt;
+  Real path = 0, turning = 0, change = 0, least = std::numeric_limits<Real>::infinity();
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    const Block& block = stack.blocks[k];
+    const Real arm = block.half_width + block.half_height + abs(block.offset_x) + abs(block.offset_y);
+    path += 2 * arm * rates[k].angle * rates[k].angle;
+    const Real moved = path + abs(free[3 * k]) + abs(free[3 * k + 1]);
+    turning = std::max<Real>(turning, abs(free[3 * k + 2]));
+    change += block.mass * moved * moved + block.inertia * turning * turning;
+    least = std::min<Real>(least, block.inertia);
+  }
+  return 2 * (turning + sqrt(change / least));
 }
 
 /// A rounding over what it makes of contact forces, in shares of them, of a stack that stands and sticks: the

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/series/guards.hpp"
 #include "analytic/unilateral/series/mode_step.hpp"
 #include "analytic/unilateral/springs/spring_series.hpp"
@@ -57,6 +58,43 @@ class RandomStacks {
 };
 
 constexpr int many = 2000;
+
+// Gauss's principle: see most_turning().
+TEST(Bounds, NoInterfaceTurnsFasterThanItsBound) {
+  RandomStacks random;
+  for (int i = 0; i < many; ++i) {
+    const StuckStack made = random.stuck(1);
+    FreeVector<> free = uniform<double>(made.stack.size(), random.in(-20, 20), random.in(-30, 10));
+    for (int k = 0; k < made.stack.size(); ++k) free[3 * k + 2] = random.either() ? 0 : random.in(-5, 5);
+    const auto motion =
+        respond<double>({made.stack, made.bodies, free, ContactLevel::accelerations}, made.joints).motion;
+    const double most = most_turning(made.stack, made.bodies.rate, free);
+    for (int k = 0; k < made.stack.size(); ++k)
+      EXPECT_LE(std::abs(angle_row<double>(made.stack, k).dot(motion)), most) << i;
+  }
+}
+
+// Of what sticks at an impact there is one mode that obeys, so that a likely one that does is what
+// complementarity leads to.
+TEST(Bounds, ALikelyModeThatObeysIsTheOneOfComplementarity) {
+  RandomStacks random;
+  int likely = 0;
+  for (int i = 0; i < many; ++i) {
+    const StuckStack made = random.stuck(random.in(0.2, 2));
+    FreeVector<> free(3 * made.stack.size());
+    for (Eigen::Index e = 0; e < free.size(); ++e) free[e] = random.in(-1, 1);
+    const ContactQuestion<> question{made.stack, made.bodies, free, ContactLevel::impacts};
+    const TouchingContacts<double> contacts(question, made.joints);
+    const Joints<double> mode = likely_mode(contacts, made.joints);
+    if (!surely_obeys(contacts, mode, {})) continue;
+    ++likely;
+    const auto found = mode_on_faces(contacts, made.joints);
+    ASSERT_TRUE(found) << i;
+    EXPECT_TRUE(std::equal(mode.begin(), mode.end(), found->begin(), std::mem_fn(&Joint<double>::same_mode)))
+        << i;
+  }
+  EXPECT_GT(likely, many / 100);
+}
 
 // What no guard tells of stays positive all along a step: normal forces, and what is left of friction.
 TEST(Bounds, ForcesWithoutGuardsStayInTheirCones) {
