@@ -60,7 +60,9 @@ Series curve_series(const Run& run, const std::string& block, std::size_t order,
 /// The marks of a run, of a size; smaller where it has a panel of its own.
 Series mark_series(const Run& run, const std::string& block, double size);
 
-/// All marks of a data block, as what others are seen before.
+/// Marks on logarithmic axes that others are seen before: a data block of their first two numbers, and how it
+/// is drawn. Each is a short line with round ends, as many of which are one path of a picture.
+std::string context_block(const std::string& name, const std::vector<std::vector<double>>& marks);
 std::string context_marks(const std::string& block);
 
 /// The line in the middle of the exact curve, over all others.

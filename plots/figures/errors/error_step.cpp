@@ -113,17 +113,24 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
     if (!many) legend.emplace_back(mark_style(line.run, 1.5), line.label);
   Sheet sheet = subject.sheet(legend, answer(lines, errors));
   std::vector<Series> series;
+  Numbers all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string block = fmt::format("errors_{}", i);
-    series.push_back(mark_series(lines[i].run, block, 1.5));
-    series.back().words = lines[i].label;
-    series.back().plots = plots_of(lines[i], i, 1.5);
-    series.back().alone = plots_of(lines[i], i, 1.1);
-    sheet.data(number_block(block, lines[i].errors));
+    series.push_back({lines[i].label,
+                      style_of(lines[i].run).colour,
+                      plots_of(lines[i], i, 1.5),
+                      plots_of(lines[i], i, 1.1),
+                      {}});
+    std::ranges::copy(lines[i].errors, std::back_inserter(all));
+    sheet.data(number_block(fmt::format("errors_{}", i), lines[i].errors));
     if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(lines[i])));
   }
   const auto axes = [&](double width, double height) { return ranges(lines, width, height); };
-  add_series(sheet, {"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0}, series, many);
+  SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0};
+  if (many) {
+    sheet.data(context_block("all", all));
+    panel.under = {context_marks("all")};
+  }
+  add_series(sheet, panel, series, many);
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
   subject.add_replicates_note(sheet);

@@ -246,7 +246,7 @@ Drawing error_time(const SceneSubject& subject) {
   Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance));
   Numbers all;
   for (const CostLine& line : lines) std::ranges::copy(numbers_of(line), std::back_inserter(all));
-  sheet.data(number_block("all", all));
+  sheet.data(context_block("all", all));
   for (std::size_t i = 0; i < lines.size(); ++i)
     sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
