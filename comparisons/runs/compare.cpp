@@ -23,8 +23,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
   const bool done = run.status == RunStatus::done && run.error;
   row.errors.push_back(done ? *run.error : std::numeric_limits<double>::infinity());

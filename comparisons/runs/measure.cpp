@@ -23,8 +23,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json summary(const RunMetrics& row, const NamedScene& scene, const Json& parameters,
              const std::vector<const WorkerEngine*>& engines, const std::string& command) {
   Json json = row;

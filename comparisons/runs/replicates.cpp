@@ -18,8 +18,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// What replicates are asked for of a suite: no sample is kept.
 Suite without_histories(const Suite& suite) {
   Suite lean;

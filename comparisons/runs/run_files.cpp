@@ -37,8 +37,6 @@ std::string thinned(const std::string& csv, double interval) {
   return kept + last;
 }
 
-using Json = nlohmann::ordered_json;
-
 /// The checksum of a file's bytes, read once.
 std::uint64_t file_checksum(const std::filesystem::path& file) {
   static std::map<std::filesystem::path, std::uint64_t> known;

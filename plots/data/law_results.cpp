@@ -8,8 +8,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
-
 void read_cells(const fs::path& file, LawResults& results) {
   for (CsvLine row(file); row.next();)
     results.cells.push_back({row.whole(row.index("blocks"), 1, max_blocks), row.text("kind"),

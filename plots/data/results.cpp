@@ -12,8 +12,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A name in comparison.json that is one of files too.
 std::string name_in(const fs::path& results, const char* key, const std::string& name) {
   return file_name(name, fmt::format("{}: {}", (results / "comparison.json").string(), key));

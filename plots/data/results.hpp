@@ -23,7 +23,7 @@
 
 namespace rockstack::plots {
 
-using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
 /// Names and texts in the order of the file.
 using Facts = std::vector<std::pair<std::string, std::string>>;

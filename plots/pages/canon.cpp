@@ -4,8 +4,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Two digits are enough to tell steps apart.
 std::string steps_text(double steps) {
   if (steps < 0.01) return "&lt; 0.01";

@@ -12,8 +12,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Writes `prefix` behind every occurrence of `mark`.
 void insert_after(std::string& text, std::string_view mark, const std::string& prefix) {
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {

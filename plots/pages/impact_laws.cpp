@@ -9,7 +9,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
 using Cells = std::vector<std::string>;
 
 std::string whole(double count) {

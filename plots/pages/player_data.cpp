@@ -17,7 +17,6 @@
 namespace rockstack::plots {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Rows = std::vector<double>;
 
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

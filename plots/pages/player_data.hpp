@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack::plots {
@@ -29,13 +29,13 @@ struct TrackLook {
 };
 
 /// For as many keys as any object of a page has: one that grows copies all that it holds.
-void make_room(nlohmann::ordered_json& object);
+void make_room(Json& object);
 
 /// Times, angles, and slips and places where the history has them, of every `stride`-th sample.
-nlohmann::ordered_json player_track(const History& history, std::size_t stride);
+Json player_track(const History& history, std::size_t stride);
 
 /// The same under a name.
-nlohmann::ordered_json player_track(const History& history, std::size_t stride, const TrackLook& look);
+Json player_track(const History& history, std::size_t stride, const TrackLook& look);
 
 /// An exact motion with its events, whose times lie between samples, among its samples.
 History with_events(const History& history);
@@ -47,11 +47,11 @@ struct InterfaceForces {
 };
 
 /// Adds them to a track of so many blocks.
-void add_forces(const InterfaceForces& forces, int blocks, std::size_t stride, nlohmann::ordered_json& track);
+void add_forces(const InterfaceForces& forces, int blocks, std::size_t stride, Json& track);
 
 /// The pattern band and the events of an exact motion, "spans" and "stops". Impacts slower than
 /// `chatter_speed`, rad/s, are chatter.
-nlohmann::ordered_json player_events(const History& history, double chatter_speed);
+Json player_events(const History& history, double chatter_speed);
 
 /// What the player needs of a scene besides its tracks.
 struct PlayerScene {
@@ -63,15 +63,15 @@ struct PlayerScene {
   std::vector<double> ground, ground_up;  ///< its acceleration at these times, m/s², to the right and upwards
 };
 
-nlohmann::ordered_json player_scene(const PlayerScene& scene, nlohmann::ordered_json events);
+Json player_scene(const PlayerScene& scene, Json events);
 
 /// Text that ends no element, whatever it holds.
-std::string for_script(const nlohmann::ordered_json& data);
+std::string for_script(const Json& data);
 
 // Of a motion that has just been computed.
 
 /// The scene, with the patterns and events of a motion of it where that is exact.
-nlohmann::ordered_json stage_of(const Scene& scene, const History& history);
+Json stage_of(const Scene& scene, const History& history);
 
 /// What interfaces carry at the samples of an exact motion.
 InterfaceForces forces_of(const Scene& scene, const History& history);

@@ -8,8 +8,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Matched, missed and extra impacts.
 std::string counts(const std::optional<int>& matched, const std::optional<int>& missed,
                    const std::optional<int>& extra) {

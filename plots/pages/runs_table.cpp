@@ -12,8 +12,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What is shown at first, as far as any run has it; the name of the run is one of them.
 constexpr std::size_t shown_columns = 10;
 constexpr std::array wanted{"rms_test_difference",

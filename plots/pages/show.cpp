@@ -11,8 +11,6 @@
 
 namespace rockstack::plots {
 
-namespace fs = std::filesystem;
-
 using WritePage = void(const fs::path&);
 WritePage write_course, write_record_report, write_canon_report, write_advice_report, write_fit_report,
     write_stability_report, write_sweep_report, write_impact_law_report;

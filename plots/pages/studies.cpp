@@ -11,7 +11,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
 using Sentences = std::vector<std::string>;
 
 /// What the pages differ in.

@@ -71,11 +71,11 @@ Json parse_bytes(std::string_view bytes, json::input_format_t form, const std::s
 
 template json parse_bytes(std::string_view bytes, json::input_format_t form, const std::string& subject);
 
-nlohmann::ordered_json parse_json(std::string_view text, const std::string& subject) {
-  return parse_bytes<nlohmann::ordered_json>(text, json::input_format_t::json, subject);
+Json parse_json(std::string_view text, const std::string& subject) {
+  return parse_bytes<Json>(text, json::input_format_t::json, subject);
 }
 
-nlohmann::ordered_json read_json(const std::filesystem::path& file) {
+Json read_json(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InputError(one_line(file.string()) + ": cannot be read");
   const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
@@ -17,10 +18,10 @@ template <class Json>
 Json parse_bytes(std::string_view bytes, nlohmann::json::input_format_t form, const std::string& subject);
 
 /// The same of JSON, whose objects keep their order.
-nlohmann::ordered_json parse_json(std::string_view text, const std::string& subject);
+Json parse_json(std::string_view text, const std::string& subject);
 
 /// The same of a whole file. @throws InputError also where it cannot be read.
-nlohmann::ordered_json read_json(const std::filesystem::path& file);
+Json read_json(const std::filesystem::path& file);
 
 /// The error that something in a file is missing or of another kind.
 InputError wrong_json(const std::filesystem::path& file, const nlohmann::json::exception& error);

@@ -5,8 +5,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* infinite = "inf";
 
 /// As a value's place in messages.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analytic/scene/input/document.hpp"
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -15,7 +16,7 @@ namespace rockstack {
 nlohmann::ordered_json page_scene(const Node& document);
 
 /// And back; every value's place is "the page". @throws InputError for what is nested too deeply.
-Node scene_document(const nlohmann::ordered_json& scene);
+Node scene_document(const Json& scene);
 
 /// The text of a scene made of a document, for a page that can read no file: sampled ground motions are there
 /// as samples, as they act. Empty for a document that is.

@@ -21,7 +21,6 @@
 namespace rockstack::live {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using plots::packed;
 
 /// Of the bodies, with what springs of law `compliant` hold.

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 
@@ -22,11 +22,10 @@ namespace rockstack::live {
 std::string exact_answer(const std::string& question);
 
 /// Adds a track and its impacts, which it has the times of.
-void add_track(nlohmann::ordered_json& answer, nlohmann::ordered_json track,
-               const std::vector<ImpactTime>& impacts);
+void add_track(Json& answer, Json track, const std::vector<ImpactTime>& impacts);
 
 /// Adds energies, J, every `stride`-th.
-void add_energies(nlohmann::ordered_json& answer, const Scene& scene, const std::vector<double>& times,
+void add_energies(Json& answer, const Scene& scene, const std::vector<double>& times,
                   std::vector<double> values, std::size_t stride);
 
 }  // namespace rockstack::live

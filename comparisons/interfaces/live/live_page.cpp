@@ -19,7 +19,6 @@ namespace rockstack::live {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// The scene of a file as pages have it; paths of its records, which are added to `records`, hold anywhere.
 Json scene_of(const fs::path& file, const std::vector<std::string>& overrides,

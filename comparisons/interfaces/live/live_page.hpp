@@ -2,10 +2,11 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "analytic/scene/input/json.hpp"
 
 namespace rockstack::live {
 

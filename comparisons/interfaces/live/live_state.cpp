@@ -15,8 +15,6 @@
 namespace rockstack::live {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* infinite = "inf";
 
 /// A text, a number or an array of them as TOML.

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 
 #include "analytic/scene/ground/motion_library.hpp"
 #include "analytic/scene/input/document.hpp"
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/suites/suite.hpp"
 
@@ -30,16 +30,14 @@ struct LiveState {
 /// Reads {"scene", "engine", "settings", "dt", "parameters", "spread"}; `scene` is as page_scene(), and its
 /// records are among `records`. @throws InputError, one line with key, value and what is allowed, as for a
 /// scene file; std::invalid_argument for a parameter of the engine.
-LiveState read_state(const nlohmann::ordered_json& json, const std::set<std::string>& records,
-                     MotionLibrary& library);
+LiveState read_state(const Json& json, const std::set<std::string>& records, MotionLibrary& library);
 
 /// Of how many steps an answer keeps one.
 std::size_t kept_stride(const LiveState& state);
 
 /// The state's scene file, or its suite, whose scene file is NAME.toml beside it, with `runs` perturbed
 /// scenes; 0: none. @throws InputError for a name that is none.
-std::string state_scene_text(const nlohmann::ordered_json& json);
-std::string state_suite_text(const nlohmann::ordered_json& json, const LiveState& state,
-                             const std::string& name, int runs);
+std::string state_scene_text(const Json& json);
+std::string state_suite_text(const Json& json, const LiveState& state, const std::string& name, int runs);
 
 }  // namespace rockstack::live

@@ -20,8 +20,6 @@
 namespace rockstack::live {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double longest_run = 20;                             // s
 constexpr std::uint64_t run_memory = std::uint64_t{2} << 30U;  // bytes
 constexpr std::uint64_t longest_answer = std::uint64_t{64} << 20U;

@@ -15,8 +15,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// What became of a check.
 struct Finding {
   std::string engine, settings, check;

@@ -21,8 +21,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The suite or scene that an input of `compare` names.
 std::filesystem::path find_input(const std::string& input) {
   return input_file(input, {"suites", "scenes"});

@@ -128,7 +128,7 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
   require_factor("--cost", options.cost);
   const RecordedResults before = read_recorded_results(arguments.old_results);
   const ResultsChange result = hold_against(before, read_recorded_results(arguments.new_results), options);
-  nlohmann::ordered_json json = changes_json(result);
+  Json json = changes_json(result);
   if (!arguments.out.empty()) {
     const ResultsFolder folder(arguments.out, Results::diff);
     json["command"] = common.command;

@@ -23,8 +23,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// A kind of input file with its tables.
 struct FileKeys {
   const char* file;

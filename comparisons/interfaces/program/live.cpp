@@ -65,7 +65,7 @@ void open_browser(const std::string& address) {
 
 void print_address(const std::string& address, const Common& common) {
   if (common.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"address", address}}.dump());
+    fmt::print("{}\n", Json{{"address", address}}.dump());
   } else {
     fmt::print("live: {}\n", address);
     if (!common.quiet)

@@ -20,8 +20,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// What is said of other motions that obey.
 struct Branches {
   std::vector<std::string> lines = {};

@@ -14,8 +14,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double spectrum_damping = 0.05;
 
 /// A record as the command sees it: where it came from, the motion to be measured and what it measures.

@@ -65,12 +65,12 @@ std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const 
 /// Runs done, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
   if (common.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"runs", result.runs},
-                                              {"done", result.done},
-                                              {"computed", result.computed},
-                                              {"failed", result.failed},
-                                              {"seconds", result.seconds},
-                                              {"folder", folder.string()}}
+    fmt::print("{}\n", Json{{"runs", result.runs},
+                            {"done", result.done},
+                            {"computed", result.computed},
+                            {"failed", result.failed},
+                            {"seconds", result.seconds},
+                            {"folder", folder.string()}}
                            .dump(2));
   } else if (!common.quiet) {
     fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
@@ -86,7 +86,7 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
   }
   if (common.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"verdicts", counts}, {"folder", out.string()}}.dump(2));
+    fmt::print("{}\n", Json{{"verdicts", counts}, {"folder", out.string()}}.dump(2));
     return;
   }
   for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);

@@ -15,7 +15,6 @@ namespace rockstack {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 int list_lessons(const Common& common) {
   if (common.json) return list_command({"lessons"}, common);

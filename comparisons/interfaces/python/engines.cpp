@@ -171,7 +171,7 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
         result = compare(suites, out, {.command = "rockstack.compare", .jobs = jobs, .progress = follow});
       },
       progress);
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  Json rows = Json::array();
   for (const RunMetrics& row : result.rows) rows.push_back(row);
   return rows.dump();
 }

@@ -20,7 +20,7 @@ namespace {
 /// A motion, its name, and whether it is exact.
 using Shown = std::tuple<std::shared_ptr<HeldMotion>, std::string, bool>;
 
-nlohmann::ordered_json track_of(const Shown& shown, const std::string& colour) {
+Json track_of(const Shown& shown, const std::string& colour) {
   constexpr std::size_t most_samples = 2000;
   const auto& [motion, label, exact] = shown;
   const Scene& scene = motion->scene->scene;
@@ -29,7 +29,7 @@ nlohmann::ordered_json track_of(const Shown& shown, const std::string& colour) {
   auto track = plots::player_track(exact ? plots::with_events(history) : history, stride,
                                    {label, colour, exact ? "solid" : "(8,3)", true, exact});
   const double chatter = chatter_speed(scene);
-  track["impacts"] = nlohmann::ordered_json::array();
+  track["impacts"] = Json::array();
   for (const ImpactTime& impact :
        exact ? reported_impacts(history, chatter) : observed_impacts(history, chatter))
     track["impacts"].push_back(impact.time);
@@ -45,7 +45,7 @@ std::string player(const std::vector<Shown>& motions) {
   History samples;
   samples.times = first.history.times;
   auto data = plots::stage_of(first.scene->scene, std::get<2>(motions.front()) ? first.history : samples);
-  data["tracks"] = nlohmann::ordered_json::array();
+  data["tracks"] = Json::array();
   for (const Shown& shown : motions)
     data["tracks"].push_back(track_of(shown, colours[data["tracks"].size() % colours.size()]));
   const std::string& title = first.scene->scene.title;

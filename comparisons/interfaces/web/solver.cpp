@@ -28,7 +28,7 @@ Record read_record(const std::filesystem::path& name) {
 namespace {
 
 std::string answer_to(const std::string& question) {
-  const nlohmann::ordered_json asked = parse_json(question, "the question ");
+  const Json asked = parse_json(question, "the question ");
   if (!asked.contains("parameters")) return live::exact_answer(question);
   MotionLibrary library;
   const Scene scene = make_scene({scene_document(asked.at("scene")), {}, "A page's scene"}, library);
@@ -46,7 +46,7 @@ extern "C" const char* answer(const char* question) {
   try {
     text = rockstack::answer_to(question);
   } catch (const std::exception& error) {
-    text = nlohmann::ordered_json{{"error", error.what()}}.dump();
+    text = rockstack::Json{{"error", error.what()}}.dump();
   }
   return text.c_str();
 }

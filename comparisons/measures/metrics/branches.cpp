@@ -10,8 +10,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Ending {
   std::string word;
   double time;  ///< s

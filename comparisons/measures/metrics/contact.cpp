@@ -11,8 +11,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json();
 }
@@ -106,8 +104,8 @@ bool ends_at_rest(const Scene& scene, const History& history) {
          history.events.back().to == closed_pattern(history.blocks);
 }
 
-nlohmann::ordered_json contact_json(const History& history) {
-  auto json = nlohmann::ordered_json::array();
+Json contact_json(const History& history) {
+  auto json = Json::array();
   int interface = 0;
   for (const InterfaceSummary& one : contact_summary(history)) {
     json.push_back({{"interface", ++interface},

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -26,12 +26,12 @@ std::vector<InterfaceSummary> contact_summary(const History& history);
 bool ends_at_rest(const Scene& scene, const History& history);
 
 /// An array of objects with the names above.
-nlohmann::ordered_json contact_json(const History& history);
+Json contact_json(const History& history);
 
 /// What each interface has to bear, of a history that was solved with SolveOptions::validity: least normal
 /// force (N) and impulse (N·s), largest ratio of tangential to normal, and when. Ratios that are infinite are
 /// null.
-nlohmann::ordered_json validity_json(const History& history);
+Json validity_json(const History& history);
 
 /// Of all interfaces, its own time left out: the least normal force or impulse, the most friction, first
 /// times.

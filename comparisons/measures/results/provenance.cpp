@@ -22,8 +22,6 @@ std::string processor() {
   return "unknown";
 }
 
-using Json = nlohmann::ordered_json;
-
 std::string ground_of(const Scene& scene) {
   std::string text = scene.horizontal.source;
   if (!scene.vertical.empty()) text += (text.empty() ? "" : "; ") + scene.vertical.source + ", vertical";

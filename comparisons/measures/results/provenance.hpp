@@ -1,10 +1,10 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 #include "engines/worker/worker_engine.hpp"
 
@@ -16,7 +16,7 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
 
 /// What results say of a scene as it was run, overrides included: title, blocks, gravity, duration, what
 /// moves the ground, the law, and the speed and time below which impacts are chatter. SI units.
-nlohmann::ordered_json scene_json(const Scene& scene);
+Json scene_json(const Scene& scene);
 
 /// What figures and pages need of that. SI units.
 struct RecordedScene {
@@ -34,6 +34,6 @@ struct RecordedScene {
 
 /// The scene that scene_json() has told. @throws std::invalid_argument where it is none, or JSON's own
 /// exception.
-RecordedScene recorded_scene(const nlohmann::ordered_json& json);
+RecordedScene recorded_scene(const Json& json);
 
 }  // namespace rockstack

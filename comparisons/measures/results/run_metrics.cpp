@@ -12,8 +12,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// In the order of RunStatus.
 constexpr std::array<const char*, 6> status_names{"done",   "failed",     "not finite",
                                                   "signal", "time limit", "memory limit"};

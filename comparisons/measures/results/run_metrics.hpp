@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 
 namespace rockstack {
@@ -39,11 +39,10 @@ struct Column {
   bool replicated = false;  ///< a median over replicates, where there are some
   std::optional<Field> lower = {}, upper = {};  ///< of a column that has its quartiles beside it
 
-  nlohmann::ordered_json cell(const RunMetrics& row) const;
-  void set(RunMetrics& row, const nlohmann::ordered_json& cell) const;
+  Json cell(const RunMetrics& row) const;
+  void set(RunMetrics& row, const Json& cell) const;
   /// Nothing where it has none.
-  void set_quartiles(RunMetrics& row, const nlohmann::ordered_json& low,
-                     const nlohmann::ordered_json& high) const;
+  void set_quartiles(RunMetrics& row, const Json& low, const Json& high) const;
 };
 
 const std::vector<Column>& columns();
@@ -52,7 +51,7 @@ const std::vector<Column>& columns();
 const Column& column_named(const std::string& name);
 
 /// All metrics by the names of their columns, and back; a cell that is not there stays empty.
-void to_json(nlohmann::ordered_json& cells, const RunMetrics& row);
-void from_json(const nlohmann::ordered_json& cells, RunMetrics& row);
+void to_json(Json& cells, const RunMetrics& row);
+void from_json(const Json& cells, RunMetrics& row);
 
 }  // namespace rockstack

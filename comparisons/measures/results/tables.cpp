@@ -14,8 +14,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 const char* side_name(Contact side) {
   return side == Contact::left ? "left" : side == Contact::right ? "right" : "closed";
 }

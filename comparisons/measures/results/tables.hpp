@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/alignment.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
@@ -19,11 +19,11 @@ namespace rockstack {
 std::string comparison_csv(const std::vector<RunMetrics>& rows);
 
 /// A cell of a table as text; empty where it is null.
-std::string cell_text(const nlohmann::ordered_json& cell);
+std::string cell_text(const Json& cell);
 
 /// A list of flat objects with the same keys as comma-separated values with a header; nulls are empty cells.
 /// Precondition: at least one.
-std::string csv_of(const nlohmann::ordered_json& list);
+std::string csv_of(const Json& list);
 
 /// time,theta_1,…,omega_1,… and, where known, pattern.
 std::string history_csv(const History& history);

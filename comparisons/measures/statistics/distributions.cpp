@@ -16,7 +16,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Value = std::function<double(const MotionTally&)>;
 
 std::vector<double> values_of(const std::vector<MotionTally>& tallies, const Value& value) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
@@ -52,8 +52,8 @@ std::vector<DistributionDistance> distances(const std::vector<RunMetrics>& rows,
                                             const std::filesystem::path& folder);
 
 /// With scene, run, quantity, exact_runs, runs, exact_mean, mean, distance, critical and p_value; and back.
-void to_json(nlohmann::ordered_json& json, const DistributionDistance& distance);
-void from_json(const nlohmann::ordered_json& json, DistributionDistance& distance);
+void to_json(Json& json, const DistributionDistance& distance);
+void from_json(const Json& json, DistributionDistance& distance);
 
 /// What is compared and how.
 std::string distribution_definition();

@@ -9,8 +9,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t least_steps = 5;
 
 struct Quantity {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 
 namespace rockstack {
@@ -58,8 +58,8 @@ std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows);
 /// With scene, engine, solver, settings, quantity, steps, gap, gap_low, gap_high, order, order_low,
 /// order_high, coefficient, scatter, holds and reason, numbers as null where there is no fit at all; and
 /// back.
-void to_json(nlohmann::ordered_json& json, const SeriesFit& fit);
-void from_json(const nlohmann::ordered_json& json, SeriesFit& fit);
+void to_json(Json& json, const SeriesFit& fit);
+void from_json(const Json& json, SeriesFit& fit);
 
 /// What is fitted and how, in one sentence each.
 std::string fit_definition();

@@ -173,12 +173,12 @@ std::vector<RankedSet> rank_sets(const std::vector<ReplicatedRow>& rows) {
   return ranking;
 }
 
-void to_json(nlohmann::ordered_json& json, const RankedSet& set) {
+void to_json(Json& json, const RankedSet& set) {
   json = {{"rank", set.rank},   {"engine", set.engine}, {"solver", set.solver}, {"settings", set.settings},
           {"score", set.score}, {"worst", set.worst},   {"cells", set.cells},   {"failed", set.failed}};
 }
 
-void from_json(const nlohmann::ordered_json& json, RankedSet& set) {
+void from_json(const Json& json, RankedSet& set) {
   set = {json.at("engine"), json.at("solver"), json.at("settings"), json.at("rank"),
          json.at("score"),  json.at("worst"),  json.at("cells"),    json.at("failed")};
 }

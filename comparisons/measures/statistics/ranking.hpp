@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 
 namespace rockstack {
@@ -28,8 +28,8 @@ struct RankedSet {
 };
 
 /// An object with the names above; and back.
-void to_json(nlohmann::ordered_json& json, const RankedSet& set);
-void from_json(const nlohmann::ordered_json& json, RankedSet& set);
+void to_json(Json& json, const RankedSet& set);
+void from_json(const Json& json, RankedSet& set);
 
 /// The level of the tests that tell sets apart: of replicates of two sets, by their ranks within each scene
 /// and step that both have (mann_whitney()). It is that of all pairs together (adjust()): of sets that are

@@ -15,8 +15,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string phrase(const RunMetrics& row) {
   return fmt::format("{} at {}", set_name(row), quantity_text(*row.dt, "s"));
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
@@ -92,8 +92,8 @@ ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vect
 std::string ranking_definition();
 
 /// The verdict that verdict_json() has told, scenes in the order of the list.
-ComparisonVerdict verdict_from(const nlohmann::ordered_json& json);
+ComparisonVerdict verdict_from(const Json& json);
 
-nlohmann::ordered_json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes);
+Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes);
 
 }  // namespace rockstack

@@ -19,8 +19,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   Suite suite;
   suite.title = scene.scene.title;

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/suites/suite.hpp"
@@ -96,7 +96,7 @@ std::vector<std::string> advice_sentences(const AdviceRequest& request, const Ad
                                           double duration);
 
 /// All of it: its words, what was asked for, the pick, what was not tried and the trials.
-nlohmann::ordered_json advice_json(const NamedScene& scene, const AdviceRequest& request,
-                                   const Advice& advice, const std::string& command);
+Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Advice& advice,
+                 const std::string& command);
 
 }  // namespace rockstack

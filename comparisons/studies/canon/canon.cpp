@@ -28,7 +28,6 @@ namespace rockstack {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr double usual_step = 1e-3;  ///< s
 constexpr double vanishing = 1e-9;   ///< a deviation that is less is none, s

@@ -77,8 +77,6 @@ bool same_processor(const RecordedResults& old_results, const RecordedResults& n
          name->second == other->second;
 }
 
-using Json = nlohmann::ordered_json;
-
 Json to_json(const ValueSpread& spread) {
   return {
       {"lower", spread.lower}, {"median", spread.median}, {"upper", spread.upper}, {"values", spread.values}};

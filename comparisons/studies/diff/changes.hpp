@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 
@@ -155,7 +155,7 @@ ResultsChange hold_against(const RecordedResults& old_results, const RecordedRes
                            const ChangeOptions& options);
 
 /// Everything that was held together, for programs: what diff.json holds.
-nlohmann::ordered_json changes_json(const ResultsChange& result);
+Json changes_json(const ResultsChange& result);
 
 /// A line a row and number:
 /// scene,engine,solver,dt,old_settings,new_settings,old_run,new_run,bits,quantity,turn,

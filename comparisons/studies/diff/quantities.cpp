@@ -26,7 +26,7 @@ std::optional<double> other_verdict(const RunMetrics& row) {
 std::function<std::optional<double>(const RunMetrics&)> value_of(const Column& column, Better better) {
   return [&column, better](const RunMetrics& row) -> std::optional<double> {
     if (row.status != RunStatus::done) return {};
-    const nlohmann::ordered_json cell = column.cell(row);
+    const Json cell = column.cell(row);
     if (!cell.is_number()) return {};
     return better == Better::nearer_zero ? std::abs(cell.get<double>()) : cell.get<double>();
   };

@@ -12,8 +12,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 RecordedResults::Facts facts_in(const Json& object) {
   RecordedResults::Facts facts;
   for (const auto& [key, value] : object.items())

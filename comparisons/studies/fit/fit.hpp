@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/suites/measurement.hpp"
 
@@ -86,8 +86,8 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
 /// What the residual means, in sentences.
 std::vector<std::string> meaning(const Fit& fit, const Measurement& measured);
 
-nlohmann::ordered_json fit_json(const std::string& title, const Measurement& measured, const Fit& fit,
-                                const std::string& command);
+Json fit_json(const std::string& title, const Measurement& measured, const Fit& fit,
+              const std::string& command);
 
 /// Writes FOLDER/fit.csv, what was measured beside the fitted motion, and FOLDER/fit.json.
 void write_fit(const std::string& title, const Measurement& measured, const Fit& fit,

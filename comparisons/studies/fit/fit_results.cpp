@@ -11,8 +11,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// How far a residual may lie above the test's uncertainty, and a correlation from zero, before chance is no
 /// reason: three standard deviations.
 constexpr double chance = 3;

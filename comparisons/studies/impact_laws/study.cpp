@@ -18,8 +18,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// In the place of what stands there, where the file has it.
 void read_range(const Node& root, const char* key, Range& range) {
   const Node* node = find(root, key);

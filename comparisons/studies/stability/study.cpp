@@ -16,8 +16,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Values of one key along the axis: a number each.
 struct KeyValues {
   std::string key;

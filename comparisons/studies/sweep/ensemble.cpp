@@ -13,8 +13,6 @@
 namespace rockstack {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Value number_value(double number, const std::string& place) {
   Value value;
   value.node.kind = Node::Kind::number;

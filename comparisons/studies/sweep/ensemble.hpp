@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
 

@@ -7,7 +7,6 @@
 namespace rockstack::plots {
 namespace {
 
-namespace fs = std::filesystem;
 using Values = std::map<std::string, std::string>;
 
 /// As many digits as tell the numbers of a column apart, four at least: times of chatter need more than

@@ -12,8 +12,6 @@
 
 namespace rockstack::plots {
 
-namespace fs = std::filesystem;
-
 void print_pdf(const fs::path& page, const fs::path& pdf) {
   if (!has_program("chromium"))
     throw InputError("--pdf: must be asked where the program chromium is; slides.html is written");

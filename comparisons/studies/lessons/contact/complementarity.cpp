@@ -107,10 +107,10 @@ Table branches_of(const Scene& scene, const BranchTree& tree) {
   Table table{
       {"branch", "leaves branch", "from (s)", "with pattern", "instead of pattern", "ends with", "at (s)"},
       {}};
-  const auto text = [](const nlohmann::ordered_json& value) {
+  const auto text = [](const Json& value) {
     return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
   };
-  const auto pattern = [&](const nlohmann::ordered_json& value) {
+  const auto pattern = [&](const Json& value) {
     return value.is_null() ? "" : shown_pattern(named_pattern(value.get<std::string>(), blocks));
   };
   for (const auto& row : rows)

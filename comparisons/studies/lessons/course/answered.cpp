@@ -15,7 +15,6 @@ namespace rockstack {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using Places = std::map<std::string, std::string>;
 
 std::vector<std::string> all_filled_in(const std::vector<std::string>& texts, const Places& places) {

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -95,14 +95,14 @@ Answered answered(const Problem& problem, const std::map<std::string, double>& n
 
 /// As {"name", "text", "parts": [{"ask", "choices", "right", "unit", "within", "value", "shown", "why"}]};
 /// `right` counts choices from 0, and stands only beside some.
-void to_json(nlohmann::ordered_json& json, const Answered& question);
+void to_json(Json& json, const Answered& question);
 
 /// A lesson's problems with numbers of a student's own. The same seed gives the same sheet.
 /// @throws InputError as answered().
 std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t seed);
 
 /// A sheet with its answers: {"lesson", "title", "seed", "problems"}, as `rockstack plot` reads it.
-nlohmann::ordered_json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed);
+Json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed);
 
 /// Runs a lesson's suite as compare() does, and writes FOLDER/lesson.json: text, numbers, tables, and what is
 /// to be predicted with its answers. `in_course`: the folders of its neighbours lie beside it.
