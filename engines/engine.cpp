@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
+
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {
@@ -63,11 +64,8 @@ const Setting& find_setting(const std::string& engine, const std::vector<Setting
                             const std::string& name) {
   const auto found = std::ranges::find(settings, name, &Setting::name);
   if (found == settings.end()) {
-    std::vector<std::string> names;
-    names.reserve(settings.size());
-    for (const Setting& setting : settings) names.push_back(setting.name);
-    throw std::invalid_argument(
-        fmt::format("{}: {}: no such parameter; there are {}", engine, name, fmt::join(names, ", ")));
+    throw std::invalid_argument(fmt::format("{}: {}: no such parameter; there are {}", engine, name,
+                                            fmt::join(each_of(settings, &Setting::name), ", ")));
   }
   return *found;
 }

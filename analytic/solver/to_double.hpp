@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 
@@ -34,10 +35,7 @@ BasicGraze<double> in_double(const BasicGraze<Real>& graze) {
 /// Each of a list.
 template <class Wide>
 auto in_double(const std::vector<Wide>& values) {
-  std::vector<decltype(in_double(values.front()))> result;
-  result.reserve(values.size());
-  for (const Wide& value : values) result.push_back(in_double(value));
-  return result;
+  return each_of(values, [](const Wide& value) { return in_double(value); });
 }
 
 inline History to_double(History history) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/scene/history.hpp"
+#include "analytic/scene/lists.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 
@@ -18,10 +19,7 @@ Pattern pattern_of(const Joints<Real>& joints) {
 
 template <class Real>
 std::vector<Real> angles_of(const Poses<Real>& poses) {
-  std::vector<Real> angles;
-  angles.reserve(poses.size());
-  for (const Pose<Real>& pose : poses) angles.push_back(pose.angle);
-  return angles;
+  return each_of(poses, &Pose<Real>::angle);
 }
 
 /// What the joints of a sample carry.

@@ -33,10 +33,7 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
 
 /// Ranks of the rows of one scene and step, given to them.
 void rank(const std::vector<ReplicatedRow*>& rows) {
-  std::vector<ReplicatedRow> list;
-  list.reserve(rows.size());
-  for (const ReplicatedRow* row : rows) list.push_back(*row);
-  for (const RankedSet& set : rank_all(list))
+  for (const RankedSet& set : rank_all(each_of(rows, [](const ReplicatedRow* row) { return *row; })))
     for (ReplicatedRow* one : rows)
       if (one->row.engine == set.engine && one->row.solver == set.solver &&
           one->row.settings == set.settings && one->row.status == RunStatus::done)

@@ -78,25 +78,10 @@ Json fields_of(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
                point_restitution, restitution_law, springs, initial, horizontal, vertical, engine] = scene;
   const auto& [engine_friction, depth] = engine;
-  Json list = Json::array();
-  for (const Block& block : blocks) list.push_back(fields_of(block));
-  return {title,
-          duration,
-          gravity,
-          inclination,
-          law,
-          equations,
-          restitution,
-          list,
-          friction,
-          point_restitution,
-          restitution_law,
-          fields_of(springs),
-          fields_of(initial),
-          fields_of(horizontal),
-          fields_of(vertical),
-          engine_friction,
-          depth};
+  const Json each = each_of(blocks, [](const Block& block) { return fields_of(block); });
+  return list_of(title, duration, gravity, inclination, law, equations, restitution, each, friction,
+                 point_restitution, restitution_law, fields_of(springs), fields_of(initial),
+                 fields_of(horizontal), fields_of(vertical), engine_friction, depth);
 }
 
 /// Infinity has no form in JSON.

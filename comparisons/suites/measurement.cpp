@@ -5,7 +5,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "analytic/scene/messages/one_line.hpp"
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {
@@ -13,9 +13,7 @@ namespace {
 
 std::vector<std::string> names_of_columns(const Node& node) {
   if (node.kind != Node::Kind::array) return {text(node)};
-  std::vector<std::string> names;
-  for (const Node& entry : entries(node, "a name of a column for each block")) names.push_back(text(entry));
-  return names;
+  return each_of(entries(node, "a name of a column for each block"), text);
 }
 
 /// Of a reading, to rad or m.

@@ -7,6 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -89,9 +91,7 @@ class OdeSimulation final : public ShakenSimulation {
   std::size_t warnings() const override { return warnings_; }
 
   std::vector<ContactPoint> contacts() const override {
-    std::vector<ContactPoint> points;
-    for (const Touch& touch : touches_) points.push_back(point_of(touch));
-    return points;
+    return each_of(touches_, [this](const Touch& touch) { return point_of(touch); });
   }
 
  private:

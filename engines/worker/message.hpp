@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 
 /// How a message is written: the same object in either form. MessagePack has long lists of numbers as bytes,
@@ -94,12 +96,7 @@ Object read_object(const nlohmann::json& object, const std::array<Named<Object>,
 template <class Object, std::size_t Count>
 void write_columns(nlohmann::json& object, const std::vector<Object>& list,
                    const std::array<Named<Object>, Count>& fields, Form form) {
-  for (const auto& [name, member] : fields) {
-    std::vector<double> column;
-    column.reserve(list.size());
-    for (const Object& item : list) column.push_back(item.*member);
-    object[name] = to_field(column, form);
-  }
+  for (const auto& [name, member] : fields) object[name] = to_field(each_of(list, member), form);
 }
 
 template <class Object, std::size_t Count>

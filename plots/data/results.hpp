@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
-#include "plots/data/lists.hpp"
 
 namespace rockstack::plots {
 

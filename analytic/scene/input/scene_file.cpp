@@ -3,6 +3,7 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {
@@ -108,9 +109,7 @@ std::vector<Block> read_blocks(const Node& root) {
   const Node* array = find(root, "blocks");
   if (array == nullptr) return {};  // validate() says how many there must be
   if (array->kind != Node::Kind::array) throw wrong_value(*array, "an array of tables, [[blocks]]");
-  std::vector<Block> blocks;
-  for (const Node& table : array->children) blocks.push_back(read_block(table));
-  return blocks;
+  return each_of(array->children, read_block);
 }
 
 /// An array with a number for each block; whether there are as many, validate() says.
@@ -152,9 +151,7 @@ std::vector<double> read_each(const Node& table, std::string_view key, std::size
   if (node == nullptr) return {};
   if (node->kind != Node::Kind::array) return std::vector<double>(size, number(*node));
   if (!stiffness) return one_each(*node);
-  std::vector<double> values;
-  for (const Node& entry : entries(*node, "a number for each block")) values.push_back(number(entry));
-  return values;
+  return each_of(entries(*node, "a number for each block"), number);
 }
 
 void read_contact(const Node& root, Scene& scene) {

@@ -62,9 +62,7 @@ Finding judge(const WorkerEngine& engine, const std::string& settings, const Che
 /// Those of some names, or all. @throws InputError naming all for another name.
 std::vector<Check> checks_named(const std::vector<std::string>& names) {
   std::vector<Check> list = checks();
-  std::vector<std::string> there;
-  there.reserve(list.size());
-  for (const Check& check : list) there.emplace_back(check.name);
+  const auto there = each_of(list, [](const Check& check) { return std::string(check.name); });
   const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
     return std::ranges::find(all, name) != all.end();
   };

@@ -67,9 +67,7 @@ int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
 /// Which one it was where a name stands for several.
 void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
   if (!common.talks()) return;
-  std::vector<std::string> solvers;
-  solvers.reserve(engines.size());
-  for (const WorkerEngine* engine : engines) solvers.push_back(engine->solver);
+  const std::vector<std::string> solvers = each_of(engines, &WorkerEngine::solver);
   fmt::print("engine: {}, the first of {}\n", engines.front()->full_name(), fmt::join(solvers, ", "));
 }
 

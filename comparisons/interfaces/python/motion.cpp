@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
@@ -83,35 +84,25 @@ py::array_t<double> states(const History& history, std::vector<double> Event::*s
   return array;
 }
 
-template <class Of>
-auto of_events(const History& history, const Of& of) {
-  std::vector<decltype(of(history.events.front()))> values;
-  values.reserve(history.events.size());
-  for (const Event& event : history.events) values.push_back(of(event));
-  return values;
-}
-
 /// The columns of events, by name.
 py::dict events(const HeldMotion& motion) {
   const History& history = motion.history;
+  const std::vector<Event>& list = history.events;
   py::dict columns;
-  columns["time"] = copied(of_events(history, [](const Event& event) { return event.time; }));
-  columns["kind"] = of_events(history, [](const Event& event) { return name(event.kind); });
-  columns["interface"] = copied(of_events(history, [](const Event& event) { return event.interface; }));
-  columns["from"] = of_events(history, [](const Event& event) { return name(event.from); });
-  columns["to"] = of_events(history, [](const Event& event) { return name(event.to); });
+  columns["time"] = copied(each_of(list, &Event::time));
+  columns["kind"] = each_of(list, [](const Event& event) { return name(event.kind); });
+  columns["interface"] = copied(each_of(list, &Event::interface));
+  columns["from"] = each_of(list, [](const Event& event) { return name(event.from); });
+  columns["to"] = each_of(list, [](const Event& event) { return name(event.to); });
   columns["angles"] = states(history, &Event::angles);
   columns["before"] = states(history, &Event::before);
   columns["after"] = states(history, &Event::after);
-  columns["consistency"] = of_events(history, [](const Event& event) { return name(event.consistency); });
+  columns["consistency"] = each_of(list, [](const Event& event) { return name(event.consistency); });
   return columns;
 }
 
 std::vector<std::string> patterns(const HeldMotion& motion) {
-  std::vector<std::string> names;
-  names.reserve(motion.history.patterns.size());
-  for (const Pattern& pattern : motion.history.patterns) names.push_back(name(pattern));
-  return names;
+  return each_of(motion.history.patterns, [](const Pattern& pattern) { return name(pattern); });
 }
 
 /// What interfaces carry at each sample; None where samples have no patterns.

@@ -2,13 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-
-#include "analytic/scene/kinematics.hpp"
-#include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/reactions.hpp"
@@ -88,10 +82,7 @@ std::string reactions_csv(const Scene& scene, const History& history) {
 }
 
 std::vector<std::string> kinds_of_histories() {
-  std::vector<std::string> names;
-  names.reserve(history_tables.size());
-  for (const HistoryTable& table : history_tables) names.emplace_back(table.name);
-  return names;
+  return each_of(history_tables, [](const HistoryTable& table) { return std::string(table.name); });
 }
 
 std::map<std::string, std::string> histories_csv(const Scene& scene, const History& history,

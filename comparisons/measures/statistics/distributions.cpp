@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
@@ -17,13 +18,6 @@ namespace rockstack {
 namespace {
 
 using Value = std::function<double(const MotionTally&)>;
-
-std::vector<double> values_of(const std::vector<MotionTally>& tallies, const Value& value) {
-  std::vector<double> values;
-  values.reserve(tallies.size());
-  for (const MotionTally& tally : tallies) values.push_back(value(tally));
-  return values;
-}
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -87,7 +81,7 @@ std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exac
                                             const std::vector<MotionTally>& other) {
   std::vector<DistributionDistance> list;
   const auto add = [&](const std::string& quantity, const Value& value) {
-    const auto first = values_of(exact, value), second = values_of(other, value);
+    const auto first = each_of(exact, value), second = each_of(other, value);
     list.push_back({"", "", quantity, first.size(), second.size(), mean(first), mean(second),
                     kolmogorov_smirnov(first, second)});
   };

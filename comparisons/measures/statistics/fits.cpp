@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -30,9 +32,8 @@ std::vector<Series> series_of(const std::vector<RunMetrics>& rows) {
   std::vector<Series> list;
   for (const RunMetrics& row : rows) {
     if (!row.dt) continue;
-    const auto same =
-        std::ranges::find_if(list, [&](const Series& one) { return key(*one.front()) == key(row); });
-    (same == list.end() ? list.emplace_back() : *same).push_back(&row);
+    const auto same = [&](const Series& one) { return key(*one.front()) == key(row); };
+    found_or_added(list, same, {}).push_back(&row);
   }
   return list;
 }

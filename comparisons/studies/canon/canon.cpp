@@ -85,9 +85,7 @@ bool sooner(const Deviation& one, const Deviation& other) {
 
 /// Of a quantity, the replicate in the middle.
 Deviation middle_of(const CanonErrors& errors, std::size_t quantity) {
-  std::vector<Deviation> replicates;
-  for (const std::vector<Deviation>& replicate : errors.replicates)
-    replicates.push_back(replicate.at(quantity));
+  auto replicates = each_of(errors.replicates, [&](const auto& each) { return each.at(quantity); });
   const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
   std::nth_element(replicates.begin(), middle, replicates.end(), sooner);
   return *middle;
@@ -215,10 +213,8 @@ CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const Work
                          const std::string& settings) {
   const EngineSeries series = make_series(engine, settings, {});
   try {
-    std::vector<CanonErrors> errors;
-    errors.reserve(canon_steps.size());
-    for (const double step : canon_steps) errors.push_back(errors_at(suite, scene, series, step));
-    return judge_canon(scene.name, errors);
+    const auto at = [&](double step) { return errors_at(suite, scene, series, step); };
+    return judge_canon(scene.name, each_of(canon_steps, at));
   } catch (const std::exception& error) {
     return {.scene = scene.name, .deviations = {}, .reason = error.what()};
   }

@@ -1,3 +1,4 @@
+#include "analytic/scene/lists.hpp"
 #include "comparisons/studies/diff/changes.hpp"
 
 #include <algorithm>
@@ -91,11 +92,7 @@ ValueSpread step_time(const RunMetrics& row) {
 }  // namespace
 
 const std::vector<ReportedQuantity>& reported_quantities() {
-  static const std::vector<ReportedQuantity> list = [] {
-    std::vector<ReportedQuantity> all;
-    for (const Paragraph& line : paragraphs(quantities_txt)) all.push_back(quantity_of(line));
-    return all;
-  }();
+  static const std::vector<ReportedQuantity> list = each_of(paragraphs(quantities_txt), quantity_of);
   return list;
 }
 

@@ -1,3 +1,4 @@
+#include "analytic/scene/lists.hpp"
 #include "comparisons/studies/diff/changes.hpp"
 
 #include <fmt/format.h>
@@ -70,9 +71,7 @@ std::map<Key, const RecordedRun*> rows_by_key(const Rows& rows, const Across& ac
 }
 
 Rows all_rows(const RecordedResults& results) {
-  Rows rows;
-  for (const RecordedRun& run : results.runs) rows.push_back(&run);
-  return rows;
+  return each_of(results.runs, [](const RecordedRun& run) { return &run; });
 }
 
 /// The scenes of one name that differ, each with what differs first.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -92,18 +94,17 @@ double clearness(const DrawnImpact& drawn, const LawVerdict& verdict) {
 
 void note_disagreement(const ImpactKind& kind, const DrawnImpact& drawn, const LawVerdict& verdict,
                        std::vector<Disagreement>& list) {
-  auto found = std::ranges::find_if(list, [&](const Disagreement& known) {
+  const auto is = [&](const Disagreement& known) {
     return known.kind.before == kind.before && known.kind.interface == kind.interface &&
            known.paper == verdict.paper.pattern && known.consistent == verdict.consistent->pattern;
-  });
-  if (found == list.end()) {
-    found = list.insert(list.end(), {kind, verdict.paper.pattern, verdict.consistent->pattern, 0, 0, drawn});
-  }
-  ++found->count;
+  };
+  Disagreement& found =
+      found_or_added(list, is, {kind, verdict.paper.pattern, verdict.consistent->pattern, 0, 0, drawn});
+  ++found.count;
   const double clear = clearness(drawn, verdict);
-  if (clear <= found->clearness) return;
-  found->clearness = clear;
-  found->clearest = drawn;
+  if (clear <= found.clearness) return;
+  found.clearness = clear;
+  found.clearest = drawn;
 }
 
 /// Draws until the pattern before carries itself (every pivot pushes, every centre of pressure lies inside),

@@ -188,13 +188,14 @@ std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases) {
   for (const ImpactCase& question : cases) {
     for (const EngineVerdict& verdict : question.verdicts) {
       const std::string engine = fmt::format("{}:{} {}", verdict.engine, verdict.solver, verdict.settings);
-      auto tally = std::ranges::find_if(
-          list, [&](const EngineTally& known) { return known.engine == engine && known.dt == verdict.dt; });
-      if (tally == list.end()) tally = list.insert(list.end(), {engine, verdict.dt});
-      ++(!verdict.failure.empty()          ? tally->failed
-         : verdict.follows == "consistent" ? tally->consistent
-         : verdict.follows == "paper"      ? tally->paper
-                                           : tally->neither);
+      const auto is = [&](const EngineTally& known) {
+        return known.engine == engine && known.dt == verdict.dt;
+      };
+      EngineTally& tally = found_or_added(list, is, {engine, verdict.dt});
+      ++(!verdict.failure.empty()          ? tally.failed
+         : verdict.follows == "consistent" ? tally.consistent
+         : verdict.follows == "paper"      ? tally.paper
+                                           : tally.neither);
     }
   }
   return list;

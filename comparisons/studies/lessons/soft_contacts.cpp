@@ -62,12 +62,10 @@ std::vector<Choice> choices() {
 
 /// The bounces of one choice over all falls.
 std::vector<double> rebounds(const Choice& choice, const std::vector<Fall>& all) {
-  std::vector<double> list;
-  list.reserve(all.size());
-  for (const Fall& fall : all)
-    list.push_back(rebound(answer(choice.engine, choice.settings, fall.scene, contact_step, choice.changes),
-                           fall.landing));
-  return list;
+  return each_of(all, [&](const Fall& fall) {
+    return rebound(answer(choice.engine, choice.settings, fall.scene, contact_step, choice.changes),
+                   fall.landing);
+  });
 }
 
 /// "0.063 (0.006 to 0.17)", two digits of each.

@@ -6,6 +6,7 @@
 
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
@@ -108,14 +109,8 @@ Distribution read_distribution(const Node& node) {
 }
 
 std::vector<std::string> read_keys(const Node& node) {
-  std::vector<std::string> keys;
-  if (node.kind == Node::Kind::text) {
-    keys.push_back(node.text);
-  } else {
-    for (const Node& child : entries(node, "a key of the scene, or an array of such keys"))
-      keys.push_back(text(child));
-  }
-  return keys;
+  if (node.kind == Node::Kind::text) return {node.text};
+  return each_of(entries(node, "a key of the scene, or an array of such keys"), text);
 }
 
 /// The one way of giving values that a table [[vary]] has.

@@ -1,3 +1,4 @@
+#include "analytic/scene/lists.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 
 #include <algorithm>
@@ -57,9 +58,7 @@ std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys&
 /// one of a bin, each bin with as many runs as any other.
 std::map<double, double> levels_of(const std::vector<Run>& runs) {
   constexpr std::size_t most_levels = 100, bins = 20;
-  std::vector<double> all;
-  all.reserve(runs.size());
-  for (const Run& run : runs) all.push_back(run.intensity);
+  std::vector<double> all = each_of(runs, &Run::intensity);
   std::ranges::sort(all);
   std::map<double, double> levels;
   for (const double intensity : all) levels.emplace(intensity, intensity);
@@ -81,10 +80,7 @@ std::vector<Level> tallied(const std::vector<Run>& runs, const std::map<double, 
     ++(run.failed ? level.failed : level.runs);
     if (run.toppled) ++level.toppled;
   }
-  std::vector<Level> list;
-  list.reserve(tallies.size());
-  for (const auto& [intensity, level] : tallies) list.push_back(level);
-  return list;
+  return each_of(tallies, [](const auto& one) { return one.second; });
 }
 
 /// The curve is fitted to all intensities as they are, whatever the levels of the table.

@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "analytic/scene/messages/input_error.hpp"
-#include "plots/data/lists.hpp"
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/pages/show.hpp"
 

@@ -18,10 +18,7 @@ namespace fs = std::filesystem;
 using Places = std::map<std::string, std::string>;
 
 std::vector<std::string> all_filled_in(const std::vector<std::string>& texts, const Places& places) {
-  std::vector<std::string> list;
-  list.reserve(texts.size());
-  for (const std::string& text : texts) list.push_back(filled_in(text, places));
-  return list;
+  return each_of(texts, [&](const std::string& text) { return filled_in(text, places); });
 }
 
 std::size_t right_choice(const Part& part, double value) {

@@ -32,11 +32,9 @@ constexpr KeyTable part_keys{
      named_key("digits"), named_key("within"), named_key("why")}};
 
 std::vector<std::string> texts(const Node& table, const char* key) {
-  std::vector<std::string> list;
   const Node* node = find(table, key);
-  if (node == nullptr || node->children.empty()) return list;
-  for (const Node& child : entries(*node, "an array of texts")) list.push_back(text(child));
-  return list;
+  if (node == nullptr || node->children.empty()) return {};
+  return each_of(entries(*node, "an array of texts"), text);
 }
 
 std::string text_or_none(const Node& table, const char* key) {
@@ -91,10 +89,7 @@ Problem read_problem(const Node& table) {
 }
 
 std::vector<Problem> read_problems(const Node& root, const char* key) {
-  std::vector<Problem> problems;
-  for (const Node& table : entries(required(root, key, "an array of tables"), "an array of tables"))
-    problems.push_back(read_problem(table));
-  return problems;
+  return each_of(entries(required(root, key, "an array of tables"), "an array of tables"), read_problem);
 }
 
 }  // namespace

@@ -176,10 +176,7 @@ double quantity(const std::string& name, const Asked& asked) {
 }
 
 std::vector<std::string> quantity_names() {
-  std::vector<std::string> names;
-  names.reserve(quantities().size());
-  for (const Quantity& one : quantities()) names.emplace_back(one.name);
-  return names;
+  return each_of(quantities(), [](const Quantity& one) { return std::string(one.name); });
 }
 
 }  // namespace rockstack

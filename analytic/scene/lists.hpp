@@ -8,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparisons/measures/results/csv.hpp"
-
-namespace rockstack::plots {
+namespace rockstack {
 
 /// What `make` gives of each part of a list, a function or a member.
 template <class List, class Make>
@@ -33,8 +31,8 @@ std::string text_of_each(const List& list, Text text, const std::string& between
 /// The first part that is so, or where there is none, a new one at the end.
 template <class Part, class Is>
 Part& found_or_added(std::vector<Part>& list, const Is& is, Part added) {
-  const auto found = std::ranges::find_if(list, is);
+  const auto found = std::find_if(list.begin(), list.end(), is);
   return found == list.end() ? list.emplace_back(std::move(added)) : *found;
 }
 
-}  // namespace rockstack::plots
+}  // namespace rockstack
