@@ -54,9 +54,8 @@ void add_angles(const History& exact, const History& other, const Difference& ap
 std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
                                        const std::vector<ImpactTime>& found, double horizon) {
   if (expected.empty() || expected.front().time > horizon) return {};
-  for (const ImpactTime& impact : found) {
+  for (const ImpactTime& impact : found)
     if (impact.interface == expected.front().interface) return impact.time - expected.front().time;
-  }
   return {};
 }
 

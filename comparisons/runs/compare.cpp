@@ -119,22 +119,20 @@ Json statements_json(const std::vector<Suite>& suites) {
   Json list = Json::array();
   for (const Suite& suite : suites) {
     if (!suite.statements) continue;
-    for (const Statement& statement : judge(gather(suite))) {
+    for (const Statement& statement : judge(gather(suite)))
       list.push_back({{"source", statement.source},
                       {"claim", statement.claim},
                       {"verdict", name(statement.verdict)},
                       {"criterion", statement.criterion},
                       {"computed", statement.computed}});
-    }
   }
   return list;
 }
 
 std::vector<const WorkerEngine*> engines_of(const std::vector<Suite>& suites) {
   std::vector<const WorkerEngine*> list;
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const EngineSeries& series : suite.series) list.push_back(series.engine);
-  }
   return list;
 }
 
@@ -211,10 +209,9 @@ void require_short_steps(const Suite& suite) {
 void require_comparable(const std::vector<Suite>& suites) {
   std::set<std::string> names;
   for (const Suite& suite : suites) {
-    if (suite.tolerance != suites.front().tolerance) {
+    if (suite.tolerance != suites.front().tolerance)
       throw InputError(fmt::format("tolerance = {}: must be the same in all suites of one comparison, {}",
                                    suite.tolerance, suites.front().tolerance));
-    }
     std::set<std::tuple<std::string, std::string, double>> runs;
     for (const EngineSeries& series : suite.series) {
       const std::string engine = series.engine->full_name();
@@ -227,11 +224,10 @@ void require_comparable(const std::vector<Suite>& suites) {
     require_short_steps(suite);
     for (const NamedScene& scene : suite.scenes) {
       constexpr double longest = 1e7 * sample_interval;
-      if (scene.scene.duration > longest) {
+      if (scene.scene.duration > longest)
         throw InputError(
             fmt::format("{}: duration = {}: must be at most {} s in a comparison, which samples every {} s",
                         scene.duration_place, scene.scene.duration, longest, sample_interval));
-      }
       if (!names.insert(scene.name).second) {
         throw InputError(fmt::format(
             "scene {}: must be in a comparison once; its results would share a folder", scene.name));

@@ -130,9 +130,8 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
         jobs.push_back({suite, scene, variant.step, nullptr, &variant, horizon});
       if (scene.measured && scene.measured->is_motion(scene.scene.blocks.size()))
         jobs.push_back({suite, scene, {}, nullptr, &measured, horizon});
-      for (const EngineSeries& series : suite.series) {
+      for (const EngineSeries& series : suite.series)
         for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series, nullptr, horizon});
-      }
     }
   }
   return jobs;

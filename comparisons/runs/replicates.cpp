@@ -125,9 +125,8 @@ MadeReplicates make_replicates(const Job& job, std::size_t threads) {
     if (status == RunStatus::time_limit || status == RunStatus::memory_limit) end = rows[i];
   };
   make_threads(threads)->run(parts, {compute, deliver, [&] { return end.has_value(); }});
-  for (RunMetrics& row : rows) {
+  for (RunMetrics& row : rows)
     if (row.run.empty()) row = *end;
-  }
   return {std::move(rows), band_csv(times, job.scene.scene.blocks.size(), std::move(angles))};
 }
 

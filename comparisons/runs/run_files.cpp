@@ -110,9 +110,8 @@ void thin_histories(RunFiles& files, double interval) {
 void write_files(const RunFiles& files, const std::filesystem::path& folder) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  for (const auto& [name, text] : files) {
+  for (const auto& [name, text] : files)
     if (name != summary_name) write_file(folder / name, text);
-  }
   write_file(folder / summary_name, files.at(summary_name));
 }
 
@@ -155,9 +154,8 @@ std::string replicates_identity(const Job& job) {
 
 Checksums checksums(const RunFiles& files) {
   Checksums sums;
-  for (const auto& [name, text] : files) {
+  for (const auto& [name, text] : files)
     if (name != summary_name) sums[name] = fmt::format("{:016x}", checksum(text));
-  }
   return sums;
 }
 
@@ -165,9 +163,8 @@ std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, 
   const auto whole = [&](const Json& summary) -> std::optional<RunMetrics> {
     const auto row = summary.get<RunMetrics>();
     if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
-    for (const auto& [name, sum] : summary.at("files").get<Checksums>()) {
+    for (const auto& [name, sum] : summary.at("files").get<Checksums>())
       if (fmt::format("{:016x}", checksum(bytes_of(run_folder / name))) != sum) return {};
-    }
     return row;
   };
   try {

@@ -24,9 +24,8 @@ bool left_out(const std::string& name) {
 std::vector<double> read_steps(const Node& table) {
   const Node* node = find(table, "dt");
   if (node == nullptr) return default_steps();
-  for (const Node& child : entries(*node, "an array of at least one step > 0, s")) {
+  for (const Node& child : entries(*node, "an array of at least one step > 0, s"))
     if (!(number(child) > 0)) throw wrong_value(child, "a number > 0");
-  }
   return numbers(*node);
 }
 
@@ -34,9 +33,8 @@ std::vector<std::string> read_settings(const Node& table) {
   const Node* node = find(table, "settings");
   if (node == nullptr) return {"default", "tuned"};
   std::vector<std::string> settings;
-  for (const Node& child : entries(*node, "an array of \"default\" and \"tuned\"")) {
+  for (const Node& child : entries(*node, "an array of \"default\" and \"tuned\""))
     settings.push_back(choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}}));
-  }
   return settings;
 }
 
@@ -98,20 +96,17 @@ std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::
   if (find(table, "worker") == nullptr && name != nullptr && left_out(text(*name))) return {};
   const WorkerEngine& engine = read_engine(table, folder);
   std::vector<EngineSeries> list;
-  for (const std::string& settings : read_settings(table)) {
-    for (const Parameters& changes : read_changes(table, engine)) {
+  for (const std::string& settings : read_settings(table))
+    for (const Parameters& changes : read_changes(table, engine))
       list.push_back(make_series(engine, settings, read_steps(table), changes));
-    }
-  }
   return list;
 }
 
 /// A value as a suite may give it.
 std::string value_text(const WorkerEngine& engine, const std::string& name, double value) {
-  for (const Setting& setting : engine.settings) {
+  for (const Setting& setting : engine.settings)
     if (setting.name == name && !setting.choices.empty())
       return setting.choices[static_cast<std::size_t>(value)];
-  }
   return fmt::format("{}", value);
 }
 
@@ -160,12 +155,11 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
   std::set<std::tuple<std::string, std::string, std::string, double>> runs;
   for (const Node& table : entries(*engines, "an array of tables")) {
     for (EngineSeries& series : read_series(table, folder)) {
-      for (const double dt : series.steps) {
+      for (const double dt : series.steps)
         if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
           throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,
                                        table.key, series.engine->name, series.engine->solver, series.settings,
                                        dt));
-      }
       list.push_back(std::move(series));
     }
   }

@@ -19,9 +19,8 @@ std::filesystem::path shipped(const std::string& kind) {
 
 std::vector<std::string> shipped_names(const std::string& kind) {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(shipped(kind))) {
+  for (const auto& entry : std::filesystem::directory_iterator(shipped(kind)))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
   std::ranges::sort(names);
   return names;
 }

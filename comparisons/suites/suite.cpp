@@ -86,13 +86,11 @@ bool read_softness(const Node& node, const Wanted& wanted) {
 /// Those of some names, or the first solver of every usual engine of this build.
 std::vector<const WorkerEngine*> engines_of_choice(const std::vector<std::string>& names) {
   std::vector<const WorkerEngine*> list;
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     for (const WorkerEngine* engine : chosen_engines(name)) list.push_back(engine);
-  }
   if (!names.empty()) return list;
-  for (const WorkerEngine& engine : usual_engines()) {
+  for (const WorkerEngine& engine : usual_engines())
     if (list.empty() || list.back()->name != engine.name) list.push_back(&engine);
-  }
   return list;
 }
 
@@ -289,10 +287,9 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   std::vector<double> steps = choice.steps.empty() ? default_steps() : choice.steps;
   if (choice.quick && choice.steps.empty()) steps.pop_back();
   suite.scenes.push_back(std::move(scene));
-  for (const WorkerEngine* engine : engines_of_choice(choice.engines)) {
+  for (const WorkerEngine* engine : engines_of_choice(choice.engines))
     for (const char* settings : {"default", "tuned"})
       suite.series.push_back(make_series(*engine, settings, steps));
-  }
   suite.replicates.runs = replicates_that_tell_apart(suite.series.size(), steps.size());
   return suite;
 }

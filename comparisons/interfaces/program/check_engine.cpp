@@ -116,14 +116,13 @@ Json capabilities_json(const WorkerEngine& engine, const FirstRun& first) {
             {"step_time", first.step_time},
             {"processor_time", first.processor_time},
             {"settings", Json::array()}};
-  for (const Setting& setting : engine.settings) {
+  for (const Setting& setting : engine.settings)
     json["settings"].push_back({{"name", setting.name},
                                 {"unit", setting.unit},
                                 {"default", setting.standard},
                                 {"tuned", setting.tuned},
                                 {"least", setting.least},
                                 {"most", setting.most}});
-  }
   return json;
 }
 

@@ -43,12 +43,10 @@ std::vector<const WorkerEngine*> engines_named(const std::string& name) {
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
                                                EngineList (*otherwise)()) {
   std::vector<const WorkerEngine*> list;
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     for (const WorkerEngine* engine : engines_named(name)) list.push_back(engine);
-  }
-  if (names.empty()) {
+  if (names.empty())
     for (const WorkerEngine& engine : otherwise()) list.push_back(&engine);
-  }
   return list;
 }
 

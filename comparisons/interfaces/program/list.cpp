@@ -48,14 +48,13 @@ void print_table(const KeyTable& table) {
 Json table_json(const FileKeys& file, const KeyTable& table) {
   Json json{
       {"file", file.file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", Json::array()}};
-  for (const InputKey& key : table.keys) {
+  for (const InputKey& key : table.keys)
     json["keys"].push_back({{"key", key.name},
                             {"unit", key.unit},
                             {"range", key.range},
                             {"default", key.standard},
                             {"meaning", key.meaning},
                             {"example", key.example}});
-  }
   return json;
 }
 

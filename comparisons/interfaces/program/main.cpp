@@ -120,9 +120,8 @@ int run(int count, char** arguments) {
 /// Where a standard stream is closed, the first file that is opened would take its number and get its text. A
 /// result that cannot be printed stays an error, a complaint that nobody wants does not.
 void open_standard_streams() {
-  for (const auto& [stream, mode] : {std::pair{0, O_WRONLY}, {1, O_RDONLY}, {2, O_WRONLY}}) {
+  for (const auto& [stream, mode] : {std::pair{0, O_WRONLY}, {1, O_RDONLY}, {2, O_WRONLY}})
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", mode);
-  }
 }
 
 /// One line, whatever the names in it hold.

@@ -82,9 +82,8 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
                     const Common& common) {
   if (common.quiet) return;
   std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
-  for (const StabilityRun& row : rows) {
+  for (const StabilityRun& row : rows)
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
-  }
   if (common.json) {
     fmt::print("{}\n", Json{{"verdicts", counts}, {"folder", out.string()}}.dump(2));
     return;

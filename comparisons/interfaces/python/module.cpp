@@ -55,12 +55,11 @@ void add_errors(py::module_& core) {
 py::list rows(std::initializer_list<const KeyTable*> tables) {
   using namespace py::literals;
   py::list list;
-  for (const KeyTable* table : tables) {
+  for (const KeyTable* table : tables)
     for (const InputKey& key : table->keys)
       list.append(py::dict("table"_a = table->header, "key"_a = key.name, "unit"_a = key.unit,
                            "range"_a = key.range, "default"_a = key.standard, "meaning"_a = key.meaning,
                            "example"_a = key.example));
-  }
   return list;
 }
 

@@ -70,9 +70,8 @@ class InterfaceAlignment {
  private:
   static std::vector<std::size_t> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
     std::vector<std::size_t> numbers;
-    for (std::size_t i = 0; i < impacts.size(); ++i) {
+    for (std::size_t i = 0; i < impacts.size(); ++i)
       if (impacts[i].interface == interface) numbers.push_back(i);
-    }
     return numbers;
   }
 
@@ -156,9 +155,8 @@ double window_of(const std::vector<ImpactTime>& exact, std::size_t number, const
 std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
                                  const std::vector<double>& windows) {
   std::set<int> interfaces;
-  for (const auto* impacts : {&exact, &engine}) {
+  for (const auto* impacts : {&exact, &engine})
     for (const ImpactTime& impact : *impacts) interfaces.insert(impact.interface);
-  }
   std::vector<AlignedImpact> lines;
   for (const int interface : interfaces)
     InterfaceAlignment(exact, engine, windows, interface).append_to(lines);
@@ -173,9 +171,8 @@ std::vector<AlignedImpact> up_to(std::vector<AlignedImpact> alignment, double ti
 
 AlignmentCounts count(const std::vector<AlignedImpact>& alignment) {
   AlignmentCounts counts;
-  for (const AlignedImpact& line : alignment) {
+  for (const AlignedImpact& line : alignment)
     ++(!line.engine ? counts.missed : !line.exact ? counts.extra : counts.matched);
-  }
   return counts;
 }
 

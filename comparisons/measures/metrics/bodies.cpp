@@ -71,11 +71,10 @@ std::vector<double> energies(const Scene& scene, const History& history) {
     const Vector<double> velocities = vector_of(history.velocities_at(i));
     const auto [places, speeds] = centres_at(stack, history, i);
     double energy = -at_rest;
-    for (int k = 0; k < stack.size(); ++k) {
+    for (int k = 0; k < stack.size(); ++k)
       energy += 0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
                 0.5 * stack.inertia[k] * velocities[k] * velocities[k] +
                 stack.mass[k] * gravity.across * places(1, k) - stack.mass[k] * gravity.along * places(0, k);
-    }
     list.push_back(energy);
   }
   return list;

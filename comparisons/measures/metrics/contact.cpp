@@ -107,24 +107,22 @@ bool ends_at_rest(const Scene& scene, const History& history) {
 Json contact_json(const History& history) {
   auto json = Json::array();
   int interface = 0;
-  for (const InterfaceSummary& one : contact_summary(history)) {
+  for (const InterfaceSummary& one : contact_summary(history))
     json.push_back({{"interface", ++interface},
                     {"final_slip", one.final_slip},
                     {"largest_slip", one.largest_slip},
                     {"highest_lift", one.highest_lift},
                     {"slips", one.slips},
                     {"lift_offs", one.lift_offs}});
-  }
   return json;
 }
 
 Json validity_json(const History& history) {
   Json list = Json::array();
-  for (std::size_t k = 0; k < history.forces.size(); ++k) {
+  for (std::size_t k = 0; k < history.forces.size(); ++k)
     list.push_back({{"interface", k + 1},
                     {"forces", demand_json(history.forces[k])},
                     {"impulses", demand_json(history.impulses[k])}});
-  }
   return list;
 }
 
@@ -147,17 +145,15 @@ std::vector<std::string> validity_warnings(const Scene& scene, const History& hi
     add_warnings(scene, history.forces, "force", "N", lines);
     add_warnings(scene, history.impulses, "impulse", "N s", lines);
   }
-  for (const auto& choice : history.choices) {
+  for (const auto& choice : history.choices)
     lines.push_back(
         fmt::format("interface {} opens under tension at t = {:.6g} s, where either side would do: it took "
                     "one of two motions",
                     choice.interface, choice.time));
-  }
-  for (const auto& graze : history.grazes) {
+  for (const auto& graze : history.grazes)
     lines.push_back(
         fmt::format("interface {} grazes at t = {:.6g} s: rounding decides whether there is an {}",
                     graze.interface, graze.time, name(graze.kind)));
-  }
   return lines;
 }
 

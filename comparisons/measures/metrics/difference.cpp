@@ -76,9 +76,8 @@ double root_mean_square(const Difference& difference) {
 }
 
 double agreement_time(const Difference& difference, double tolerance) {
-  for (std::size_t i = 0; i < difference.values.size(); ++i) {
+  for (std::size_t i = 0; i < difference.values.size(); ++i)
     if (std::abs(difference.values[i]) > tolerance) return difference.times[i / difference.blocks];
-  }
   return difference.times.back();
 }
 

@@ -47,13 +47,11 @@ std::array<double, 2> standstills(const Piece& piece) {
 void raise_within(GroundMeasures& measures, const Piece& piece) {
   const auto inside = [&](double t) { return t > 0 && t <= piece.length; };
   const double turning = -piece.from / piece.slope;
-  for (const double t : {turning, piece.length}) {
+  for (const double t : {turning, piece.length})
     if (inside(t)) raise(measures.velocity, piece.velocity_at(t), piece.start + t);
-  }
   const auto [one, other] = standstills(piece);
-  for (const double t : {one, other, piece.length}) {
+  for (const double t : {one, other, piece.length})
     if (inside(t)) raise(measures.displacement, piece.displacement_at(t), piece.start + t);
-  }
 }
 
 /// ∫a² dt over a straight line from a to b.
@@ -64,10 +62,9 @@ double square_integral(double a, double b, double length) {
 /// ∫a² dt from the start to each sample.
 std::vector<double> energies(const GroundMotion& motion) {
   std::vector<double> result{0};
-  for (std::size_t i = 0; i + 1 < motion.samples.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < motion.samples.size(); ++i)
     result.push_back(result.back() +
                      square_integral(motion.samples[i], motion.samples[i + 1], motion.interval));
-  }
   return result;
 }
 
@@ -140,9 +137,8 @@ GroundMeasures measure_ground(const GroundMotion& motion) {
   measures.points = motion.samples.size();
   measures.interval = motion.interval;
   measures.duration = motion.end();
-  for (std::size_t i = 0; i < motion.samples.size(); ++i) {
+  for (std::size_t i = 0; i < motion.samples.size(); ++i)
     raise(measures.acceleration, motion.samples[i], motion.interval * static_cast<double>(i));
-  }
   const std::vector<Piece> all = pieces(motion);
   for (const Piece& piece : all) raise_within(measures, piece);
   if (!all.empty()) {
@@ -191,9 +187,8 @@ BaseLine fitted_base_line(const GroundMotion& motion) {
 
 GroundMotion without(const GroundMotion& motion, const BaseLine& line) {
   GroundMotion result = motion;
-  for (std::size_t i = 0; i < result.samples.size(); ++i) {
+  for (std::size_t i = 0; i < result.samples.size(); ++i)
     result.samples[i] -= line.value + line.slope * (motion.interval * static_cast<double>(i));
-  }
   return result;
 }
 

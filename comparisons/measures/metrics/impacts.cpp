@@ -49,9 +49,8 @@ struct Passage {
 
 std::vector<Passage> passages(const std::vector<double>& times, const std::vector<Pattern>& patterns) {
   std::vector<Passage> list;
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  for (std::size_t i = 0; i < times.size(); ++i)
     if (list.empty() || !(list.back().pattern == patterns[i])) list.push_back({times[i], patterns[i]});
-  }
   return list;
 }
 
@@ -151,9 +150,8 @@ std::vector<PatternShare> pattern_shares(const std::vector<double>& times, const
 
 double agreement(const std::vector<PatternShare>& shares) {
   double sum = 0;
-  for (const PatternShare& one : shares) {
+  for (const PatternShare& one : shares)
     if (one.exact == one.engine) sum += one.share;
-  }
   return sum;
 }
 

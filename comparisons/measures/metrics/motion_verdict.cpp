@@ -38,9 +38,8 @@ Lean largest_lean(const Scene& scene, const std::vector<double>& angles) {
 /// When a block leans furthest among the samples, s.
 double peak_time(const History& history, std::size_t block) {
   std::size_t furthest = 0;
-  for (std::size_t i = 0; i < history.size(); ++i) {
+  for (std::size_t i = 0; i < history.size(); ++i)
     if (std::abs(history.angles_at(i)[block]) > std::abs(history.angles_at(furthest)[block])) furthest = i;
-  }
   return history.times[furthest];
 }
 

@@ -226,11 +226,10 @@ Journal::Journal(const std::filesystem::path& folder, const std::string& identit
   const std::uint64_t size = std::filesystem::file_size(file_);
   std::string found(std::min<std::uint64_t>(size, head.size()), '\0');
   in.read(found.data(), static_cast<std::streamsize>(found.size()));
-  if (!head.starts_with(found)) {
+  if (!head.starts_with(found))
     throw InputError(fmt::format(
         "--out {}: must be a folder of its own: it holds a sweep of another ensemble, or by another build",
         file_.parent_path().string()));
-  }
   const bool whole = found.size() == head.size();
   end_ = whole ? head.size() : 0;
   std::size_t part = 0;

@@ -16,9 +16,8 @@ namespace {
 /// The processor's own name, as Linux gives it.
 std::string processor() {
   std::ifstream stream("/proc/cpuinfo");
-  for (std::string line; std::getline(stream, line);) {
+  for (std::string line; std::getline(stream, line);)
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
   return "unknown";
 }
 
@@ -31,14 +30,13 @@ std::string ground_of(const Scene& scene) {
 /// Sizes and masses, bottom to top.
 Json stack_json(const Scene& scene) {
   Json list = Json::array();
-  for (const Block& block : scene.blocks) {
+  for (const Block& block : scene.blocks)
     list.push_back({{"width", 2 * block.half_width},
                     {"height", 2 * block.half_height},
                     {"mass", block.mass},
                     {"inertia", block.inertia},
                     {"offset_x", block.offset_x},
                     {"offset_y", block.offset_y}});
-  }
   return list;
 }
 

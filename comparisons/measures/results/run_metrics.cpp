@@ -85,9 +85,8 @@ void to_json(Json& cells, const RunMetrics& row) {
 }
 
 void from_json(const Json& cells, RunMetrics& row) {
-  for (const Column& one : columns()) {
+  for (const Column& one : columns())
     if (cells.contains(one.name)) one.set(row, cells.at(one.name));
-  }
 }
 
 }  // namespace rockstack

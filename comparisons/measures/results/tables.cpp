@@ -106,10 +106,9 @@ std::string events_csv(const History& history) {
   CsvWriter csv;
   csv.line("time", "kind", "interface", "from", "to", numbered("theta_", blocks),
            numbered("omega_before_", blocks), numbered("omega_after_", blocks), "consistency");
-  for (const Event& event : history.events) {
+  for (const Event& event : history.events)
     csv.line(event.time, name(event.kind), event.interface, name(event.from), name(event.to), event.angles,
              event.before, event.after, name(event.consistency));
-  }
   return csv.text();
 }
 
@@ -172,10 +171,9 @@ std::string energy_csv(const std::vector<double>& times, const std::vector<doubl
   const auto balance = energy_balance(engine.energy, engine.input, elastic);
   CsvWriter csv;
   csv.line("time", "exact", "engine", "input", "elastic", "balance", "penetration");
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  for (std::size_t i = 0; i < times.size(); ++i)
     csv.line(times[i], exact[i], engine.energy[i], engine.input[i], elastic[i], balance[i],
              engine.penetration[i]);
-  }
   return csv.text();
 }
 

@@ -40,9 +40,8 @@ std::vector<Series> series_of(const std::vector<RunMetrics>& rows) {
 
 StepFit fit_of(const Series& series, const Quantity& quantity) {
   std::vector<StepError> errors;
-  for (const RunMetrics* row : series) {
+  for (const RunMetrics* row : series)
     if (const auto& error = row->*quantity.field) errors.push_back({*row->dt, std::abs(*error)});
-  }
   return fit_steps(errors);
 }
 
@@ -53,10 +52,9 @@ std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
   for (const Series& series : series_of(rows)) {
     if (series.size() < least_steps) continue;
     const RunMetrics& row = *series.front();
-    for (const Quantity& quantity : quantities) {
+    for (const Quantity& quantity : quantities)
       fits.push_back(
           {row.scene, row.engine, row.solver, row.settings, quantity.column, fit_of(series, quantity)});
-    }
   }
   return fits;
 }

@@ -155,9 +155,8 @@ Bounded model_error_bounds(const Data& data, double model_error, double power_su
 }
 
 std::string failure(const StepFit& fit, double constant_sum, double limit) {
-  if (fit.scatter > std::log(3)) {
+  if (fit.scatter > std::log(3))
     return fmt::format("the errors scatter about the curve by a factor of {:.3g}", std::exp(fit.scatter));
-  }
   if (constant_sum <= limit) return "the errors do not fall with the step";
   if (fit.order.low <= least_order || fit.order.high >= most_order) return "the order is not bounded";
   return "";
@@ -167,9 +166,8 @@ std::string failure(const StepFit& fit, double constant_sum, double limit) {
 
 StepFit fit_steps(const std::vector<StepError>& errors) {
   std::vector<StepError> used;
-  for (const StepError& one : errors) {
+  for (const StepError& one : errors)
     if (std::isfinite(one.error) && one.error > 0) used.push_back(one);
-  }
   StepFit fit;
   fit.points = used.size();
   if (fit.points < least_points) {

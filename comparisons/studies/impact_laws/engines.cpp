@@ -81,9 +81,8 @@ std::optional<ImpactCase> make_case(const Disagreement& disagreement) {
   result.scene.title = result.name;
   const LawRun paper = run_law(result.scene, Law::paper);
   const LawRun consistent = run_law(result.scene, Law::consistent);
-  if (!is_of(paper, kind, disagreement.paper) || !is_of(consistent, kind, disagreement.consistent)) {
+  if (!is_of(paper, kind, disagreement.paper) || !is_of(consistent, kind, disagreement.consistent))
     return std::nullopt;
-  }
   result.time = consistent.impact.time;
   result.before = consistent.impact.before;
   result.largest_rate = relative(vector_of(result.before)).cwiseAbs().maxCoeff();

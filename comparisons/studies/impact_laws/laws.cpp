@@ -157,9 +157,8 @@ std::vector<ImpactKind> impact_kinds(int blocks) {
     int lowest = 0;
     while (lowest < blocks && pattern[lowest] == Contact::closed) ++lowest;
     if (lowest == blocks || pattern[lowest] == Contact::left) continue;
-    for (int k = lowest; k < blocks; ++k) {
+    for (int k = lowest; k < blocks; ++k)
       if (pattern[k] != Contact::closed) kinds.push_back({pattern, k});
-    }
   }
   return kinds;
 }

@@ -23,9 +23,8 @@ void read_range(const Node& root, const char* key, Range& range) {
   const Node* node = find(root, key);
   if (node == nullptr) return;
   const std::vector<double> values = numbers(*node);
-  if (values.size() != 2 || !(values[0] > 0) || !(values[0] < values[1])) {
+  if (values.size() != 2 || !(values[0] > 0) || !(values[0] < values[1]))
     throw wrong_value(*node, "two numbers > 0, the smaller one first");
-  }
   range = {values[0], values[1]};
 }
 
@@ -99,12 +98,11 @@ std::string verdicts_csv(const std::vector<ImpactCase>& cases) {
 Json case_json(const ImpactCase& question) {
   const Scene& scene = question.scene;
   Json blocks = Json::array();
-  for (const Block& block : scene.blocks) {
+  for (const Block& block : scene.blocks)
     blocks.push_back({{"width", 2 * block.half_width},
                       {"height", 2 * block.half_height},
                       {"mass", block.mass},
                       {"inertia", block.inertia}});
-  }
   return {{"name", question.name},
           {"clearness", question.disagreement.clearness},
           {"impact_time", question.time},
@@ -119,13 +117,12 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
   json["definitions"] = {{"impact-laws.csv", definitions(share_columns_txt)},
                          {"impact-laws-engines.csv", definitions(verdict_columns_txt)}};
   json["disagreements"] = Json::array();
-  for (const Disagreement& found : results.laws.disagreements) {
+  for (const Disagreement& found : results.laws.disagreements)
     json["disagreements"].push_back({{"kind", name(found.kind)},
                                      {"paper", name(found.paper)},
                                      {"consistent", name(found.consistent)},
                                      {"count", found.count},
                                      {"clearness", found.clearness}});
-  }
   json["cases"] = Json::array();
   for (const ImpactCase& question : results.cases) json["cases"].push_back(case_json(question));
   json["engines"] = Json::array();
@@ -204,11 +201,10 @@ std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases) {
 std::string shares_csv(const std::vector<ImpactShare>& shares) {
   CsvWriter csv;
   add_header(csv, share_columns_txt);
-  for (const ImpactShare& share : shares) {
+  for (const ImpactShare& share : shares)
     csv.line(share.blocks, name(share.kind), share.aspect_ratio.from, share.aspect_ratio.to,
              share.mass_ratio.from, share.mass_ratio.to, share.drawn, share.impacts, share.differ, share.none,
              share.several, share.missed);
-  }
   return csv.text();
 }
 

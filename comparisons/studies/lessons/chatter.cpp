@@ -39,12 +39,11 @@ Table flights(const Chatter& chatter) {
                "with that before it, of the pair before", "speed after (rad/s)"},
               {}};
   constexpr std::size_t count = 14;
-  for (std::size_t i = 0; i < std::min(count, chatter.impacts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(count, chatter.impacts.size()); ++i)
     table.rows.push_back(
         {std::to_string(i + 1), cell(chatter.impacts[i].time), i > 0 ? cell(chatter.flight(i)) : "",
          i > 1 ? fixed(chatter.flight(i) / chatter.flight(i - 1), 4) : "",
          i > 3 ? fixed(chatter.pair(i), 4) : "", cell(std::abs(chatter.impacts[i].after[0]))});
-  }
   return table;
 }
 

@@ -43,10 +43,9 @@ std::vector<KeyValues> read_set(const Node& axis, std::size_t count) {
     list.push_back({child.name, numbers(child)});
     if (list.back().values.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
-    for (const double value : list.back().values) {
+    for (const double value : list.back().values)
       if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
         throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
-    }
   }
   return list;
 }
@@ -95,11 +94,10 @@ double place(const StabilityStudy& study, const RunMetrics& row) {
       if (study.suite.scenes[i].name == row.scene) return study.axis.values[i];
     return 0;
   }
-  for (const EngineSeries& series : study.suite.series) {
+  for (const EngineSeries& series : study.suite.series)
     if (series.engine->name == row.engine && series.engine->solver == row.solver &&
         series.settings == row.settings)
       return series.parameters.at(study.axis.parameter);
-  }
   return 0;
 }
 
@@ -116,12 +114,11 @@ std::string stability_csv(const std::vector<StabilityRun>& rows) {
   csv.line("run", "engine", "solver", "settings", "dt", "value", "verdict", "reason", "energy_gain",
            "penetration", "gap", "slip", "out_of_plane", "residual_motion", "largest_angle_difference",
            "stepping_time_minimum", "toppling_verdict");
-  for (const auto& [row, value, verdict] : rows) {
+  for (const auto& [row, value, verdict] : rows)
     csv.line(row.run, row.engine, row.solver, row.settings, row.dt, value, name(verdict.soundness),
              verdict.reason, row.energy_gain, row.penetration, row.gap, row.slip, row.out_of_plane,
              row.residual_motion, row.largest_angle_difference, row.stepping_time_minimum,
              name(row.toppling_verdict));
-  }
   return csv.text();
 }
 
@@ -179,10 +176,9 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
     study.suite.repeats = static_cast<int>(whole_number(*repeats, 1));
   if (const Node* replicates = find(root, "draws")) study.suite.replicates = read_replicates(*replicates);
   if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
-  for (const EngineSeries& series : study.suite.series) {
+  for (const EngineSeries& series : study.suite.series)
     if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))
       throw wrong_value(axis, fmt::format("about a parameter that {} has", series.engine->name));
-  }
   return study;
 }
 

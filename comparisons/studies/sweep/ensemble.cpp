@@ -34,21 +34,18 @@ void describe_record(const std::filesystem::path& name, MotionLibrary& library, 
 void describe_records(const SceneDocument& document, MotionLibrary& library, std::string& text) {
   for (const char* key : {"ground.horizontal.record", "ground.vertical.record"}) {
     const Node& node = nearest(document.root, key);
-    if (node.name == "record" && node.kind == Node::Kind::text) {
+    if (node.name == "record" && node.kind == Node::Kind::text)
       describe_record(document.folder / node.text, library, text);
-    }
   }
 }
 
 std::vector<Value> read_values(const Node& array) {
-  if (array.kind != Node::Kind::array || array.children.empty()) {
+  if (array.kind != Node::Kind::array || array.children.empty())
     throw wrong_value(array, "an array of numbers or texts");
-  }
   std::vector<Value> values;
   for (const Node& child : array.children) {
-    if (child.kind != Node::Kind::number && child.kind != Node::Kind::text) {
+    if (child.kind != Node::Kind::number && child.kind != Node::Kind::text)
       throw wrong_value(child, "a number or a text");
-    }
     values.push_back({child, child.kind == Node::Kind::text ? child.text : number_text(child.number)});
   }
   return values;
@@ -64,9 +61,8 @@ std::vector<Value> read_range(const Node& table) {
       static_cast<std::size_t>(whole_number(required(table, "count", "a whole number"), 2, most_values));
   const Node* spacing = find(table, "spacing");
   const bool logarithmic = spacing != nullptr && choice<bool>(*spacing, {{"linear", false}, {"log", true}});
-  if (logarithmic && !(from > 0 && to > 0)) {
+  if (logarithmic && !(from > 0 && to > 0))
     throw wrong_value(*spacing, "\"linear\" where from or to is not > 0");
-  }
   std::vector<Value> values{number_value(from, table.place)};
   const auto steps = static_cast<double>(count - 1);
   for (std::size_t i = 1; i < count; ++i) {
@@ -92,9 +88,8 @@ double positive_number(const Node& table, const char* name) {
 
 Distribution read_distribution(const Node& node) {
   if (node.name == "uniform") {
-    if (node.kind != Node::Kind::array || node.children.size() != 2) {
+    if (node.kind != Node::Kind::array || node.children.size() != 2)
       throw wrong_value(node, "an array of two numbers, from and to");
-    }
     const double from = finite_number(node, "1"), to = finite_number(node, "2");
     if (!(from < to))
       throw wrong_value(node.children.back(), "a number above the first, " + number_text(from));
@@ -121,9 +116,8 @@ const Node& way(const Node& table) {
     if (found != nullptr) throw excluded_key(child, *found);
     found = &child;
   }
-  if (found == nullptr) {
+  if (found == nullptr)
     throw missing_key(table, "values", "given, or range, uniform, normal or lognormal in its place");
-  }
   return *found;
 }
 
@@ -144,9 +138,8 @@ std::vector<Value> values_of(const Ensemble& ensemble, std::size_t run) {
   std::vector<Value> values(ensemble.variations.size());
   std::size_t point = run / ensemble.samples;
   for (auto axis = ensemble.axes.rbegin(); axis != ensemble.axes.rend(); ++axis) {
-    for (const std::size_t v : axis->variations) {
+    for (const std::size_t v : axis->variations)
       values[v] = ensemble.variations[v].values[point % axis->length];
-    }
     point /= axis->length;
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
@@ -218,10 +211,9 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   } else {
     variation.distribution = read_distribution(given);
   }
-  for (Value& value : variation.values) {
+  for (Value& value : variation.values)
     if (variation.is_record(value))
       value.node.text = std::filesystem::absolute(folder / value.node.text).string();
-  }
   return variation;
 }
 

@@ -42,11 +42,10 @@ void add_to_axes(Ensemble& ensemble, const Node& table) {
   const std::string name = group == nullptr ? "" : text(*group);
   for (Axis& axis : ensemble.axes) {
     if (name.empty() || axis.group != name) continue;
-    if (axis.length != variation.values.size()) {
+    if (axis.length != variation.values.size())
       throw wrong_value(*group, fmt::format("that of tables with as many values, {} has {} and this {}",
                                             ensemble.variations[axis.variations.front()].name(), axis.length,
                                             variation.values.size()));
-    }
     axis.variations.push_back(index);
     return;
   }
@@ -55,22 +54,19 @@ void add_to_axes(Ensemble& ensemble, const Node& table) {
 
 void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
   std::vector<std::string> taken;
-  for (const Variation& other : ensemble.variations) {
+  for (const Variation& other : ensemble.variations)
     taken.insert(taken.end(), other.keys.begin(), other.keys.end());
-  }
   for (const std::string& key : variation.keys) {
-    if (std::ranges::find(taken, key) != taken.end()) {
+    if (std::ranges::find(taken, key) != taken.end())
       throw InputError(fmt::format("{}: key = {}: must be varied only once", variation.place, one_line(key)));
-    }
     taken.push_back(key);
   }
 }
 
 void read_variations(Ensemble& ensemble, const Node& root) {
   const Node& tables = required(root, "vary", "at least one table [[vary]]");
-  if (tables.kind != Node::Kind::array || tables.children.empty()) {
+  if (tables.kind != Node::Kind::array || tables.children.empty())
     throw wrong_value(tables, "an array of tables, [[vary]]");
-  }
   for (const Node& table : tables.children) {
     Variation variation = read_variation(table, ensemble.file.parent_path());
     require_new_keys(ensemble, variation);
@@ -84,11 +80,10 @@ void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& 
   for (const std::string& each : overrides) {
     std::string key = each.substr(0, each.find('='));
     std::erase(key, ' ');
-    for (const Variation& variation : ensemble.variations) {
+    for (const Variation& variation : ensemble.variations)
       if (std::ranges::find(variation.keys, key) != variation.keys.end())
         throw InputError(fmt::format("--set {}: must be a key that is not varied, as {} does", one_line(each),
                                      variation.place));
-    }
   }
 }
 
@@ -106,10 +101,9 @@ void read_drawing(Ensemble& ensemble, const Node& root) {
   }
   double runs = static_cast<double>(ensemble.samples);
   for (const Axis& axis : ensemble.axes) runs *= static_cast<double>(axis.length);
-  if (runs > most_runs) {
+  if (runs > most_runs)
     throw InputError(fmt::format("{}: {} runs: must be at most {}", root.place, number_text(runs),
                                  number_text(most_runs)));
-  }
 }
 
 /// The name of the variation that a summary's key stands for; its values must be numbers.
@@ -144,14 +138,12 @@ void read_summary(Ensemble& ensemble, const Node& root) {
 /// Makes the scene of the first value of everything, then of each value by itself; of very many, of some.
 void try_values(const Ensemble& ensemble, MotionLibrary& library) {
   SceneDocument document = ensemble.base;
-  for (const Variation& variation : ensemble.variations) {
+  for (const Variation& variation : ensemble.variations)
     set_values(document, variation, typical_value(variation));
-  }
   make_scene(document, library);
   const auto set = [&](const Axis& axis, std::size_t i) {
-    for (const std::size_t v : axis.variations) {
+    for (const std::size_t v : axis.variations)
       set_values(document, ensemble.variations[v], ensemble.variations[v].values[i]);
-    }
   };
   for (const Axis& axis : ensemble.axes) {
     constexpr std::size_t most_tried = 1000;

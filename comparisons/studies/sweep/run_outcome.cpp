@@ -67,10 +67,9 @@ SolveOptions run_options(double tolerance) {
 RunOutcome run_outcome(const Scene& scene, const History& history) {
   RunOutcome outcome;
   outcome.peaks = history.peaks;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     outcome.peak_ratio =
         std::max(outcome.peak_ratio, outcome.peaks[k] / slenderness(scene, static_cast<int>(k)));
-  }
   for (const Event& event : history.events) {
     outcome.events += event.count;
     if (is_impact(event.kind)) outcome.impacts += event.count;

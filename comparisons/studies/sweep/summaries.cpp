@@ -126,10 +126,9 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
   });
   CsvWriter curves;
   curves.line("curve", "values", "intensity", "peak_ratio", "toppled");
-  for (const auto& [number, run] : ordered) {
+  for (const auto& [number, run] : ordered)
     curves.line(number + 1, run->others, number_text(run->intensity), number_text(run->peak_ratio),
                 run->toppled ? 1 : 0);
-  }
   write_file(folder / "incremental.csv", curves.text());
   CsvWriter fractiles;
   fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
