@@ -66,6 +66,13 @@ std::string name(const Pattern& pattern) {
   return word;
 }
 
+std::string shown_pattern(const Pattern& pattern) {
+  std::string text;
+  for (const char letter : name(pattern))
+    text += letter == '<' ? "←" : letter == '>' ? "→" : letter == '-' ? "–" : std::string(1, letter);
+  return text;
+}
+
 Pattern named_pattern(std::string_view text, int size) {
   if (size == 2)
     if (const std::optional<Pattern> pattern = paper_pattern(text)) return *pattern;

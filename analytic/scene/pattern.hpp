@@ -57,6 +57,9 @@ inline bool is_closed(const Pattern& pattern) {
 /// the way that it slides.
 std::string name(const Pattern& pattern);
 
+/// The same for people: an arrow the way an interface slides, a dash where it is apart.
+std::string shown_pattern(const Pattern& pattern);
+
 /// The pattern of `size` blocks with that name. @throws std::invalid_argument where there is none.
 Pattern named_pattern(std::string_view name, int size);
 

@@ -49,29 +49,36 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
 
 // All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit. Members
 // are bound by their number, so that a struct with another one does not compile until it counts here.
+template <class... Fields>
+Json list_of(const Fields&... fields) {
+  Json list = Json::array();
+  (list.push_back(fields), ...);
+  return list;
+}
+
 Json fields_of(const Block& block) {
   const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
-  return {half_width, half_height, mass, inertia, offset_x, offset_y};
+  return list_of(half_width, half_height, mass, inertia, offset_x, offset_y);
 }
 
 Json fields_of(const Pulse& pulse) {
   const auto& [shape, amplitude, period, start, cycles, phase] = pulse;
-  return {shape, amplitude, period, start, cycles, phase};
+  return list_of(shape, amplitude, period, start, cycles, phase);
 }
 
 Json fields_of(const InitialState& initial) {
   const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
-  return {angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities};
+  return list_of(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities);
 }
 
 Json fields_of(const CornerSprings& springs) {
   const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
-  return {stiffness, damping, bed_stiffness, bed_damping, tangential};
+  return list_of(stiffness, damping, bed_stiffness, bed_damping, tangential);
 }
 
 Json fields_of(const GroundMotion& motion) {
   const auto& [interval, samples, source, made_up, pulse] = motion;
-  return {interval, samples, source, made_up, pulse ? fields_of(*pulse) : Json()};
+  return list_of(interval, samples, source, made_up, pulse ? fields_of(*pulse) : Json());
 }
 
 Json fields_of(const Scene& scene) {

@@ -85,7 +85,7 @@ NamedStyle of_friction(const std::string& solver) {
 }
 
 NamedStyle of_solver(const std::string& solver) {
-  const auto found = std::ranges::find_if(named, [&](const NamedStyle& one) { return one.solver == solver; });
+  const auto found = std::ranges::find(named, solver, &NamedStyle::solver);
   return found != named.end() ? *found : named.at(1 + number_of(solver) % (named.size() - 2));
 }
 

@@ -11,7 +11,6 @@
 
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/reactions.hpp"
-#include "comparisons/measures/results/shown_pattern.hpp"
 #include "plots/data/patterns.hpp"
 
 namespace rockstack::plots {

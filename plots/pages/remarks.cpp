@@ -38,8 +38,7 @@ std::vector<double> steps_of(const Comparison& comparison, const Run& run) {
 class Ranking {
  public:
   Ranking(const Comparison& comparison, const std::string& name)
-      : question_(*std::ranges::find_if(solver_questions(),
-                                        [&](const SolverQuestion& one) { return one.name == name; })),
+      : question_(*std::ranges::find(solver_questions(), name, &SolverQuestion::name)),
         all_(scores(comparison, question_)) {
     std::map<std::string, bool> tuned;
     for (const Score& score : all_)

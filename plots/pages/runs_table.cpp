@@ -43,8 +43,7 @@ std::string text_of(const Run& run, std::size_t column) {
 Order order_of(const Comparison& comparison) {
   Order order{{0}};
   for (const char* name : wanted) {
-    const auto found =
-        std::ranges::find_if(columns(), [&](const Column& column) { return column.name == name; });
+    const auto found = std::ranges::find(columns(), name, &Column::name);
     const auto column = static_cast<std::size_t>(found - columns().begin());
     const auto has_value = [&](const Run& run) { return !text_of(run, column).empty(); };
     if (order.columns.size() < shown_columns && std::ranges::any_of(comparison.runs, has_value))

@@ -13,7 +13,7 @@ namespace rockstack {
 // which JSON does not have.
 
 /// A scene file's document, or a part of it, as a page has it.
-nlohmann::ordered_json page_scene(const Node& document);
+Json page_scene(const Node& document);
 
 /// And back; every value's place is "the page". @throws InputError for what is nested too deeply.
 Node scene_document(const Json& scene);

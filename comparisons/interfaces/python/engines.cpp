@@ -94,8 +94,7 @@ py::list canon(const std::string& engine_name, const std::string& settings,
   if (scenes) {
     std::vector<NamedScene> chosen;
     for (const std::string& name : *scenes) {
-      const auto found =
-          std::ranges::find_if(suite.scenes, [&](const NamedScene& scene) { return scene.name == name; });
+      const auto found = std::ranges::find(suite.scenes, name, &NamedScene::name);
       if (found == suite.scenes.end()) throw InputError("scenes: " + name + ": must be a scene of the canon");
       chosen.push_back(*found);
     }

@@ -43,22 +43,19 @@ double peak_time(const History& history, std::size_t block) {
   return history.times[furthest];
 }
 
-/// When an interface would have to pull, from `demands` of forces or impulses; empty where none does.
-std::string pull(const std::vector<Demand>& demands) {
-  for (std::size_t k = 0; k < demands.size(); ++k) {
-    if (demands[k].least_normal < 0)
-      return fmt::format("; interface {} would have to pull at {:.4g} s", k + 1,
-                         demands[k].least_normal_time);
-  }
+/// When an interface would have to pull, by forces or by impulses; empty where none does.
+std::string pull(const History& history) {
+  for (const auto* demands : {&history.forces, &history.impulses})
+    for (std::size_t k = 0; k < demands->size(); ++k)
+      if (const Demand& one = (*demands)[k]; one.least_normal < 0)
+        return fmt::format("interface {} would have to pull at {:.4g} s", k + 1, one.least_normal_time);
   return "";
 }
 
 /// What blocks and ground must do for the model to hold; empty where it was not asked for.
 std::string demand(const History& history) {
   if (history.forces.empty()) return "";
-  for (const auto* demands : {&history.forces, &history.impulses}) {
-    if (std::string text = pull(*demands); !text.empty()) return text;
-  }
+  if (const std::string text = pull(history); !text.empty()) return "; " + text;
   const double forces = worst_of(history.forces).friction;
   const double impulses = worst_of(history.impulses).friction;
   return impulses > forces ? fmt::format("; needs friction {:.2g}, {:.2g} in impacts", forces, impulses)
@@ -66,8 +63,7 @@ std::string demand(const History& history) {
 }
 
 auto largest_of(const std::vector<InterfaceSummary>& interfaces, double InterfaceSummary::*value) {
-  return std::max_element(interfaces.begin(), interfaces.end(),
-                          [&](const auto& a, const auto& b) { return a.*value < b.*value; });
+  return std::ranges::max_element(interfaces, {}, value);
 }
 
 /// A row of what a history has row by row, by blocks; nothing where it does not have it.
@@ -169,12 +165,8 @@ std::string doubt_of(const History& history) {
   for (const Event& event : history.events)
     if (event.consistency == Consistency::several)
       return fmt::format("from {:.4g} s on one of several motions that obey", event.time);
-  for (const auto* demands : {&history.forces, &history.impulses})
-    for (std::size_t k = 0; k < demands->size(); ++k)
-      if ((*demands)[k].least_normal < 0)
-        return fmt::format("one in which interface {} would have to pull at {:.4g} s", k + 1,
-                           (*demands)[k].least_normal_time);
-  return "";
+  const std::string text = pull(history);
+  return text.empty() ? "" : "one in which " + text;
 }
 
 std::string reported_toppling(const History& history) {

@@ -107,7 +107,6 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
                       {"fifth_rubber", fixed(on_rubber, 3)},
                       {"fifth_early", fixed(by_shape - by_ratio, 3)},
                       {"engine_late", power(std::abs(*ode.first_impact_time_difference), 1)},
-                      {"ode_rms", power(*ode.rms_angle_difference, 1)},
                       {"spread", percent(assumed_spread, 0)}},
           .tables = {{"shapes", shapes()}, {"spreads", spreads(scene, concrete)}},
           .player = {.time = 0, .speed = 0.5, .gain = 2},

@@ -99,15 +99,12 @@ const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::strin
 }
 
 const Event* first_event(const History& history, EventKind kind) {
-  const auto found = std::find_if(history.events.begin(), history.events.end(),
-                                  [&](const Event& event) { return event.kind == kind; });
+  const auto found = std::ranges::find(history.events, kind, &Event::kind);
   return found == history.events.end() ? nullptr : &*found;
 }
 
 std::size_t count_impacts(const History& history) {
-  return static_cast<std::size_t>(
-      std::count_if(history.events.begin(), history.events.end(),
-                    [](const Event& event) { return event.kind == EventKind::impact; }));
+  return static_cast<std::size_t>(std::ranges::count(history.events, EventKind::impact, &Event::kind));
 }
 
 std::string fixed(double value, int digits) {

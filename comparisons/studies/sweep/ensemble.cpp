@@ -1,10 +1,6 @@
 #include "comparisons/studies/sweep/ensemble.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -155,15 +151,6 @@ void set_values(SceneDocument& document, const Variation& variation, const Value
   for (const std::string& key : variation.keys) set_value(document.root, key, value.node);
 }
 
-Json json_of(const Node& node) {
-  if (node.kind == Node::Kind::number) return node.number;
-  if (node.kind == Node::Kind::text || node.kind == Node::Kind::other) return node.text;
-  Json list = Json::array(), table = Json::object();
-  for (const Node& child : node.children)
-    (node.kind == Node::Kind::array ? list.emplace_back() : table[child.name]) = json_of(child);
-  return node.kind == Node::Kind::array ? list : table;
-}
-
 Json json_of(const Variation& variation) {
   Json json{{"keys", variation.keys}};
   if (const auto& drawn = variation.distribution) {
@@ -180,7 +167,7 @@ Json json_of(const Variation& variation) {
 
 std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
   std::string text = std::string(build::version) + "\n" + build::compiler + "\n" + build::flags + "\n";
-  text += json_of(ensemble.base.root).dump() + "\n";
+  text += page_scene(ensemble.base.root).dump() + "\n";
   describe_records(ensemble.base, library, text);
   text += std::to_string(ensemble.samples) + " " + std::to_string(ensemble.seed) + " " +
           number_text(ensemble.tolerance) + (ensemble.demands ? "\n" : " without demands\n");

@@ -79,9 +79,8 @@ Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std:
 Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
                        const std::vector<std::string>& overrides, MotionLibrary& library);
 
-/// A document, or what one table [[vary]] changes, as results have it.
-nlohmann::ordered_json json_of(const Node& node);
-nlohmann::ordered_json json_of(const Variation& variation);
+/// What one table [[vary]] changes, as results have it.
+Json json_of(const Variation& variation);
 
 /// A text that is the same for ensembles whose runs are the same: the base scene, all variations, the
 /// contents of the records, and the version, compiler and flags of this program.

@@ -21,7 +21,7 @@ Json description(const Ensemble& ensemble) {
             {"runs", run_count(ensemble)},
             {"samples", ensemble.samples},
             {"seed", ensemble.seed},
-            {"scene", json_of(ensemble.base.root)}};
+            {"scene", page_scene(ensemble.base.root)}};
   for (const Variation& variation : ensemble.variations) json["vary"].push_back(json_of(variation));
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
   json["summary"] = {{"intensity", ensemble.summary.intensity},

@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "analytic/scene/kinematics.hpp"
-#include "comparisons/measures/results/shown_pattern.hpp"
 #include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"

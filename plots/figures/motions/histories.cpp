@@ -1,5 +1,3 @@
-#include "comparisons/measures/results/shown_pattern.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "analytic/scene/history.hpp"
-#include "comparisons/measures/results/shown_pattern.hpp"
 #include "plots/data/patterns.hpp"
 #include "plots/data/selection.hpp"
 #include "tests/plots/sample.hpp"

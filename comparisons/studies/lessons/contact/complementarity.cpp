@@ -6,7 +6,6 @@
 
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/results/shown_pattern.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 

@@ -3,8 +3,6 @@
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
-#include "comparisons/measures/results/shown_pattern.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 #include "comparisons/suites/shipped.hpp"

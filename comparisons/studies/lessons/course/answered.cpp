@@ -50,9 +50,7 @@ fs::path file_of(const Lesson& lesson, const char* ending, const char* folder = 
 }
 
 std::size_t place_of(const std::string& name) {
-  const auto place =
-      std::find_if(lessons().begin(), lessons().end(), [&](const Lesson& one) { return one.name == name; });
-  return static_cast<std::size_t>(place - lessons().begin());
+  return static_cast<std::size_t>(std::ranges::find(lessons(), name, &Lesson::name) - lessons().begin());
 }
 
 /// What a course's list says of a lesson.

@@ -170,8 +170,7 @@ Asked asked_about(const std::string& scene, const std::vector<std::string>& chan
 }
 
 double quantity(const std::string& name, const Asked& asked) {
-  const auto found = std::find_if(quantities().begin(), quantities().end(),
-                                  [&](const Quantity& one) { return one.name == name; });
+  const auto found = std::ranges::find(quantities(), name, &Quantity::name);
   return found != quantities().end() ? found->value(asked) : number_of(asked, name);
 }
 
