@@ -1,6 +1,5 @@
 #include "analytic/solve.hpp"
 
-#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
 #include "analytic/unilateral/solve_contacts.hpp"

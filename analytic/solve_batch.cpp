@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "analytic/batch/lane.hpp"
-#include "analytic/batch/step_rows.hpp"
 #include "analytic/solve.hpp"
 
 namespace rockstack {

@@ -2,18 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <exception>
-#include <limits>
-#include <stdexcept>
-
-#include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/alignment.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/runs/measure.hpp"

@@ -2,22 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <tuple>
-#include <utility>
 
 #include "analytic/scene/input/page_scene.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/distributions.hpp"
-#include "comparisons/measures/statistics/fits.hpp"
-#include "comparisons/measures/statistics/ranking.hpp"
 #include "comparisons/runs/paper_statements.hpp"
 
 namespace rockstack {

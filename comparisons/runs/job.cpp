@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <exception>
-
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/files.hpp"

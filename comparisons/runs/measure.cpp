@@ -2,22 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/page_scene.hpp"
-#include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/histories.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
 #include "engines/scene_setup.hpp"
 
 namespace rockstack {

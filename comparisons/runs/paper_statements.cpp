@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <type_traits>
-
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 

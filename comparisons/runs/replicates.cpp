@@ -1,13 +1,9 @@
 #include "analytic/scene/input/json_reader.hpp"
-#include "comparisons/runs/job.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/tables.hpp"

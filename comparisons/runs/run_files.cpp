@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cstdint>
 #include <fstream>
-#include <limits>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"

@@ -1,14 +1,8 @@
 #include "comparisons/runs/compare.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <limits>
-#include <map>
 #include <numeric>
-#include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
-#include "comparisons/runs/job.hpp"
 #include "comparisons/runs/measure.hpp"
 
 namespace rockstack {

@@ -2,13 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
-#include <stdexcept>
 #include <tuple>
-#include <utility>
 
-#include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 

@@ -1,7 +1,5 @@
 #include "comparisons/suites/measurement.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <tuple>
 

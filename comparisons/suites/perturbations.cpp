@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "analytic/scene/input/fields.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <system_error>
-#include <utility>
 
 #include "analytic/scene/input/fields.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "engines/worker/installation.hpp"
 

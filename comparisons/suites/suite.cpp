@@ -2,16 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <initializer_list>
-#include <map>
-#include <string_view>
-#include <utility>
-
 #include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/ground/records/record_file.hpp"
-#include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/measures/results/csv.hpp"

@@ -1,6 +1,5 @@
 #include "engines/conformance/check.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <utility>

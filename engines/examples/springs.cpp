@@ -4,12 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <memory>
 #include <utility>
-#include <vector>
 
-#include "engines/engine.hpp"
 #include "engines/worker/serve.hpp"
 
 namespace {

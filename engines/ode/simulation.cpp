@@ -2,7 +2,6 @@
 
 #include <ode/ode.h>
 
-#include <algorithm>
 #include <deque>
 #include <optional>
 #include <stdexcept>

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <csignal>
 #include <stdexcept>
-#include <utility>
 
 namespace rockstack {
 namespace {

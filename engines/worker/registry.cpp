@@ -4,11 +4,9 @@
 
 #include <cstdlib>
 #include <deque>
-#include <iterator>
 #include <mutex>
 #include <sstream>
 #include <system_error>
-#include <utility>
 
 #include "engines/worker/installation.hpp"
 

@@ -1,8 +1,6 @@
 #include "engines/worker/request.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <utility>
 
 namespace rockstack {
 namespace {

@@ -4,8 +4,6 @@
 
 #include <csignal>
 #include <cstring>
-#include <memory>
-#include <utility>
 
 #include "analytic/scene/messages/one_line.hpp"
 #include "engines/scene_setup.hpp"

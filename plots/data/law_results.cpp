@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "analytic/scene/pattern.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack::plots {

@@ -1,7 +1,5 @@
 #include "plots/data/patterns.hpp"
 
-#include <algorithm>
-
 namespace rockstack::plots {
 
 std::vector<PatternSpan> pattern_spans(const History& history) {

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <stdexcept>
 #include <system_error>
 
 #include "analytic/scene/input/document.hpp"

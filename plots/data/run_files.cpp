@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack::plots {

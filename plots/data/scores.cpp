@@ -1,9 +1,5 @@
 #include "plots/data/scores.hpp"
 
-#include <algorithm>
-#include <set>
-
-#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/selection.hpp"
 
 namespace rockstack::plots {

@@ -2,11 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <set>
-#include <string_view>
 
 #include "comparisons/measures/results/sentences.hpp"
 

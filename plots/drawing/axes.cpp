@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "plots/data/run_files.hpp"
 
 namespace rockstack::plots {

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "plots/drawing/axes.hpp"
 
 namespace rockstack::plots {

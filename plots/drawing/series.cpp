@@ -2,10 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "plots/data/selection.hpp"
 
 namespace rockstack::plots {

@@ -2,12 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstdlib>
-#include <string_view>
 
 namespace rockstack::plots {
 namespace {

@@ -1,9 +1,6 @@
 #include "plots/drawing/thinning.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <utility>
 
 #include "comparisons/measures/statistics/samples.hpp"
 

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <stdexcept>
-#include <string_view>
-
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/scores.hpp"
 #include "plots/figures/figure.hpp"

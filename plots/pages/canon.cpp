@@ -1,4 +1,3 @@
-#include "comparisons/measures/results/sentences.hpp"
 #include "plots/pages/html.hpp"
 
 namespace rockstack::plots {

@@ -1,11 +1,5 @@
 #include "plots/pages/html.hpp"
 
-#include <array>
-#include <fstream>
-#include <iterator>
-#include <optional>
-
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
 

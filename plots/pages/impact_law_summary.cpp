@@ -1,8 +1,3 @@
-#include <map>
-
-#include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
-#include "plots/data/law_results.hpp"
 #include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {

@@ -1,9 +1,6 @@
-#include <map>
 #include <numeric>
 #include <sstream>
 
-#include "comparisons/measures/statistics/samples.hpp"
-#include "plots/data/law_results.hpp"
 #include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {

@@ -1,12 +1,7 @@
 #include "plots/pages/player_data.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstdint>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <utility>
 
 #include "comparisons/measures/metrics/impacts.hpp"

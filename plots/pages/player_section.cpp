@@ -1,9 +1,5 @@
-#include <nlohmann/json.hpp>
-
-#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/data/run_files.hpp"
-#include "plots/drawing/style.hpp"
 #include "plots/pages/player_data.hpp"
 #include "plots/pages/sections.hpp"
 

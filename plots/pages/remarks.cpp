@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <map>
-
-#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/scores.hpp"
 #include "plots/pages/sections.hpp"
 

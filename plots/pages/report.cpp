@@ -1,7 +1,3 @@
-#include <optional>
-
-#include "comparisons/measures/results/sentences.hpp"
-#include "plots/data/results.hpp"
 #include "plots/pages/sections.hpp"
 #include "plots/pages/show.hpp"
 

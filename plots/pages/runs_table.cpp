@@ -1,8 +1,3 @@
-#include <array>
-#include <cmath>
-
-#include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/pages/sections.hpp"
 

@@ -1,12 +1,5 @@
 #include "plots/pages/show.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-
-#include "analytic/scene/messages/input_error.hpp"
-#include "plots/data/results.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

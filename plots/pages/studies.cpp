@@ -1,10 +1,6 @@
-#include <cmath>
-#include <functional>
-#include <map>
 #include <numeric>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/sentences.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 #include "plots/pages/html.hpp"
 

@@ -2,18 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <span>
-#include <utility>
-
 #include "analytic/branches.hpp"
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
-#include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/suites/suite.hpp"
 #include "plots/pages/player_data.hpp"

@@ -7,7 +7,6 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
-#include <stdexcept>
 
 #include "analytic/scene/messages/one_line.hpp"
 #include "comparisons/interfaces/live/exact_answers.hpp"

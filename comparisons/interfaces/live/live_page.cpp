@@ -2,18 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/worker/registry.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player_data.hpp"
 #include "rockstack_live_texts.hpp"
-#include "rockstack_plots_texts.hpp"
 
 namespace rockstack::live {
 namespace {

@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/messages/number_text.hpp"

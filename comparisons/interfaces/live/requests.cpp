@@ -2,19 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <utility>
-
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/interfaces/live/exact_answers.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/suites/suite.hpp"
-#include "engines/worker/process.hpp"
 #include "plots/pages/player_data.hpp"
 
 namespace rockstack::live {

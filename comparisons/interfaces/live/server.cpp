@@ -12,10 +12,8 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include "analytic/scene/input/document.hpp"

@@ -1,13 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "engines/conformance/check.hpp"

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/build.hpp"
 #include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS

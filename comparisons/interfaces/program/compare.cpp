@@ -1,19 +1,12 @@
-#include "comparisons/runs/compare.hpp"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/runs/job.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/worker/registry.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
 #endif

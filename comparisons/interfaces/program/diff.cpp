@@ -1,13 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <optional>
-
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/studies/diff/changes.hpp"
 
 namespace rockstack {
 namespace {

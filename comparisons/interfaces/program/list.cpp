@@ -1,13 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <string_view>
-
 #include "analytic/scene/ground/records/record_file.hpp"
-#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
@@ -16,7 +9,6 @@
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/ensemble_keys.hpp"
-#include "comparisons/suites/measurement.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 

@@ -4,9 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <tuple>
-#include <utility>
 
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/live/requests.hpp"
@@ -14,7 +12,6 @@
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/worker/installation.hpp"
-#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 namespace {

@@ -4,16 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <initializer_list>
 #include <new>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <utility>
 
-#include "analytic/scene/input/document.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "engines/worker/registry.hpp"
 
 namespace {
 

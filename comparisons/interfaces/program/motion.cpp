@@ -1,14 +1,7 @@
-#include "analytic/solve.hpp"
-
 #include <fmt/format.h>
 
-#include <map>
-#include <nlohmann/json.hpp>
-
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
-#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "engines/scene_setup.hpp"

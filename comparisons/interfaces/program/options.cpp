@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <utility>
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/histories.hpp"
-#include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,16 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <optional>
-#include <string>
-#include <string_view>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/measures/verdict/verdict.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,13 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"

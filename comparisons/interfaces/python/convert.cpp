@@ -1,6 +1,5 @@
 #include "comparisons/interfaces/python/convert.hpp"
 
-#include <limits>
 #include <utility>
 
 namespace rockstack::python {

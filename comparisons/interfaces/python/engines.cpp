@@ -3,23 +3,14 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <system_error>
-#include <utility>
-#include <variant>
 
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
-#include "comparisons/interfaces/python/module.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/scene_setup.hpp"
-#include "engines/worker/registry.hpp"
 
 namespace rockstack::python {
 namespace {

@@ -1,13 +1,8 @@
 #include <pybind11/stl.h>
 
-#include <utility>
-
-#include "analytic/scene/ground/motion_library.hpp"
 #include "analytic/scene/ground/records/format.hpp"
-#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
-#include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/metrics/ground.hpp"
 
 namespace rockstack::python {

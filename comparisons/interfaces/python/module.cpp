@@ -6,8 +6,6 @@
 #include <chrono>
 #include <exception>
 #include <future>
-#include <stdexcept>
-#include <utility>
 
 #include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/measures/results/build.hpp"

@@ -1,13 +1,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <array>
-#include <utility>
-
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
-#include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/reactions.hpp"
 #include "comparisons/suites/shipped.hpp"

@@ -3,14 +3,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve_batch.hpp"
 #include "comparisons/interfaces/python/module.hpp"

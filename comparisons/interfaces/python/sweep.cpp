@@ -3,18 +3,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <mutex>
 #include <numeric>
-#include <optional>
 
 #include "comparisons/interfaces/python/convert.hpp"
-#include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
-#include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {

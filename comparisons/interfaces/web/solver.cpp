@@ -3,8 +3,6 @@
 // asked. {"error"} has the reason why there is no answer.
 
 #include <exception>
-#include <nlohmann/json.hpp>
-#include <string>
 
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/json_reader.hpp"

@@ -1,11 +1,6 @@
 #include "comparisons/measures/metrics/alignment.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <set>
-#include <span>
 
 namespace rockstack {
 namespace {

@@ -1,9 +1,5 @@
 #include "comparisons/measures/metrics/bodies.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace rockstack {
 
 Centres centres_at(const Stack<double>& stack, const History& history, std::size_t sample) {

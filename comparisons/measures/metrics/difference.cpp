@@ -1,6 +1,5 @@
 #include "comparisons/measures/metrics/difference.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>

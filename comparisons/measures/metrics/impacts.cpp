@@ -1,8 +1,5 @@
 #include "comparisons/measures/metrics/impacts.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace rockstack {
 namespace {
 

@@ -2,12 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <span>
-
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/contact.hpp"

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <map>
-#include <stdexcept>
-
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "rockstack_measures_texts.hpp"

@@ -4,8 +4,6 @@
 #include <Eigen/Core>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/build.hpp"

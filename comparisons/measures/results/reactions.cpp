@@ -1,10 +1,6 @@
 #include "comparisons/measures/results/reactions.hpp"
 
-#include <cmath>
-
 #include "analytic/mechanics/pattern_solution.hpp"
-#include "analytic/scene/ground/ground_motion.hpp"
-#include "analytic/scene/kinematics.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack {

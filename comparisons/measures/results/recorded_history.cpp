@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-#include <string>
-
-#include "analytic/scene/history.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {

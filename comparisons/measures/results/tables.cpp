@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"

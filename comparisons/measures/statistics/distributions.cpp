@@ -2,16 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <functional>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "analytic/scene/lists.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {

@@ -1,8 +1,5 @@
 #include "comparisons/measures/statistics/fits.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <tuple>
 

@@ -1,12 +1,9 @@
 #include "comparisons/measures/statistics/ranking.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
-#include <utility>
 
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/samples.hpp"

@@ -1,8 +1,6 @@
 #include "comparisons/measures/statistics/samples.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
-#include <cmath>
-#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <numeric>

@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <cmath>
 #include <functional>
-#include <limits>
 
 #include "comparisons/measures/statistics/samples.hpp"
 

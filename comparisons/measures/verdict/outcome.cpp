@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
-#include "comparisons/measures/statistics/ranking.hpp"
 
 namespace rockstack {
 namespace {

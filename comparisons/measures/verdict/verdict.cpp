@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {

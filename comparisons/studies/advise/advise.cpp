@@ -1,19 +1,10 @@
 #include "comparisons/studies/advise/advise.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <utility>
-
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/runs/job.hpp"
 #include "comparisons/runs/measure.hpp"
 
 namespace rockstack {

@@ -3,19 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <exception>
-#include <nlohmann/json.hpp>
 #include <numeric>
-#include <optional>
-#include <utility>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"

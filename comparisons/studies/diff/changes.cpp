@@ -2,14 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,9 +1,6 @@
 #include "analytic/scene/lists.hpp"
 #include "comparisons/studies/diff/changes.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/measures/results/sentences.hpp"

@@ -3,12 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/json_reader.hpp"
-#include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
 namespace {

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "analytic/scene/input/toml_reader.hpp"

@@ -1,9 +1,5 @@
 #include "comparisons/studies/impact_laws/study.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 

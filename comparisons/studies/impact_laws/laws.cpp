@@ -1,7 +1,5 @@
 #include "comparisons/studies/impact_laws/laws.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "analytic/scene/lists.hpp"

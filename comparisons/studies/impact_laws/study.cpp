@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "analytic/scene/files/file_text.hpp"
-#include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"

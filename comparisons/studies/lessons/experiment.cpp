@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "analytic/solve.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"

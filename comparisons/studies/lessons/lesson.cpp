@@ -3,16 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-
-#include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 namespace {

@@ -1,11 +1,7 @@
 #include "comparisons/studies/lessons/mechanics.hpp"
 
-#include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <utility>
 
-#include "analytic/mechanics/dynamics.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/contact.hpp"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 

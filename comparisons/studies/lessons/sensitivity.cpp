@@ -1,11 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"

@@ -1,7 +1,4 @@
-#include <cmath>
-
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 

@@ -1,12 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "engines/worker/registry.hpp"
 
 namespace rockstack {
 namespace {

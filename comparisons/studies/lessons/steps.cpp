@@ -1,9 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"

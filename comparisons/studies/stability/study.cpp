@@ -2,12 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <map>
-#include <nlohmann/json.hpp>
-
 #include "analytic/scene/files/file_text.hpp"
-#include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"

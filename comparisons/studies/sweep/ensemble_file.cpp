@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"

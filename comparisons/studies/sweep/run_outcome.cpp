@@ -1,7 +1,5 @@
 #include "comparisons/studies/sweep/run_outcome.hpp"
 
-#include <algorithm>
-
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 

@@ -1,11 +1,6 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
-#include <cmath>
-#include <exception>
-#include <map>
 #include <new>
-#include <optional>
-#include <string_view>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve_batch.hpp"

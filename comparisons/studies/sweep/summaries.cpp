@@ -1,12 +1,6 @@
 #include "analytic/scene/lists.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 
-#include <algorithm>
-#include <limits>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"

@@ -1,9 +1,5 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <nlohmann/json.hpp>
-
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"

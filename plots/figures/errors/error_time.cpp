@@ -1,5 +1,4 @@
 #include "plots/data/run_files.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

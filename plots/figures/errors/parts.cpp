@@ -1,5 +1,3 @@
-#include <array>
-
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 

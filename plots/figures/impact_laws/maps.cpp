@@ -1,6 +1,3 @@
-#include <array>
-#include <set>
-
 #include "plots/data/law_results.hpp"
 #include "plots/figures/figure.hpp"
 

@@ -1,6 +1,3 @@
-#include <array>
-#include <memory>
-
 #include "analytic/scene/kinematics.hpp"
 #include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"

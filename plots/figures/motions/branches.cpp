@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "plots/figures/figure.hpp"

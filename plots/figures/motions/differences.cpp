@@ -1,5 +1,4 @@
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
 

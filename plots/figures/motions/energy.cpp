@@ -1,4 +1,3 @@
-#include "comparisons/measures/statistics/samples.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
 

@@ -1,6 +1,4 @@
-#include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "plots/data/results.hpp"
 #include "plots/figures/figure.hpp"
 
 // What the ground does: under a scene, and by a record.

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/figures/figure.hpp"
 

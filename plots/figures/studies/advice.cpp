@@ -1,7 +1,3 @@
-#include <utility>
-
-#include "plots/data/results.hpp"
-#include "plots/drawing/series.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

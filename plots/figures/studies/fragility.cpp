@@ -1,9 +1,5 @@
-#include <set>
-#include <utility>
-
-#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
-#include "comparisons/measures/statistics/samples.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 

@@ -1,7 +1,3 @@
-#include <iterator>
-#include <set>
-
-#include "plots/data/results.hpp"
 #include "plots/drawing/maps.hpp"
 #include "plots/figures/figure.hpp"
 

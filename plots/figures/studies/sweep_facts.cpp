@@ -1,6 +1,5 @@
 #include "plots/figures/studies/sweep_facts.hpp"
 
-#include "plots/data/results.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {

@@ -1,5 +1,3 @@
-#include <map>
-
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/sections.hpp"
 #include "plots/pages/show.hpp"

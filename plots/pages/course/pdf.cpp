@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <stdexcept>
 
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/pages/show.hpp"

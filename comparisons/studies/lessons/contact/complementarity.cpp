@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"

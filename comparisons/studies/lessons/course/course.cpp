@@ -1,8 +1,5 @@
 #include "comparisons/studies/lessons/course/course.hpp"
 
-#include <algorithm>
-
-#include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/suites/shipped.hpp"
 

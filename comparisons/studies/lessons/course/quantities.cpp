@@ -1,10 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
-#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
