@@ -96,6 +96,8 @@ struct CornerSprings {
   std::vector<double> bed_stiffness = {};  ///< per length, N/m², > 0, or infinite: no bed; not beside k
   std::vector<double> bed_damping = {};    ///< per length, N·s/m², ≥ 0; none: 0
   double tangential = 1;                   ///< stiffness and damping along a face over those across it, > 0
+
+  bool operator==(const CornerSprings&) const = default;
 };
 
 /// What engines need and the exact model does not.

@@ -98,7 +98,7 @@ class ContactSolver {
     state_.bodies.at = poses_of<Real>(vector_of(state_.bodies.at) + length * vector_of(state_.bodies.rate));
     pieces_.go(length);
     place(stack_, state_.joints, state_.bodies);
-    longest_ = unit_time_ / 8;
+    longest_ = unit_time_ / 4;
     decide(follow_without_solution(Joints<Real>(state_.joints)), state_.bodies, 0);
   }
 
@@ -298,7 +298,7 @@ class ContactSolver {
   Real unit_time_;  ///< √(H/g), s
   LookAhead<Real> look_ahead_;
   Real shortest_step_ = tolerance<Real>(1e-13) * unit_time_;  ///< s
-  Real longest_ = unit_time_ / 8;                             ///< step, s
+  Real longest_ = unit_time_ / 4;                             ///< step, s
   ContactState<Real> state_;
   SpringContacts<Real> springs_;
   bool decided_ = false;  ///< the step starts at an event
