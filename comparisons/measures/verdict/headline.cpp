@@ -48,7 +48,7 @@ std::vector<double> reported_steps(const EndsOfSteps& steps) {
 }
 
 /// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
-/// when half of those have.
+/// when half of all have, so that steps at which few leave are not taken for those at which they leave soon.
 std::string leaving(Ends ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
@@ -58,9 +58,9 @@ std::string leaving(Ends ends) {
   if (std::isinf(first)) return stays;
   if (ends.times.size() > many) {
     const auto leave = std::ranges::count_if(ends.times, [](double time) { return std::isfinite(time); });
-    const std::string half = text(ends.times[static_cast<std::size_t>(leave - 1) / 2]);
-    return fmt::format("in {} of {} runs, {} {} s", leave, ends.times.size(),
-                       leave == 1 ? "after" : "half of them by", half);
+    const double half = ends.times[(ends.times.size() - 1) / 2];
+    return fmt::format("in {} of {} runs{}", leave, ends.times.size(),
+                       std::isinf(half) ? "" : fmt::format(", half of all by {} s", text(half)));
   }
   if (std::isinf(last)) return fmt::format("after {} s or {}", text(first), stays);
   return text(first) == text(last) ? fmt::format("after {} s", text(first))
