@@ -11,17 +11,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engines/worker/registry.hpp"
 #include "tests/engines/bare.hpp"
+#include "tests/native_engines.hpp"
 
 namespace rockstack {
 namespace {
@@ -99,9 +98,9 @@ std::vector<Parameters> more_settings(const WorkerEngine& engine) {
   return {};
 }
 
-std::vector<Case> cases() {
+std::vector<Case> cases(const std::string& asked) {
   std::vector<Case> list;
-  for (const WorkerEngine& engine : engines()) {
+  for (const WorkerEngine& engine : engines_called(asked)) {
     const std::string solver = engine.full_name() + ":";
     list.push_back({&engine, solver + "default", engine.default_parameters()});
     list.push_back({&engine, solver + "tuned", engine.tuned_parameters()});
@@ -114,42 +113,35 @@ std::vector<Case> cases() {
   return list;
 }
 
-void PrintTo(const Case& one, std::ostream* out) {
-  *out << one.name;
-}
-
-std::string name_of(const testing::TestParamInfo<Case>& info) {
-  std::string name = info.param.name;
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
 double tolerance(const WorkerEngine& engine) {
   if (engine.name == "ode") return 1e-9;
   return 2 * (engine.capabilities.single_precision ? std::numeric_limits<float>::epsilon()
                                                    : std::numeric_limits<double>::epsilon());
 }
 
-class Bare : public testing::TestWithParam<Case> {};
+/// Each engine of this build with all that its cases are.
+class Bare : public testing::TestWithParam<std::string> {};
 
 TEST_P(Bare, ProgramGivesTheAdaptersHistory) {
-  const WorkerEngine& engine = *GetParam().engine;
-  for (const Scene& scene : scenes()) {
-    const History history = simulate(engine, scene, step, GetParam().parameters).history;
-    const std::vector<double> bare =
-        bare_angles(engine.name, bare_question(engine, scene, step, GetParam().parameters));
-    ASSERT_GE(bare.size(), history.angles.size());
-    for (std::size_t i = 0; i < history.angles.size(); ++i) {
-      // An angle past a turn is printed without it.
-      const double difference = std::remainder(bare[i] - history.angles[i], 2 * std::numbers::pi);
-      ASSERT_NEAR(difference, 0, tolerance(engine)) << history.times[i / scene.blocks.size()] << " s";
+  for (const Case& one : cases(GetParam())) {
+    const WorkerEngine& engine = *one.engine;
+    for (const Scene& scene : scenes()) {
+      const History history = simulate(engine, scene, step, one.parameters).history;
+      const std::vector<double> bare =
+          bare_angles(engine.name, bare_question(engine, scene, step, one.parameters));
+      ASSERT_GE(bare.size(), history.angles.size()) << one.name;
+      for (std::size_t i = 0; i < history.angles.size(); ++i) {
+        // An angle past a turn is printed without it.
+        const double difference = std::remainder(bare[i] - history.angles[i], 2 * std::numbers::pi);
+        ASSERT_NEAR(difference, 0, tolerance(engine))
+            << one.name << ' ' << history.times[i / scene.blocks.size()] << " s";
+      }
     }
   }
 }
 
-TEST(BareSettings, ChangeTheMotion) {
-  for (const Case& one : cases()) {
+TEST_P(Bare, SettingsChangeTheMotion) {
+  for (const Case& one : cases(GetParam())) {
     const Parameters tuned = one.engine->tuned_parameters();
     if (one.parameters == tuned) continue;
     bool changed = false;
@@ -163,7 +155,8 @@ TEST(BareSettings, ChangeTheMotion) {
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Bare);
-INSTANTIATE_TEST_SUITE_P(Engines, Bare, testing::ValuesIn(cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(Engines, Bare, testing::ValuesIn(names_in(ROCKSTACK_BUILT_ENGINES)),
+                         engine_test_name);
 
 }  // namespace
 }  // namespace rockstack

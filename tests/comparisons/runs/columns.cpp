@@ -105,7 +105,7 @@ TEST(Columns, LandAsOneBlockUnderBothLaws) {
   }
 }
 
-class ColumnsInEngine : public testing::TestWithParam<const WorkerEngine*> {};
+class ColumnsInEngine : public OfEngine {};
 
 /// The largest angle difference between an engine and the exact solution, rad.
 double apart(const WorkerEngine& engine, const Scene& scene, double dt) {
@@ -125,7 +125,7 @@ TEST_P(ColumnsInEngine, ThreeDrumsLandWhereTheExactOnesDo) {
   for (const Event& event : exact.events) fastest = std::max(fastest, std::abs(event.before.front()));
   ASSERT_LT(fastest, 1);
   scene.duration = exact.events[3].time;
-  EXPECT_LT(apart(*GetParam(), scene, 1e-4), 3.5e-4);
+  EXPECT_LT(apart(first_solver(), scene, 1e-4), 3.5e-4);
 }
 
 // Eight drums under one sine of 5 m/s², 0.6 s: their joints open, and the laws part at the first landing.
@@ -133,28 +133,15 @@ TEST_P(ColumnsInEngine, EightShakenDrumsAreNearerToLawConsistent) {
   Scene scene = column(8, 0, Law::consistent);
   shake(scene, 5, 0.6);
   scene.duration = 1.2;
-  const double consistent = apart(*GetParam(), scene, 1e-3);
+  const double consistent = apart(first_solver(), scene, 1e-3);
   scene.law = Law::paper;
-  EXPECT_LT(consistent, apart(*GetParam(), scene, 1e-3));
+  EXPECT_LT(consistent, apart(first_solver(), scene, 1e-3));
 }
 
 /// But Simbody: it follows each contact's motion, and takes more than a minute for a second of eight drums.
-std::vector<const WorkerEngine*> first_solvers() {
-  std::vector<const WorkerEngine*> list;
-  for (const WorkerEngine& engine : native_engines()) {
-    if (engine.name == "simbody") continue;
-    if (list.empty() || list.back()->name != engine.name) list.push_back(&engine);
-  }
-  return list;
-}
-
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ColumnsInEngine);
-INSTANTIATE_TEST_SUITE_P(Engines, ColumnsInEngine, testing::ValuesIn(first_solvers()),
-                         [](const auto& engine) {
-                           std::string name = engine.param->name;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Engines, ColumnsInEngine, testing::ValuesIn(native_names({"simbody"})),
+                         engine_test_name);
 
 }  // namespace
 }  // namespace rockstack

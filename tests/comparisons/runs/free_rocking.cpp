@@ -28,11 +28,11 @@ std::size_t second_peak(const History& history) {
   return best;
 }
 
-class FreeRocking : public testing::TestWithParam<const WorkerEngine*> {};
+class FreeRocking : public OfEngine {};
 
 TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
   const Scene scene = free_rocking(1.25);
-  const History engine = simulate(*GetParam(), scene, dt, GetParam()->tuned_parameters()).history;
+  const History engine = simulate(first_solver(), scene, dt, first_solver().tuned_parameters()).history;
   const History exact = solve(scene, {.sample_times = engine.times});
   const double slowest = chatter_speed(scene);
   const auto expected = reported_impacts(exact, slowest);
@@ -48,18 +48,10 @@ TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
             exact.times[peak]);
 }
 
-std::vector<const WorkerEngine*> first_in_double_precision() {
-  std::vector<const WorkerEngine*> list;
-  for (const WorkerEngine& engine : native_engines()) {
-    const bool single = engine.version.ends_with("single precision");
-    if (!single && (list.empty() || list.back()->name != engine.name)) list.push_back(&engine);
-  }
-  return list;
-}
-
+/// Of double precision.
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FreeRocking);
-INSTANTIATE_TEST_SUITE_P(Engines, FreeRocking, testing::ValuesIn(first_in_double_precision()),
-                         [](const auto& engine) { return engine.param->name; });
+INSTANTIATE_TEST_SUITE_P(Engines, FreeRocking, testing::ValuesIn(native_names({"bullet-single", "box2d"})),
+                         engine_test_name);
 
 }  // namespace
 }  // namespace rockstack
