@@ -10,15 +10,16 @@ namespace {
 constexpr double letter = 8.4, margin = 30;  // pixels
 constexpr double widest = 0.6;               // that words may take, a share of the figure's width
 
-/// Words in as many lines as a figure of that width needs, each but the first beginning after a comma or a
-/// blank, or at a plus.
-std::vector<std::string> row_lines(const std::string& words, double width) {
-  const auto most = static_cast<std::size_t>((widest * width - margin) / letter);
+/// Words in lines of so many letters at most, each but the first beginning after a comma, a blank or a
+/// hyphen, or at a plus.
+std::vector<std::string> lines_of(const std::string& words, std::size_t most) {
   std::vector<std::string> lines;
   std::size_t start = 0;
   while (words.size() - start > most) {
     std::size_t end = start + most;
-    while (end > start && words[end] != '+' && words[end - 1] != ',' && words[end - 1] != ' ') --end;
+    while (end > start && words[end] != '+' && words[end - 1] != ',' && words[end - 1] != ' ' &&
+           words[end - 1] != '-')
+      --end;
     if (end == start) end = start + most;
     lines.push_back(words.substr(start, end - start));
     start = end;
@@ -38,7 +39,8 @@ struct RowWords {
 RowWords row_words(const std::vector<std::string>& rows, double width) {
   RowWords result{"", "", left_edge, 1};
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::vector<std::string> lines = row_lines(rows[i], width);
+    const std::vector<std::string> lines =
+        lines_of(rows[i], static_cast<std::size_t>((widest * width - margin) / letter));
     result.lines = std::max(result.lines, lines.size());
     result.tics += i > 0 ? ", " : "";
     for (std::size_t j = 0; j < lines.size(); ++j) {
@@ -53,26 +55,46 @@ RowWords row_words(const std::vector<std::string>& rows, double width) {
   return result;
 }
 
-std::string title_above(const std::string& title) {
-  if (title.empty()) return "";
-  return fmt::format("set label {} noenhanced at graph 0.5, graph 1 center offset 0,0.7 font ',13'\n",
-                     in_quotes(title));
+/// The title of a column and the lines under it with the sizes of their fonts, in a panel of so many pixels.
+std::vector<std::pair<std::string, int>> title_lines(const RowColumn& column, double width) {
+  constexpr double small_letter = 6.6;
+  if (column.title.empty()) return {};
+  std::vector<std::pair<std::string, int>> lines;
+  for (const std::string& line : lines_of(column.title, static_cast<std::size_t>(width / letter)))
+    lines.emplace_back(line, 13);
+  if (column.subtitle.empty()) return lines;
+  for (const std::string& line : lines_of(column.subtitle, static_cast<std::size_t>(width / small_letter)))
+    lines.emplace_back(line, 10);
+  return lines;
+}
+
+/// Lines stand on the panel's edge, the last one lowest.
+std::string title_above(const std::vector<std::pair<std::string, int>>& lines) {
+  std::string labels;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    labels += fmt::format("set label {} noenhanced at graph 0.5, graph 1 center offset 0,{} font ',{}'\n",
+                          in_quotes(lines[i].first), 0.7 + static_cast<double>(lines.size() - 1 - i),
+                          lines[i].second);
+  return labels;
 }
 
 }  // namespace
 
 void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>& columns) {
-  constexpr double edge = 30;
+  constexpr double edge = 30, title_line = 20;
   const RowWords words = row_words(panel.words, sheet.width());
   const auto rows = static_cast<double>(panel.words.size());
   const double height = panel.row_height > 0 ? panel.row_height : 10 + 16 * static_cast<double>(words.lines);
   const double width = (sheet.right() - words.left) * sheet.width() / static_cast<double>(columns.size());
   std::vector<SidePanel> cells;
   cells.reserve(columns.size());
+  std::size_t above = 0;
+  for (const RowColumn& column : columns) above = std::max(above, title_lines(column, width).size());
+  sheet.leave_room_above(title_line * static_cast<double>(above));
   for (const RowColumn& column : columns)
     cells.push_back(
         {(column.range ? column.range(width) : logarithmic_range("x", panel.low, panel.high, width)) +
-             title_above(column.title) +
+             title_above(title_lines(column, width)) +
              fmt::format("set yrange [{}:-0.7]\nset grid {} lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
                          "set xlabel {}\n",
                          rows - 0.3, panel.grid, in_quotes(column.across)) +

@@ -19,7 +19,8 @@ inline constexpr std::size_t most_rows = 36;
 struct RowColumn {
   std::string across;              ///< words of its axis
   std::vector<std::string> plots;  ///< elements of its plot command
-  std::string title = {};          ///< above it
+  std::string title = {};          ///< above it, and under that a few lines more
+  std::string subtitle = {};
   /// The range of its axis with numbers, where that is not the panel's; of so many pixels.
   std::function<std::string(double)> range = {};
 };

@@ -104,7 +104,9 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// How many sets have events of each kind, and how deep blocks sink in at most.
+constexpr std::size_t most_named = 3;  ///< sets, or scenes, that a sentence names
+
+/// Which sets have events of each kind, and how deep blocks sink in at most.
 std::string counted_events(const std::vector<const RunMetrics*>& events,
                            const std::vector<JudgedScene>& scenes) {
   std::set<std::string> sinking, falling, standing;
@@ -117,15 +119,14 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   }
   std::vector<std::string> parts;
   const auto add = [&](const std::set<std::string>& sets, const std::string& what) {
-    if (!sets.empty()) parts.push_back(fmt::format("with {} {}", counted(sets.size(), "set"), what));
+    if (!sets.empty())
+      parts.push_back(fmt::format("with {} {}", joined_up_to(most_named, {sets.begin(), sets.end()}), what));
   };
   add(falling, "blocks fall or topple that do not in the exact motion");
   add(standing, "blocks stand that fall in the exact motion");
   add(sinking, fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
   return capitalised(fmt::format("{}.", fmt::join(parts, "; ")));
 }
-
-constexpr std::size_t most_named = 3;  ///< sets, or scenes, that a sentence names
 
 /// Sets that share the first rank, in one scene or several.
 struct First {
@@ -202,10 +203,18 @@ std::string part(const First& first, const std::string& by) {
                      joined_up_to(most_named, first.sets), by, first.steps);
 }
 
-/// The last set, where all others are shown to be nearer.
+/// The sets to which most others are shown to be nearer, where these are half of all or more.
 std::string furthest(const std::vector<RankedSet>& ranking) {
-  const RankedSet& last = ranking.back();
-  if (ranking.size() < 2 || last.rank != static_cast<int>(ranking.size())) return "";
+  if (ranking.size() < 2) return "";
+  const RankedSet& last = *std::ranges::max_element(ranking, {}, &RankedSet::rank);
+  const std::size_t others = ranking.size() - 1, nearer = static_cast<std::size_t>(last.rank) - 1;
+  std::vector<std::string> sets;
+  for (const RankedSet& set : ranking)
+    if (set.rank == last.rank) sets.push_back(set_name(set.engine, set.solver, set.settings));
+  if (2 * nearer < others) return "";
+  if (nearer < others)
+    return fmt::format("; furthest {} {}: {} of the {} other sets are nearer",
+                       sets.size() == 1 ? "is" : "are", joined_up_to(most_named, sets), nearer, others);
   if (last.failed > 0)
     return fmt::format("; {} fails in {}", set_name(last.engine, last.solver, last.settings),
                        counted(static_cast<std::size_t>(last.failed), "cell"));

@@ -5,8 +5,8 @@
 namespace rockstack::plots {
 namespace {
 
-/// Scenes beside each other, and how many of them at most.
-constexpr std::size_t scenes_in_a_row = 3, most_scenes = 12;
+/// How many scenes are shown at most, and how many of them beside each other: fewer beside a player.
+constexpr std::size_t most_scenes = 12, scenes_in_a_row = 6, beside_a_player = 3;
 
 /// What all scenes show: a row a solver and set, of each a line a time step.
 struct CommonAxes {
@@ -38,14 +38,25 @@ std::map<std::string, std::string> first_solvers(const Comparison& comparison) {
   return first;
 }
 
+/// Of engines alone, those of the set that the verdict ranks first before all others.
+std::vector<Run> best_first(const Comparison& comparison) {
+  const auto place = [&](const Run& run) {
+    return std::ranges::find_if(comparison.verdict.ranking, [&](const RankedSet& set) {
+      return std::tie(set.engine, set.solver, set.settings) == std::tie(run.engine, run.solver, run.settings);
+    });
+  };
+  std::vector<Run> runs;
+  std::ranges::copy_if(comparison.runs, std::back_inserter(runs), is_shown);
+  std::ranges::stable_sort(runs, {}, place);
+  return runs;
+}
+
 /// Where all sets are more than a page shows, those of each engine's first solver.
 CommonAxes frame_of(const Comparison& comparison) {
   CommonAxes frame, first;
-  std::vector<Run> runs;
   const std::map<std::string, std::string> solvers = first_solvers(comparison);
-  for (const Run& run : comparison.runs) {
-    if (!is_shown(run)) continue;
-    runs.push_back(run);
+  const std::vector<Run> runs = best_first(comparison);
+  for (const Run& run : runs) {
     found_or_added(
         frame.sets, [&](const std::string& set) { return set == line_label(run); }, line_label(run));
     if (solvers.at(run.engine) == run.solver)
@@ -54,8 +65,10 @@ CommonAxes frame_of(const Comparison& comparison) {
   }
   if (frame.sets.size() > most_rows) {
     frame.sets = first.sets;
-    frame.sets.resize(std::min(frame.sets.size(), most_rows));
     frame.note = "of each engine the solver that comes nearest over all scenes";
+    if (frame.sets.size() > most_rows)
+      frame.note += fmt::format(", the first {} of {} sets", most_rows, frame.sets.size());
+    frame.sets.resize(std::min(frame.sets.size(), most_rows));
   }
   frame.steps = chosen_steps(runs);
   return frame;
@@ -157,13 +170,13 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
       add_times(until, place, scale_of(comparison, scene), axis.end);
       add_size(off, place, sizes.low);
     }
-    times.push_back({"agrees until (s)", until.list(), scene.name, [axis](double width) {
+    times.push_back({"agrees until (s)", until.list(), scene.name, scene.title, [axis](double width) {
                        return time_range(axis) + linear_tics("x", 0, axis.end, width);
                      }});
     largest.push_back({"off by (rad, or share)", off.list()});
   }
-  constexpr double title = 20, between = 90;
-  sheet.leave_room_above(from == 0 ? title : between + title);
+  constexpr double between = 90;
+  sheet.leave_room_above(from == 0 ? 0 : between);
   add_rows(sheet, {frame.sets, 0, 1}, times);
   sheet.leave_room_above(between);
   add_rows(sheet, {frame.sets, sizes.low, sizes.high}, largest);
@@ -223,8 +236,10 @@ Drawings agreement(const ComparisonSubject& subject) {
   if (!any) return {};
   const Legend legend = legend_of(comparison, frame);
   const std::string question = subject.figure.question + " " + answer(comparison);
-  return {{"", drawn(Sheet(comparison.title, legend, question, shared_width), comparison, frame,
-                     scenes_in_a_row)},
+  const bool player = std::ranges::any_of(
+      comparison.scenes, [&](const ComparedScene& scene) { return has_motion(comparison, scene); });
+  return {{"", drawn(Sheet(comparison.title, legend, question, player ? shared_width : full_width),
+                     comparison, frame, player ? beside_a_player : scenes_in_a_row)},
           {narrow_part, drawn(Sheet("", legend, "", narrow_width), comparison, frame, 1)}};
 }
 

@@ -119,6 +119,28 @@ TEST(Shown, RowsAreRankedFromAbove) {
   EXPECT_NEAR(worse[0].x - better[0].x, worse[1].x - better[1].x, 0.5);
 }
 
+// In the file they stand in the other order.
+TEST(Shown, AgreementHasTheSetsAsTheVerdictRanksThemAndItsScenesHaveNamesAndTitles) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder,
+                        {.blocks = 1,
+                         .engines = {{"ode", "step", "tuned", 3e-3}, {"bullet", "nncg", "tuned", 1e-3}},
+                         .results = {"angles"}});
+  Comparison comparison = read_comparison(folder);
+  comparison.verdict.ranking = {{.engine = "bullet", .solver = "nncg", .settings = "tuned"},
+                                {.engine = "ode", .solver = "step", .settings = "tuned"}};
+  draw_figures(folder, comparison);
+  const Picture picture = testing::read_picture(folder / "figures/agreement.svg");
+  const auto height_of = [&](const RankedSet& set) {
+    const auto run = std::ranges::find(comparison.runs, set.engine, &plots::Run::engine);
+    return picture.lines_of(colour_of(*run)).front().points.front().second;
+  };
+  EXPECT_LT(height_of(comparison.verdict.ranking[0]), height_of(comparison.verdict.ranking[1]));
+  EXPECT_TRUE(picture.says("sample"));
+  EXPECT_TRUE(picture.says(comparison.scenes.front().title));
+  EXPECT_EQ(testing::collisions(picture), std::vector<std::string>());
+}
+
 TEST(Shown, DifferencesPassTheToleranceWhereTheFileDoes) {
   const Shot taken = shot({.blocks = 1, .results = {"histories"}}, "differences");
   const plots::Run engine = shown_runs(taken.comparison, "sample").engines.front();

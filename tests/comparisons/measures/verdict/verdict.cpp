@@ -112,7 +112,16 @@ TEST(Verdict, OfSeveralExactMotionsItIsToldThatThereAre) {
             std::string::npos);
 }
 
-TEST(Verdict, OfManySetsSaysInHowManyBlocksSinkAndInHowManyTheyFall) {
+TEST(Verdict, SetsThatShareTheLastRankAreFurthestTogether) {
+  EXPECT_EQ(
+      headline({row("a", "best", 1e-3, 1e-3), row("a", "good", 1e-3, 1e-3), row("a", "bad", 1e-3, 1e-2),
+                row("a", "poor", 1e-3, 1e-2)},
+               {scene("a")})[1],
+      "Ode:step (best) and ode:step (good) are nearest, which 5 replicates cannot tell apart; furthest are "
+      "ode:step (bad) and ode:step (poor): 2 of the 3 other sets are nearer.");
+}
+
+TEST(Verdict, OfManySetsSaysInWhichBlocksSinkAndInWhichTheyFall) {
   std::vector<ReplicatedRow> rows;
   for (int i = 0; i < 4; ++i)
     rows.push_back(row_at_rest("set" + std::to_string(i), i < 3 ? 0.01 + 0.02 * i : 0));
@@ -120,7 +129,7 @@ TEST(Verdict, OfManySetsSaysInHowManyBlocksSinkAndInHowManyTheyFall) {
   rows[3].row.fallen = "block 2 at 0.43 s";
   EXPECT_EQ(
       headline(rows, {scene("rest")})[0],
-      "With 1 set blocks fall or topple that do not in the exact motion; with 3 sets blocks sink in, by 50 mm at most.");
+      "With ode:step (set3) blocks fall or topple that do not in the exact motion; with ode:step (set0), ode:step (set1) and ode:step (set2) blocks sink in, by 50 mm at most.");
 }
 
 TEST(Verdict, WhatMovesWhereNothingShouldIsTold) {
@@ -181,7 +190,7 @@ TEST(Verdict, OfOneRunEachNothingIsToldApart) {
 
 /// Whether any sentence of a verdict calls a set nearer than others.
 bool names_a_winner(const ComparisonVerdict& verdict) {
-  const std::regex winner("\\) is (nearest|furthest)|are nearest");
+  const std::regex winner("\\) is (nearest|furthest)|are nearest|furthest (is|are)");
   const auto names = [&](const std::vector<std::string>& sentences) {
     return std::any_of(sentences.begin(), sentences.end(),
                        [&](const std::string& one) { return std::regex_search(one, winner); });
