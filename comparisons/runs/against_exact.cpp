@@ -264,6 +264,8 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
     add_positions(scene, seen, compared.times, candidate.bodies, suite.tolerance, row);
     row.peak_angle = largest_angle(history);
     row.exact_peak_angle = largest_angle(exact);
+    row.peak_over_slenderness = largest_lean(scene, history).ratio;
+    row.exact_peak_over_slenderness = largest_lean(scene, exact).ratio;
     row.residual_motion = residual_motion(exact, history);
   }
   const bool compares_impacts = wanted.impacts && !lands_open(exact);

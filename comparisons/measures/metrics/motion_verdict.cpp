@@ -14,21 +14,6 @@ constexpr double visible = 1e-9;  // m
 /// In the order of TopplingVerdict.
 constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
 
-/// The largest angle of a block over its slenderness angle.
-struct Lean {
-  std::size_t block = 0;
-  double ratio = 0;
-};
-
-Lean largest_lean(const Scene& scene, const std::vector<double>& angles) {
-  Lean largest;
-  for (std::size_t k = 0; k < angles.size(); ++k) {
-    const double ratio = angles[k] / slenderness(scene, static_cast<int>(k));
-    if (ratio > largest.ratio) largest = {k, ratio};
-  }
-  return largest;
-}
-
 /// When a block leans furthest among the samples, s.
 double peak_time(const History& history, std::size_t block) {
   std::size_t furthest = 0;
@@ -244,6 +229,16 @@ std::vector<double> peak_angles(const History& history) {
   return result;
 }
 
+Lean largest_lean(const Scene& scene, const History& history) {
+  const std::vector<double> peaks = peak_angles(history);
+  Lean largest;
+  for (std::size_t k = 0; k < peaks.size(); ++k) {
+    const double ratio = peaks[k] / slenderness(scene, static_cast<int>(k));
+    if (ratio > largest.ratio) largest = {k, ratio};
+  }
+  return largest;
+}
+
 Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since) {
   const auto tenth = static_cast<std::ptrdiff_t>((penetration.size() + 9) / 10);
   return {*std::min_element(penetration.end() - tenth, penetration.end()), fallen_block(unsupported_since)};
@@ -260,7 +255,7 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
   if (!support.fallen.empty())
     return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
                        support.fallen.substr(support.fallen.find(" at ")), freedom(history));
-  const Lean most = largest_lean(scene, peak_angles(history));
+  const Lean most = largest_lean(scene, history);
   const std::string sunk = sinking(scene, std::max(support.sinking, support_of(scene, history).sinking));
   const std::string going_on = unsettled(scene, history);
   if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())

@@ -53,6 +53,14 @@ Swing largest_swing(const History& history, std::size_t block);
 /// The largest angle of each block, rad; of samples where the history does not keep it.
 std::vector<double> peak_angles(const History& history);
 
+/// The largest angle of a block over its slenderness angle atan(b/h), the normalized rotation of the
+/// literature: beyond 1 a single block does not come back by itself.
+struct Lean {
+  std::size_t block = 0;
+  double ratio = 0;
+};
+Lean largest_lean(const Scene& scene, const History& history);
+
 /// How blocks end on what they stand on, as an engine's bodies tell.
 struct Support {
   double sinking = 0;       ///< how deep one has sunk in, m

@@ -203,6 +203,7 @@ TEST(Changes, EveryDrawnColumnIsReportedOrFollowsFromOthers) {
   std::multiset<std::string> known{"relative_angle_difference",
                                    "relative_position_difference",
                                    "exact_peak_angle",
+                                   "exact_peak_over_slenderness",
                                    "impacts",
                                    "impacts_matched",
                                    "impacts_matched_null",
