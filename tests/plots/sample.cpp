@@ -274,6 +274,8 @@ RunMetrics write_engine(const fs::path& folder, const Sample& sample, const Samp
   row.largest_angle_difference = 3 * lag;
   row.error = row.rms_angle_difference = lag;
   row.motion = 0.15;
+  row.exact_peak_over_slenderness = 0.5;
+  row.peak_over_slenderness = 0.5 + lag;
   row.rank = 1;
   if (sample.impacts > 0) row.first_impact_time_difference = period * lag;
   row.impacts_matched = sample.impacts;

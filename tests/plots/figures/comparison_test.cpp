@@ -126,8 +126,8 @@ using Names = std::vector<std::string>;
 
 TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
   EXPECT_EQ(names_of_figures({}), (Names{"histories", "differences", "impact-times", "impact-energy",
-                                         "ranking", "error-time", "energy", "phase", "occupancy"}));
-  EXPECT_EQ(names_of_figures({.results = {"angles"}}), (Names{"ranking", "error-time"}));
+                                         "ranking", "peaks", "error-time", "energy", "phase", "occupancy"}));
+  EXPECT_EQ(names_of_figures({.results = {"angles"}}), (Names{"ranking", "peaks", "error-time"}));
   EXPECT_EQ(names_of_figures({.results = {"patterns"}}), Names{"occupancy"});
   EXPECT_EQ(names_of_figures({.shaken = true, .results = {}}), Names{"ground-motion"});
   EXPECT_EQ(names_of_figures({.slides = true, .results = {"histories"}}),

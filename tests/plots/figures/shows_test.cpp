@@ -141,6 +141,27 @@ TEST(Shown, AgreementHasTheSetsAsTheVerdictRanksThemAndItsScenesHaveNamesAndTitl
   EXPECT_EQ(testing::collisions(picture), std::vector<std::string>());
 }
 
+// The exact rotation is half of the slenderness angle, engines' are so much larger as they are late.
+TEST(Shown, NormalizedRotationsStandBesideTheExactOne) {
+  const Shot taken = shot({.blocks = 1, .steps = {1e-2}, .results = {"angles"}}, "peaks");
+  const plots::Run& run = taken.comparison.runs[1];
+  const std::vector<testing::ShownMark> marks = taken.picture.marks_of(colour_of(run));
+  const std::vector<testing::ShownLine> exact = taken.picture.lines_of("rgb(154,154,154)"),
+                                        brink = taken.picture.lines_of("rgb(102,102,102)");
+  ASSERT_EQ(marks.size(), 1u);
+  const auto place = [](const testing::ShownLine& line) { return line.points.front().first; };
+  // The longest lines are those of the panel, the others the legend's.
+  const auto upright = [&](const std::vector<testing::ShownLine>& lines) {
+    const auto found = std::ranges::find_if(lines, [](const testing::ShownLine& line) {
+      return line.points.front().first == line.points.back().first;
+    });
+    return place(*found);
+  };
+  EXPECT_NEAR((marks.front().x - upright(exact)) / (upright(brink) - upright(exact)),
+              (*run.peak_over_slenderness - 0.5) / 0.5, 0.01);
+  EXPECT_EQ(testing::collisions(taken.picture), std::vector<std::string>());
+}
+
 TEST(Shown, DifferencesPassTheToleranceWhereTheFileDoes) {
   const Shot taken = shot({.blocks = 1, .results = {"histories"}}, "differences");
   const plots::Run engine = shown_runs(taken.comparison, "sample").engines.front();
