@@ -120,7 +120,7 @@ std::string whole_summary(const Comparison& comparison) {
 constexpr auto first_figure = "agreement";
 constexpr auto first_words =
     "Default: the library's own parameters. Tuned: those that came nearest on other scenes. Replicates: the same "
-    "run with its step changed a little.";
+    "run with its step and its scene changed a little.";
 
 /// The verdict and its figure, and beside them the first motion to look at.
 std::string first_screen(const fs::path& results, const Comparison& comparison) {

@@ -48,23 +48,23 @@ std::vector<double> reported_steps(const EndsOfSteps& steps) {
 }
 
 /// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
-/// when half of all have, so that steps at which few leave are not taken for those at which they leave soon.
+/// by when as many as half of all have, so that steps at which few leave are not taken for those at which
+/// they leave soon.
 std::string leaving(Ends ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
-  const double first = ends.times.front(), last = ends.times.back();
+  const auto leave = static_cast<std::size_t>(
+      std::ranges::count_if(ends.times, [](double time) { return std::isfinite(time); }));
   const char* const stays = ends.beyond ? "not before the horizon" : "not at all";
   const auto text = [](double time) { return fmt::format("{:.2g}", time); };
-  if (std::isinf(first)) return stays;
-  if (ends.times.size() > many) {
-    const auto leave = std::ranges::count_if(ends.times, [](double time) { return std::isfinite(time); });
-    const double half = ends.times[(ends.times.size() - 1) / 2];
-    return fmt::format("in {} of {} runs{}", leave, ends.times.size(),
-                       std::isinf(half) ? "" : fmt::format(", half of all by {} s", text(half)));
-  }
-  if (std::isinf(last)) return fmt::format("after {} s or {}", text(first), stays);
-  return text(first) == text(last) ? fmt::format("after {} s", text(first))
-                                   : fmt::format("after {} to {} s", text(first), text(last));
+  if (leave == 0) return stays;
+  const double first = ends.times.front(), last = ends.times[leave - 1];
+  const std::size_t all = ends.times.size(), half = (all + 1) / 2;
+  if (all > many)
+    return fmt::format("in {} of {} runs, the first after {} s{}", leave, all, text(first),
+                       half > leave ? "" : fmt::format(", {} by {} s", half, text(ends.times[half - 1])));
+  return fmt::format("after {}{} s{}", text(first), text(first) == text(last) ? "" : " to " + text(last),
+                     leave < all ? fmt::format(" or {}", stays) : "");
 }
 
 /// "5.86 s in spanos-synthetic" of each scene that ends before its horizon.
@@ -106,16 +106,21 @@ std::string capitalised(std::string text) {
 
 constexpr std::size_t most_named = 3;  ///< sets, or scenes, that a sentence names
 
-/// Which sets have events of each kind, and how deep blocks sink in at most.
+/// Which sets have events of each kind, and how deep blocks sink in and how high they rise at most.
 std::string counted_events(const std::vector<const RunMetrics*>& events,
                            const std::vector<JudgedScene>& scenes) {
-  std::set<std::string> sinking, falling, standing;
-  double deepest = 0;
+  std::set<std::string> sinking, rising, falling, standing;
+  double deepest = 0, highest = 0;
   for (const RunMetrics* row : events) {
     const std::string event = event_of(*row, scale_in(scenes, row->scene));
-    const bool sinks = event.starts_with("sinks");
-    if (sinks) deepest = std::max(deepest, row->sinking.value_or(0));
-    (sinks ? sinking : event.starts_with("stands") ? standing : falling).insert(set_name(*row));
+    const bool sinks = event.starts_with("sinks"), rises = event.starts_with("rises");
+    if (sinks) deepest = std::max(deepest, sunk_in(*row, scale_in(scenes, row->scene)).depth);
+    if (rises) highest = std::max(highest, row->gap.value_or(0));
+    (sinks                         ? sinking
+     : rises                       ? rising
+     : event.starts_with("stands") ? standing
+                                   : falling)
+        .insert(set_name(*row));
   }
   std::vector<std::string> parts;
   const auto add = [&](const std::set<std::string>& sets, const std::string& what) {
@@ -125,6 +130,8 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   add(falling, "blocks fall or topple that do not in the exact motion");
   add(standing, "blocks stand that fall in the exact motion");
   add(sinking, fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
+  add(rising, fmt::format("blocks rise that do not lift off in the exact motion, by {} at most",
+                          quantity_text(highest, "m", 2)));
   return capitalised(fmt::format("{}.", fmt::join(parts, "; ")));
 }
 
@@ -203,8 +210,9 @@ std::string part(const First& first, const std::string& by) {
                      joined_up_to(most_named, first.sets), by, first.steps);
 }
 
-/// The sets to which most others are shown to be nearer, where these are half of all or more.
-std::string furthest(const std::vector<RankedSet>& ranking) {
+/// The sets to which most others are shown to be nearer, where these are half of all or more; `over`: which
+/// scenes, where words before speak of one.
+std::string furthest(const std::vector<RankedSet>& ranking, const std::string& over) {
   if (ranking.size() < 2) return "";
   const RankedSet& last = *std::ranges::max_element(ranking, {}, &RankedSet::rank);
   const std::size_t others = ranking.size() - 1, nearer = static_cast<std::size_t>(last.rank) - 1;
@@ -213,13 +221,14 @@ std::string furthest(const std::vector<RankedSet>& ranking) {
     if (set.rank == last.rank) sets.push_back(set_name(set.engine, set.solver, set.settings));
   if (2 * nearer < others) return "";
   if (nearer < others)
-    return fmt::format("; furthest {} {}: {} of the {} other sets are nearer",
+    return fmt::format("; {}furthest {} {}: {} of the {} other sets are nearer", over,
                        sets.size() == 1 ? "is" : "are", joined_up_to(most_named, sets), nearer, others);
   if (last.failed > 0)
-    return fmt::format("; {} fails in {}", set_name(last.engine, last.solver, last.settings),
+    return fmt::format("; {}{} fails in {}", over, set_name(last.engine, last.solver, last.settings),
                        counted(static_cast<std::size_t>(last.failed), "cell"));
-  return fmt::format("; {} is furthest, its errors on average {:.2g} times the least",
-                     set_name(last.engine, last.solver, last.settings), last.score);
+  return fmt::format(
+      "; {}{} is furthest: {:.2g} times the least error of a scene and step, in the geometric mean", over,
+      set_name(last.engine, last.solver, last.settings), last.score);
 }
 
 /// A ranking of one step needs no word of it.
@@ -227,7 +236,7 @@ std::string over_steps(const std::vector<ReplicatedRow>& rows) {
   std::set<double> steps;
   for (const ReplicatedRow& one : rows)
     if (can_be_ranked(one)) steps.insert(*one.row.dt);
-  return steps.size() > 1 ? "over all steps " : "";
+  return steps.size() > 1 ? "over all steps together " : "";
 }
 
 /// Of more scenes than are told one by one.
@@ -277,7 +286,9 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
   std::vector<std::string> parts;
   for (const RunMetrics* row : events) {
     const std::string event = event_of(*row, scale_in(scenes, row->scene));
-    const char* subject = event.starts_with("block") ? "" : event.starts_with("sinks") ? "a block " : "it ";
+    const char* subject = event.starts_with("block")                                 ? ""
+                          : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
+                                                                                     : "it ";
     parts.push_back(fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene,
                                 quantity_text(*row->dt, "s"), subject, event));
   }
@@ -299,7 +310,9 @@ std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::v
   } else {
     for (const First& one : firsts) text += (text.empty() ? "" : "; ") + part(one, evidence(rows));
   }
-  return capitalised(over_steps(rows) + text) + furthest(ranking) + ".";
+  const bool one_by_one = moving > 1 && moving <= most_named;
+  return capitalised(over_steps(rows) + text) +
+         furthest(ranking, one_by_one ? fmt::format("over these {} scenes ", moving) : "") + ".";
 }
 
 }  // namespace rockstack

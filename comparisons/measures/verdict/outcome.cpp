@@ -71,13 +71,25 @@ double agreement_end(const RunMetrics& row, const SceneScale& scale) {
       {horizon, row.agreement_time.value_or(horizon), row.position_agreement_time.value_or(horizon)});
 }
 
+Sunk sunk_in(const RunMetrics& row, const SceneScale& scale) {
+  const double off = row.largest_position_difference.value_or(0);
+  const double at_the_end = std::min(row.sinking.value_or(0), off);
+  const double deepest = std::min(row.penetration.value_or(0), off);
+  if (deepest > scale.tolerance * scale.least_height && deepest > 2 * at_the_end) return {deepest, false};
+  if (at_the_end > told_sinking * scale.least_height) return {at_the_end, true};
+  return {};
+}
+
 std::string event_of(const RunMetrics& row, const SceneScale& scale) {
   const std::string replicates = share_of_replicates(row);
   if (const std::string fall = fall_of(row); !fall.empty())
     return replicates.empty() ? fall : fall + ", " + replicates;
   if (!replicates.empty()) return "topples otherwise " + replicates;
-  const double sunk = std::min(row.sinking.value_or(0), row.largest_position_difference.value_or(0));
-  return sunk > told_sinking * scale.least_height ? "sinks in by " + quantity_text(sunk, "m", 2) : "";
+  if (const Sunk sunk = sunk_in(row, scale); sunk.depth > 0)
+    return "sinks in by " + quantity_text(sunk.depth, "m", 2) + (sunk.stays ? "" : " for a moment");
+  const bool pivots = row.law == name(Law::paper) || row.law == name(Law::consistent);
+  const bool rises = pivots && row.motion > rest_extent && row.gap > scale.tolerance * scale.least_height;
+  return rises ? "rises by " + quantity_text(*row.gap, "m", 2) : "";
 }
 
 std::string outcome(const RunMetrics& row, const SceneScale& scale) {

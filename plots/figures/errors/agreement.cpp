@@ -102,16 +102,20 @@ std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& 
 constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
-/// From nought to when it stops agreeing, or to the edge, with the quartiles over replicates.
+/// From nought to when it stops agreeing, or to the edge, with the quartiles over replicates of what decides:
+/// angles or centres.
 void add_times(Plots& plots, const Place& place, const SceneScale& scale, double edge) {
   const Run& run = *place.run;
   if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
   const double end = agreement_end(run, scale);
   plots.add({{0, place.height, std::min(end, edge)}},
             {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.line)});
-  if (!run.agreement_time_lower || !run.agreement_time_upper || run.agreement_time > end) return;
-  const double low = std::min(*run.agreement_time_lower, edge),
-               high = std::min(*run.agreement_time_upper, edge);
+  const bool by_angles = run.agreement_time.value_or(end) <= run.position_agreement_time.value_or(INFINITY);
+  const auto lower = by_angles ? run.agreement_time_lower : run.position_agreement_time_lower;
+  const auto upper = by_angles ? run.agreement_time_upper : run.position_agreement_time_upper;
+  if (!lower || !upper) return;
+  const double low = std::min(*lower, edge), high = std::min(*upper, edge);
+  if (low == high && end >= edge) return;
   plots.add({{low, place.height, high - low}},
             {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
 }

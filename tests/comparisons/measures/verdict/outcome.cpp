@@ -46,6 +46,25 @@ TEST(Outcome, WhatRestsButSinksIsTold) {
   EXPECT_EQ(outcome(row, scale), "rests, but sinks in by 86 mm");
 }
 
+// Blocks of 0.4 m: 4 mm is the tolerance, 0.4 mm what is told where it stays.
+TEST(Outcome, WhatSinksForAMomentOrRisesUnderALawOfPivotsIsTold) {
+  RunMetrics row = moving();
+  row.largest_position_difference = 0.3;
+  row.sinking = 3e-4;
+  row.penetration = 3.9e-3;
+  EXPECT_EQ(event_of(row, scale), "");
+  row.penetration = 0.104;
+  EXPECT_EQ(event_of(row, scale), "sinks in by 100 mm for a moment");
+  row.sinking = 0.06;
+  EXPECT_EQ(event_of(row, scale), "sinks in by 60 mm");
+  row.sinking = row.penetration = 0;
+  row.gap = 0.02;
+  row.law = "unilateral";
+  EXPECT_EQ(event_of(row, scale), "") << "there blocks lift off in the exact motion as well";
+  row.law = "paper";
+  EXPECT_EQ(event_of(row, scale), "rises by 20 mm");
+}
+
 TEST(Outcome, ABlockThatLiesBesideItsBaseHasFallenOff) {
   RunMetrics row = resting();
   row.fallen = "block 2 at 1.25 s";
