@@ -2,7 +2,7 @@
 // Bullet as WebAssembly, ammo.js, beside the exact model, set up as ../bullet sets up the compiled library: the same settings by
 // the same names, as far as the interface has them. ammo.md says what it lacks, README.md in this folder what is set in both sets.
 
-import { groundReach, onOff, restitution, serve, setting, turn, whole } from './worker.mjs';
+import { groundReach, onOff, restitution, serve, setting, whole } from './worker.mjs';
 
 /** The library's own, m; its interface takes whole numbers alone. */
 const ownThreshold = Math.fround(-0.04);
@@ -18,19 +18,36 @@ const settings = [
 const largestFriction = 10;  // the library clamps there
 const neverDeactivated = 4;
 
+/** Bodies' coefficients from that of the first of them on, of 32 bits as the library has them. */
+function chain(first, friction) {
+  const own = [Math.fround(first)];
+  for (const wanted of friction) own.push(wanted === 0 ? 0 : Math.fround(wanted / own.at(-1)));
+  return own;
+}
+
+/** How many units in the last place the search below goes: 1320 do for any coefficient of 32 bits. */
+const farthest = 4096;
+
 /**
  * A coefficient for each body, from the ground up, so that the product of neighbours is that of their interface; of any two,
- * where all interfaces are alike. @throws where the third interface or a higher one rubs and the one below it does not.
+ * where all interfaces are alike, within 0.03 %. The library rounds products to 32 bits: the square of the root is off by a bit
+ * for half of all coefficients, the product of two numbers beside it need not be.
+ * @throws where the third interface or a higher one rubs and the one below it does not.
  */
 function factors(asked) {
-  const friction = asked.map((wanted) => Math.min(wanted, largestFriction));
-  if (friction.every((wanted) => wanted === friction[0])) return Array(friction.length + 1).fill(Math.sqrt(friction[0]));
-  const own = [friction[0], 1];
-  for (const wanted of friction.slice(1)) {
-    if (wanted > 0 && own.at(-1) === 0) throw new Error('ammo: friction above an interface without any cannot be given');
-    own.push(wanted === 0 ? 0 : wanted / own.at(-1));
+  const friction = asked.map((wanted) => Math.fround(Math.min(wanted, largestFriction)));
+  const [lowest, ...above] = friction;
+  const alike = above.every((wanted) => wanted === lowest);
+  if (!alike && above.some((wanted, k) => wanted > 0 && above[k - 1] === 0))
+    throw new Error('ammo: friction above an interface without any cannot be given');
+  const near = (factor) =>
+    (alike ? chain(Math.sqrt(lowest) * factor, friction) : [Math.fround(lowest / factor), ...chain(factor, above)]);
+  const isExact = (own) => friction.every((wanted, k) => Math.fround(own[k] * own[k + 1]) === wanted);
+  for (let units = 0; units < farthest; ++units) {
+    const own = near(1 + units * 2 ** -23);
+    if (isExact(own)) return own;
   }
-  return own;
+  return near(1);
 }
 
 class Simulation {
@@ -85,7 +102,8 @@ class Simulation {
     const info = this.with(block.inertia_about_x ?? 0, block.inertia_about_y ?? 0, block.inertia ?? 0,
       (inertia) => new ammo.btRigidBodyConstructionInfo(block.mass, null, shape, inertia));
     const body = this.own(new ammo.btRigidBody(info));
-    const rotation = new ammo.btQuaternion(...turn(block.angle));
+    const rotation = new ammo.btQuaternion(0, 0, 0, 1);
+    this.with(0, 0, 1, (axis) => rotation.setRotation(axis, -block.angle));
     const place = this.with(block.x, block.y, 0, (origin) => new ammo.btTransform(rotation, origin));
     body.setCenterOfMassTransform(place);
     for (const used of [info, rotation, place]) ammo.destroy(used);

@@ -22,7 +22,8 @@ for (const [name, value] of Object.entries(set)) setters[name](value);
 const add = ({ width, height, depth, mass, x, y, angle }, inertia) => {
   const shape = new ammo.btBoxShape(new ammo.btVector3(width / 2, height / 2, depth / 2));
   const body = new ammo.btRigidBody(new ammo.btRigidBodyConstructionInfo(mass, null, shape, inertia));
-  const rotation = new ammo.btQuaternion(0, 0, Math.sin(-angle / 2), Math.cos(angle / 2));
+  const rotation = new ammo.btQuaternion(0, 0, 0, 1);
+  rotation.setRotation(new ammo.btVector3(0, 0, 1), -angle);
   body.setCenterOfMassTransform(new ammo.btTransform(rotation, new ammo.btVector3(x, y, 0)));
   body.setFriction(Math.sqrt(question.friction));
   world.addRigidBody(body);
