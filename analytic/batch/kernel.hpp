@@ -35,7 +35,8 @@ class StepKernel {
   void store(const Real& values, LaneRow& row) const { rockstack::store(values, row, lane_); }
   void store_truth(const Mask& mask, LaneRow& row) const { rockstack::store_truth<Real>(mask, row, lane_); }
 
-  void make_step() {
+  /// Its parts are so small that calls count.
+  [[gnu::flatten]] void make_step() {
     const Real busy = load(rows_.busy);
     if (!any(busy > Real(0))) return;
     const typename Chain::Directions directions = load_start();

@@ -142,8 +142,10 @@ struct NearestMotion {
 
 /// `pattern` as side() takes it.
 template <class Real, int N, class Sides>
-NearestMotion<Real, N> nearest_motion(const Stack<Real, N>& stack, const Sides& pattern,
-                                      const Chain<Real, N>& chain, const Motion<Real, N>& free) {
+[[gnu::always_inline]] inline NearestMotion<Real, N> nearest_motion(const Stack<Real, N>& stack,
+                                                                    const Sides& pattern,
+                                                                    const Chain<Real, N>& chain,
+                                                                    const Motion<Real, N>& free) {
   const Matrix<Real, N> mass = mass_matrix(stack, chain);
   const Vector<Real, N> momentum = generalised_momentum(stack, chain, free);
   const int size = stack.size();
@@ -168,8 +170,10 @@ NearestMotion<Real, N> nearest_motion(const Stack<Real, N>& stack, const Sides& 
 
 /// @throws IllConditioned where rounding takes too much of the mass matrix.
 template <class Real, int N>
-Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack, const Pattern& pattern,
-                                const Chain<Real, N>& chain, const Motion<Real, N>& free) {
+[[gnu::always_inline]] inline Vector<Real, N> nearest_allowed(const Stack<Real, N>& stack,
+                                                              const Pattern& pattern,
+                                                              const Chain<Real, N>& chain,
+                                                              const Motion<Real, N>& free) {
   if (is_closed(pattern)) return Vector<Real, N>::Zero(pattern.size);
   const NearestMotion<Real, N> nearest = nearest_motion(stack, pattern, chain, free);
   if (!nearest.well_conditioned)

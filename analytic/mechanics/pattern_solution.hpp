@@ -16,10 +16,12 @@ struct Reactions {
 };
 
 /// Newton–Euler from the top down: what has to act for the blocks to move by `change` more than they freely
-/// would.
+/// would. Asked for so often that calls count, as below.
 template <class Real, int N>
-Reactions<Real, N> reactions(const Model<Real, N>& model, const Chain<Real, N>& chain,
-                             const Directions<Real, N>& directions, const Motion<Real, N>& change) {
+[[gnu::always_inline]] inline Reactions<Real, N> reactions(const Model<Real, N>& model,
+                                                           const Chain<Real, N>& chain,
+                                                           const Directions<Real, N>& directions,
+                                                           const Motion<Real, N>& change) {
   const Stack<Real, N>& stack = model.stack;
   const int size = stack.size();
   const Vector<Real, N> zero = Vector<Real, N>::Zero(size);
@@ -73,9 +75,9 @@ struct PatternSolution {
 /// A motion that the pattern allows, and what brings it about in place of `free` (with any bias already taken
 /// off).
 template <class Real, int N>
-PatternSolution<Real, N> solution_for(const Model<Real, N>& model, const Pattern& pattern,
-                                      const Directions<Real, N>& directions, const Chain<Real, N>& chain,
-                                      const Motion<Real, N>& free, const Vector<Real, N>& relative_motion) {
+[[gnu::always_inline]] inline PatternSolution<Real, N> solution_for(
+    const Model<Real, N>& model, const Pattern& pattern, const Directions<Real, N>& directions,
+    const Chain<Real, N>& chain, const Motion<Real, N>& free, const Vector<Real, N>& relative_motion) {
   const Vector<Real, N> rotation = absolute(relative_motion);
   const Motion<Real, N> change{centre_velocities(chain, rotation) - free.centre, rotation - free.rotation};
   Vector<Real, N> rounding = free.centre.colwise().norm().transpose().cwiseProduct(model.stack.mass);
@@ -86,9 +88,11 @@ PatternSolution<Real, N> solution_for(const Model<Real, N>& model, const Pattern
 
 /// The allowed motion nearest to `free` (with any bias already taken off) and what brings it about.
 template <class Real, int N>
-PatternSolution<Real, N> respond(const Model<Real, N>& model, const Pattern& pattern,
-                                 const Directions<Real, N>& directions, const Chain<Real, N>& chain,
-                                 const Motion<Real, N>& free) {
+[[gnu::always_inline]] inline PatternSolution<Real, N> respond(const Model<Real, N>& model,
+                                                               const Pattern& pattern,
+                                                               const Directions<Real, N>& directions,
+                                                               const Chain<Real, N>& chain,
+                                                               const Motion<Real, N>& free) {
   return solution_for<Real, N>(model, pattern, directions, chain, free,
                                nearest_allowed(model.stack, pattern, chain, free));
 }

@@ -157,10 +157,11 @@ Directions<Real, N> directions(const Vector<Real, N>& angles) {
 }
 
 /// Arms rₖ = (−σₖwₖ, hₖ), plus the centre's offset, and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ;
-/// of a small-angle stack upright and without widths. `pattern` as side() takes it.
+/// of a small-angle stack upright and without widths. `pattern` as side() takes it. Asked for so
+/// often that calls count.
 template <class Real, int N, class Sides>
-Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Sides& pattern,
-                          const Directions<Real, N>& directions) {
+[[gnu::always_inline]] inline Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Sides& pattern,
+                                                        const Directions<Real, N>& directions) {
   const int size = stack.size();
   const auto pivot = [&](int k) { return k < size ? side<Real>(pattern, k) * stack.half_width[k] : Real(0); };
   Chain<Real, N> chain{{pivot(0), Real(0)}, Points<Real, N>::Zero(2, size), Points<Real, N>::Zero(2, size)};
