@@ -53,9 +53,6 @@ std::string entry_key(const std::string& array, std::size_t k) {
 
 void require_each_between(const std::string& array, const std::vector<double>& values, double least,
                           double most) {
-  bool inside = true;
-  for (const double value : values) inside = inside & (value >= least) & (value <= most);
-  if (inside) return;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (!(values[k] >= least && values[k] <= most))
       require_between(entry_key(array, k), values[k], least, most);
