@@ -18,6 +18,11 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 std::string joined_up_to(std::size_t most, const std::vector<std::string>& words) {
   if (words.size() <= most + 1) return joined(words);
   std::vector<std::string> some(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(most));

@@ -16,6 +16,9 @@ std::string joined(const std::vector<std::string>& words);
 /// The same of at most `most`: "a, b and 5 others".
 std::string joined_up_to(std::size_t most, const std::vector<std::string>& words);
 
+/// With a capital where it begins with a letter.
+std::string capitalised(std::string text);
+
 /// A paragraph of a text that the program holds: "NAME" or "NAME: KIND" in its first line, and the others as
 /// one.
 struct Paragraph {

@@ -181,7 +181,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
 bool row_is_off_at_rest(const ReplicatedRow& one, const std::vector<JudgedScene>& scenes) {
   const RunMetrics& row = one.row;
   if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
-  const SceneScale& scale = std::ranges::find(scenes, row.scene, &JudgedScene::name)->scale;
+  const SceneScale& scale = scale_in(scenes, row.scene);
   return !agrees(row, scale) && event_of(row, scale).empty();
 }
 

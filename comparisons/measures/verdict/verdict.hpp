@@ -59,6 +59,9 @@ struct JudgedScene {
   SceneScale scale;
 };
 
+/// That of a scene by its name. Precondition: it is there.
+const SceneScale& scale_in(const std::vector<JudgedScene>& scenes, const std::string& name);
+
 std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene);
 
 /// Until when engines agree with the exact motion, from coarse steps to fine ones, in a sentence; empty where

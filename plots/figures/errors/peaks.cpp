@@ -40,7 +40,8 @@ Drawing peaks(const SceneSubject& subject) {
     runs.insert(runs.end(), line.begin(), line.end());
   }
   std::erase_if(lines, [](const StepLine& line) { return line.empty(); });
-  lines.resize(std::min(lines.size(), most_rows));
+  const std::size_t all = lines.size();
+  lines.resize(std::min(all, most_rows));
   if (runs.empty() || exact < least_shown) return subject.nothing("Nothing rocks.");
   double end = std::max(1.0, exact);
   for (const Run& run : runs) end = std::max(end, *run.peak_over_slenderness);
@@ -61,6 +62,7 @@ Drawing peaks(const SceneSubject& subject) {
   }
   add_rows(sheet, {each_of(lines, [](const StepLine& line) { return line_label(line); })}, columns);
   sheet.note("largest angle of a block over its slenderness angle, in the whole scene");
+  if (all > lines.size()) sheet.note(fmt::format("the first {} of {} rows", lines.size(), all));
   return sheet.finish();
 }
 

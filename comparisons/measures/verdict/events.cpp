@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/verdict/verdict.hpp"
+
+// What happens in engines and not in the exact motion, in a sentence.
+
+namespace rockstack {
+namespace {
+
+constexpr std::size_t most_sets = 3;  ///< that a sentence names
+
+/// The row of each set in which something happens that does not in the exact motion, with the largest error.
+std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>& rows,
+                                                const std::vector<JudgedScene>& scenes) {
+  std::vector<const RunMetrics*> list;
+  for (const ReplicatedRow& one : rows) {
+    const RunMetrics& row = one.row;
+    if (!is_engine(row) || !row.error || event_of(row, scale_in(scenes, row.scene)).empty()) continue;
+    const auto known = std::ranges::find_if(list, [&](const RunMetrics* other) {
+      return other->scene == row.scene && set_name(*other) == set_name(row);
+    });
+    if (known == list.end()) {
+      list.push_back(&row);
+    } else if (*row.error > *(*known)->error) {
+      *known = &row;
+    }
+  }
+  return list;
+}
+
+/// Which sets have events of each kind, and how deep blocks sink in and how high they rise at most.
+std::string counted_events(const std::vector<const RunMetrics*>& events,
+                           const std::vector<JudgedScene>& scenes) {
+  std::set<std::string> sinking, rising, falling, standing;
+  double deepest = 0, highest = 0;
+  for (const RunMetrics* row : events) {
+    const std::string event = event_of(*row, scale_in(scenes, row->scene));
+    const bool sinks = event.starts_with("sinks"), rises = event.starts_with("rises");
+    if (sinks) deepest = std::max(deepest, sunk_in(*row, scale_in(scenes, row->scene)).depth);
+    if (rises) highest = std::max(highest, row->gap.value_or(0));
+    (sinks                         ? sinking
+     : rises                       ? rising
+     : event.starts_with("stands") ? standing
+                                   : falling)
+        .insert(set_name(*row));
+  }
+  std::vector<std::string> parts;
+  const auto add = [&](const std::set<std::string>& sets, const std::string& what) {
+    if (!sets.empty())
+      parts.push_back(fmt::format("with {} {}", joined_up_to(most_sets, {sets.begin(), sets.end()}), what));
+  };
+  add(falling, "blocks fall or topple that do not in the exact motion");
+  add(standing, "blocks stand that fall in the exact motion");
+  add(sinking, fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
+  add(rising, fmt::format("blocks rise that do not lift off in the exact motion, by {} at most",
+                          quantity_text(highest, "m", 2)));
+  return capitalised(fmt::format("{}.", fmt::join(parts, "; ")));
+}
+
+}  // namespace
+
+std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes,
+                           std::size_t most) {
+  const std::vector<const RunMetrics*> events = rows_with_events(rows, scenes);
+  if (events.empty()) return "";
+  if (events.size() > most) return counted_events(events, scenes);
+  std::vector<std::string> parts;
+  for (const RunMetrics* row : events) {
+    const std::string event = event_of(*row, scale_in(scenes, row->scene));
+    const char* subject = event.starts_with("block")                                 ? ""
+                          : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
+                                                                                     : "it ";
+    parts.push_back(fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene,
+                                quantity_text(*row->dt, "s"), subject, event));
+  }
+  parts.front().front() = 'W';
+  return fmt::format("{}.", fmt::join(parts, "; "));
+}
+
+}  // namespace rockstack
