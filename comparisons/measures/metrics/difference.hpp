@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "analytic/scene/history.hpp"
@@ -13,6 +14,8 @@ struct Difference {
   std::size_t blocks = 0;
   std::vector<double> times;   ///< s
   std::vector<double> values;  ///< second minus first, rad; or distances, m; times.size() × blocks
+
+  std::span<const double> at(std::size_t sample) const { return {values.data() + sample * blocks, blocks}; }
 };
 
 /// Of angles. @throws std::invalid_argument where the histories are of different stacks or their common times

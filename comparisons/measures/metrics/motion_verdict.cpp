@@ -45,12 +45,9 @@ auto largest_of(const std::vector<InterfaceSummary>& interfaces, double Interfac
   return std::ranges::max_element(interfaces, {}, value);
 }
 
-/// A row of what a history has row by row, by blocks; nothing where it does not have it.
-std::span<const double> row_of(const History& history, const std::vector<double>& values,
-                               std::size_t sample) {
-  const auto blocks = static_cast<std::size_t>(history.blocks);
-  return values.size() < (sample + 1) * blocks ? std::span<const double>()
-                                               : std::span(values).subspan(sample * blocks, blocks);
+/// How far a block is above what is below it, m; 0 where the history does not tell it.
+double gap_at(const History& history, std::size_t sample, std::size_t block) {
+  return history.gaps.empty() ? 0 : history.row(history.gaps, sample)[block];
 }
 
 /// The first block that holds something, from 1.
@@ -72,10 +69,8 @@ std::optional<std::size_t> sliding_at_end(const History& history) {
 std::string unsettled(const Scene& scene, const History& history) {
   if (history.times.empty()) return "";
   const std::size_t last = history.size() - 1;
-  const auto gaps = row_of(history, history.gaps, last);
   const auto angles = history.angles_at(last), velocities = history.velocities_at(last);
-  if (const auto block =
-          first_block(history, [&](std::size_t k) { return !gaps.empty() && gaps[k] > visible; }))
+  if (const auto block = first_block(history, [&](std::size_t k) { return gap_at(history, last, k) > visible; }))
     return fmt::format("block {} is in flight", *block);
   if (const auto block = sliding_at_end(history)) return fmt::format("block {} slides", *block);
   if (const auto block = first_block(history, [&](std::size_t k) {
@@ -98,8 +93,7 @@ std::string slipping(const History& history, const std::vector<InterfaceSummary>
 
 /// The block that rises furthest above where it starts.
 std::string lifting(const History& history, std::vector<InterfaceSummary> interfaces) {
-  const auto start = row_of(history, history.gaps, 0);
-  for (std::size_t k = 0; k < start.size(); ++k) interfaces[k].highest_lift -= start[k];
+  for (std::size_t k = 0; k < interfaces.size(); ++k) interfaces[k].highest_lift -= gap_at(history, 0, k);
   const auto most = largest_of(interfaces, &InterfaceSummary::highest_lift);
   if (most->highest_lift <= visible) return "";
   return fmt::format("; block {} lifts by up to {}", most - interfaces.begin() + 1,
@@ -111,8 +105,7 @@ std::string freedom(const History& history) {
   const std::vector<InterfaceSummary> interfaces = contact_summary(history);
   if (interfaces.empty()) return demand(history);
   const std::string text = slipping(history, interfaces) + lifting(history, interfaces);
-  const auto start = row_of(history, history.gaps, 0);
-  const bool held = std::ranges::all_of(start, [](double gap) { return gap <= visible; });
+  const bool held = !first_block(history, [&](std::size_t k) { return gap_at(history, 0, k) > visible; });
   const std::string doubt = doubt_of(history);
   return (text.empty() && held ? "; nothing slips or lifts" : text) + (doubt.empty() ? "" : "; " + doubt);
 }
