@@ -169,7 +169,9 @@ void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
     const std::vector<double> values = values_of(column, first, replicates);
     if (values.empty()) continue;
     column.set(nominal, median(values));
-    column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
+    if (!column.quartiles) continue;
+    column_named(column.name + "_lower").set(nominal, quantile(values, lower));
+    column_named(column.name + "_upper").set(nominal, quantile(values, upper));
   }
 }
 
