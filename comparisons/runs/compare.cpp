@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "analytic/scene/input/page_scene.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
@@ -35,7 +36,7 @@ std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
   std::vector<JudgedScene> scenes;
   for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes)
-      scenes.push_back({scene.name, scale_of(scene.scene, suite.tolerance)});
+      scenes.push_back({scene.name, least_height(scene.scene.blocks), scene.scene.duration, suite.tolerance});
   return scenes;
 }
 
@@ -43,8 +44,6 @@ std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
 /// words, and their ranks among those of their scene and step.
 std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& rows,
                                          const std::vector<JudgedScene>& scenes) {
-  std::map<std::string, SceneScale> scales;
-  for (const JudgedScene& scene : scenes) scales[scene.name] = scene.scale;
   std::vector<ReplicatedRow> reported;
   reported.reserve(rows.size());
   std::map<std::pair<std::string, double>, std::vector<ReplicatedRow*>> cells;
@@ -54,7 +53,7 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
     if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one.row);
     if (!is_engine(one.row)) continue;
-    one.row.outcome = outcome(one.row, scales.at(nominal.scene));
+    one.row.outcome = outcome(one.row, scene_in(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
   for (const auto& [cell, own] : cells) rank(own);

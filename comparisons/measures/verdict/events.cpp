@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
@@ -19,15 +20,12 @@ std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>
   std::vector<const RunMetrics*> list;
   for (const ReplicatedRow& one : rows) {
     const RunMetrics& row = one.row;
-    if (!is_engine(row) || !row.error || event_of(row, scale_in(scenes, row.scene)).empty()) continue;
-    const auto known = std::ranges::find_if(list, [&](const RunMetrics* other) {
+    if (!is_engine(row) || !row.error || event_of(row, scene_in(scenes, row.scene)).empty()) continue;
+    const auto same = [&](const RunMetrics* other) {
       return other->scene == row.scene && set_name(*other) == set_name(row);
-    });
-    if (known == list.end()) {
-      list.push_back(&row);
-    } else if (*row.error > *(*known)->error) {
-      *known = &row;
-    }
+    };
+    const RunMetrics*& worst = found_or_added(list, same, &row);
+    if (*row.error > *worst->error) worst = &row;
   }
   return list;
 }
@@ -38,9 +36,9 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   std::set<std::string> sinking, rising, falling, standing;
   double deepest = 0, highest = 0;
   for (const RunMetrics* row : events) {
-    const std::string event = event_of(*row, scale_in(scenes, row->scene));
+    const std::string event = event_of(*row, scene_in(scenes, row->scene));
     const bool sinks = event.starts_with("sinks"), rises = event.starts_with("rises");
-    if (sinks) deepest = std::max(deepest, sunk_in(*row, scale_in(scenes, row->scene)).depth);
+    if (sinks) deepest = std::max(deepest, sunk_in(*row, scene_in(scenes, row->scene)).depth);
     if (rises) highest = std::max(highest, row->gap.value_or(0));
     (sinks                         ? sinking
      : rises                       ? rising
@@ -70,7 +68,7 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
   if (events.size() > most) return counted_events(events, scenes);
   std::vector<std::string> parts;
   for (const RunMetrics* row : events) {
-    const std::string event = event_of(*row, scale_in(scenes, row->scene));
+    const std::string event = event_of(*row, scene_in(scenes, row->scene));
     const char* subject = event.starts_with("block")                                 ? ""
                           : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
                                                                                      : "it ";
