@@ -259,12 +259,12 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
-  if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(Json(evidence.distances)));
-  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(Json(evidence.fits)));
+  if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(evidence.distances));
+  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(evidence.fits));
   if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made.rows));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));
-  write_file(folder / "comparison.csv", comparison_csv(result.rows));
+  write_file(folder / "comparison.csv", csv_of(result.rows));
   write_file(folder / "comparison.json",
              comparison_json(suites, result, evidence, options.command).dump(2) + "\n");
   return result;

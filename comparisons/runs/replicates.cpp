@@ -148,7 +148,7 @@ void write_replicates(const std::string& packed, const RunMetrics& nominal,
   Json json = parse_json(packed, "draws: ");
   auto rows = json.at("draws").get<std::vector<RunMetrics>>();
   rows.insert(rows.begin(), nominal);
-  write_file(folder / "draws.csv", comparison_csv(rows));
+  write_file(folder / "draws.csv", csv_of(rows));
   if (const std::string band = json.at("band"); !band.empty()) write_file(folder / "band.csv", band);
   json.erase("band");
   write_file(folder / "draws.json", json.dump() + "\n");

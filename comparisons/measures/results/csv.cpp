@@ -8,6 +8,8 @@
 #include <iterator>
 #include <limits>
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -81,9 +83,7 @@ std::size_t CsvLine::index(const std::string& name) const {
 }
 
 CsvLine::Indices CsvLine::indices(const std::vector<std::string>& names) const {
-  Indices list;
-  for (const std::string& name : names) list.push_back(index(name));
-  return list;
+  return each_of(names, [&](const std::string& name) { return index(name); });
 }
 
 double CsvLine::value(std::size_t index) const {
@@ -151,11 +151,6 @@ void CsvWriter::separate() {
 }
 
 void CsvWriter::write(double number) {
-  separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
-}
-
-void CsvWriter::write(std::ptrdiff_t number) {
   separate();
   fmt::format_to(std::back_inserter(text_), "{}", number);
 }

@@ -114,7 +114,7 @@ class CsvWriter {
     if constexpr (std::is_same_v<Cell, bool>) {
       write(std::string_view(cell ? "true" : "false"));
     } else if constexpr (std::is_integral_v<Cell>) {
-      write(static_cast<std::ptrdiff_t>(cell));
+      write(std::string_view(std::to_string(cell)));
     } else if constexpr (std::is_floating_point_v<Cell>) {
       write(static_cast<double>(cell));
     } else if constexpr (std::is_convertible_v<const Cell&, std::string_view>) {
@@ -129,7 +129,6 @@ class CsvWriter {
   }
 
   void write(double number);
-  void write(std::ptrdiff_t number);
   void write(std::string_view text);
   void separate();
 

@@ -50,10 +50,6 @@ std::vector<double> ground_times(const Scene& scene) {
 
 }  // namespace
 
-std::string comparison_csv(const std::vector<RunMetrics>& rows) {
-  return csv_of(Json(rows));
-}
-
 std::string cell_text(const Json& cell) {
   if (cell.is_null()) return "";
   if (cell.is_number_float()) return fmt::format("{}", cell.get<double>());

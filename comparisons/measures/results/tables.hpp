@@ -15,9 +15,6 @@
 
 namespace rockstack {
 
-/// The rows as comma-separated values with a header.
-std::string comparison_csv(const std::vector<RunMetrics>& rows);
-
 /// A cell of a table as text; empty where it is null.
 std::string cell_text(const Json& cell);
 
