@@ -73,20 +73,16 @@ void to_json(Json& json, const SeriesFit& one) {
 }
 
 void from_json(const Json& json, SeriesFit& one) {
-  const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
   const auto number = [&](const std::string& key) {
     return json.at(key).is_null() ? std::nan("") : json.at(key).get<double>();
   };
   const auto bounded = [&](const std::string& key) {
     return Bounded{number(key), number(key + "_low"), number(key + "_high")};
   };
-  one = {text("scene"),
-         text("engine"),
-         text("solver"),
-         text("settings"),
-         text("quantity"),
-         StepFit{json.at("steps").get<std::size_t>(), bounded("gap"), bounded("order"), number("coefficient"),
-                 number("scatter"), text("reason")}};
+  const StepFit fit{json.at("steps"),      bounded("gap"),    bounded("order"),
+                    number("coefficient"), number("scatter"), json.at("reason")};
+  one = {json.at("scene"),    json.at("engine"),   json.at("solver"),
+         json.at("settings"), json.at("quantity"), fit};
 }
 
 std::string fit_definition() {
