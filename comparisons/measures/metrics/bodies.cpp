@@ -47,9 +47,7 @@ double extent_of_motion(const Scene& scene, const History& history, const std::v
 }
 
 double least_height(const std::vector<Block>& blocks) {
-  double height = std::numeric_limits<double>::infinity();
-  for (const Block& block : blocks) height = std::min(height, 2 * block.half_height);
-  return height;
+  return 2 * std::ranges::min_element(blocks, {}, &Block::half_height)->half_height;
 }
 
 std::vector<double> energies(const Scene& scene, const History& history) {

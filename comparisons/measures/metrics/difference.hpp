@@ -59,8 +59,8 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
                                  const History& engine);
 
 /// A part as a share of the whole, Σ part·whole/Σ whole²: shares of parts add up to 1, and one is negative
-/// where its part works against the others. NaN where there is no difference.
-double share_of(const Difference& part, const Difference& whole);
+/// where its part works against the others. Nothing where there is no difference.
+std::optional<double> share_of(const Difference& part, const Difference& whole);
 
 /// The sum of all parts.
 Difference whole_of(const DifferenceParts& parts);

@@ -15,6 +15,14 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
+/// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
+/// guarded against that: it is written behind a ', which reading takes off again.
+bool needs_guard(std::string_view text) {
+  if (text.starts_with('\'')) return needs_guard(text.substr(1));
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
+}
+
 /// Takes one quoted cell from the front of `rest`, which starts with the opening quote.
 std::string take_quoted(std::string_view& rest, const std::string& where) {
   std::string cell;
@@ -126,12 +134,6 @@ std::vector<std::string> numbered(const std::string& stem, int count) {
   std::vector<std::string> names;
   for (int k = 1; k <= count; ++k) names.push_back(stem + std::to_string(k));
   return names;
-}
-
-bool needs_guard(std::string_view text) {
-  if (text.starts_with('\'')) return needs_guard(text.substr(1));
-  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
-         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
 }
 
 std::optional<double> number_in(std::string_view cell) {

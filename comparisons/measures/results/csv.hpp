@@ -79,10 +79,6 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 /// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
 std::vector<std::string> numbered(const std::string& stem, int count);
 
-/// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
-/// guarded against that: it is written behind a ', which reading takes off again.
-bool needs_guard(std::string_view text);
-
 /// A cell as a number, none where it is something else.
 std::optional<double> number_in(std::string_view cell);
 

@@ -219,7 +219,7 @@ MannWhitney mann_whitney(const std::vector<Stratum>& strata) {
   }
   constexpr std::size_t most_exact = 50;
   const TailsAt tails = values > most_exact ? normal_tails(all) : exact_tails(all);
-  return {won / pairs, tails(sum).p_value(), std::min(tails(least).p_value(), tails(most).p_value())};
+  return {{tails(sum).p_value(), std::min(tails(least).p_value(), tails(most).p_value())}, won / pairs};
 }
 
 ChanceMatches chance_matches(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,

@@ -246,15 +246,7 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
   return sentences;
 }
 
-}  // namespace
-
-ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
-  ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
-  for (const JudgedScene& scene : scenes)
-    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
-  return verdict;
-}
-
+/// How rows are ranked and told apart.
 std::string ranking_definition() {
   return fmt::format(
       "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
@@ -262,6 +254,15 @@ std::string ranking_definition() {
       "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
       "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
       100 * separation_level);
+}
+
+}  // namespace
+
+ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
+  ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
+  for (const JudgedScene& scene : scenes)
+    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
+  return verdict;
 }
 
 ComparisonVerdict verdict_from(const Json& json) {

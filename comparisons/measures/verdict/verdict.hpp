@@ -98,9 +98,6 @@ struct ComparisonEvidence {
 /// not tell from it, and scenes at rest are not ranked.
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes);
 
-/// How rows are ranked and told apart.
-std::string ranking_definition();
-
 /// The verdict that verdict_json() has told, scenes in the order of the list.
 ComparisonVerdict verdict_from(const Json& json);
 
