@@ -26,9 +26,7 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
 void rank(const std::vector<ReplicatedRow*>& rows) {
   for (const RankedSet& set : rank_all(each_of(rows, [](const ReplicatedRow* row) { return *row; })))
     for (ReplicatedRow* one : rows)
-      if (one->row.engine == set.engine && one->row.solver == set.solver &&
-          one->row.settings == set.settings && one->row.status == RunStatus::done)
-        one->row.rank = set.rank;
+      if (set_name(one->row) == set_name(set) && one->row.status == RunStatus::done) one->row.rank = set.rank;
 }
 
 /// The scenes of suites, with what their rows are held against.
@@ -75,13 +73,11 @@ class RowTeller {
     own.push_back(row);
     if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front().row);
     if (--left_[cell] > 0) return;
-    std::vector<RunMetrics> rows;
-    for (ReplicatedRow& one : reported_rows(own, scenes_)) rows.push_back(std::move(one.row));
+    std::vector<RunMetrics> rows = each_of(reported_rows(own, scenes_), &ReplicatedRow::row);
     const auto place = [](const RunMetrics& one) {
       return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
     };
-    std::ranges::stable_sort(rows,
-                             [&](const RunMetrics& a, const RunMetrics& b) { return place(a) < place(b); });
+    std::ranges::stable_sort(rows, {}, place);
     options_.rows(rows);
     rows_.erase(cell);
   }
@@ -129,10 +125,8 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                      const ComparisonEvidence& evidence, const std::string& command) {
   const std::vector<RunMetrics>& rows = result.rows;
   Json json;
-  std::vector<std::string> titles;
   json["scenes"] = Json::array();
   for (const Suite& suite : suites) {
-    titles.push_back(suite.title);
     for (const NamedScene& scene : suite.scenes) {
       Json entry{{"name", scene.name}};
       entry.update(scene_json(scene.scene));
@@ -156,7 +150,7 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
       json["scenes"].push_back(std::move(entry));
     }
   }
-  json["title"] = fmt::format("{}", fmt::join(titles, "; "));
+  json["title"] = fmt::format("{}", fmt::join(each_of(suites, &Suite::title), "; "));
   json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
@@ -253,8 +247,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
       jobs, folder, executor, options.command,
       {options.progress, [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); }});
   ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
-  CompareResult result{{}, made.reused, {}};
-  for (const ReplicatedRow& one : evidence.rows) result.rows.push_back(one.row);
+  CompareResult result{each_of(evidence.rows, &ReplicatedRow::row), made.reused, {}};
   evidence.fits = fit_runs(result.rows);
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);

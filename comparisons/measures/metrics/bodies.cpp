@@ -100,15 +100,4 @@ double largest_gain(const std::vector<double>& energy) {
   return gain;
 }
 
-double deepest_sinking(const Scene& scene, const History& history, std::size_t sample) {
-  double deepest = 0, below = 0;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const Block& block = scene.blocks[k];
-    const double centre = history.centres[2 * (sample * scene.blocks.size() + k) + 1];
-    deepest = std::max(deepest, below + block.half_height + block.offset_y - centre);
-    below = centre + block.half_height - block.offset_y;
-  }
-  return deepest;
-}
-
 }  // namespace rockstack

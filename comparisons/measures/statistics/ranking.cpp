@@ -56,8 +56,8 @@ std::map<Cell, double> least_errors(const Sets& sets) {
   for (const auto& [name, errors] : sets) {
     for (const auto& [cell, error] : errors) {
       if (!std::isfinite(error.median)) continue;
-      const auto [known, added] = least.emplace(cell, error.median);
-      if (!added) known->second = std::min(known->second, error.median);
+      double& known = least.try_emplace(cell, error.median).first->second;
+      known = std::min(known, error.median);
     }
   }
   return least;
