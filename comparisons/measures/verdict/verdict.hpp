@@ -12,7 +12,7 @@ namespace rockstack {
 
 /// A scene that rows are of, and what they are held against.
 struct JudgedScene {
-  std::string name;
+  std::string name = {};
   double least_height = 1;  ///< of its blocks, m
   double duration = 0;      ///< s
   double tolerance = 0.01;  ///< rad, and as a share of the least block height
