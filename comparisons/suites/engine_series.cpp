@@ -98,10 +98,9 @@ std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::
 
 /// A value as a suite may give it.
 std::string value_text(const WorkerEngine& engine, const std::string& name, double value) {
-  for (const Setting& setting : engine.settings)
-    if (setting.name == name && !setting.choices.empty())
-      return setting.choices[static_cast<std::size_t>(value)];
-  return fmt::format("{}", value);
+  const Setting& setting = find_setting(engine.name, engine.settings, name);
+  return setting.choices.empty() ? fmt::format("{}", value)
+                                 : setting.choices[static_cast<std::size_t>(value)];
 }
 
 }  // namespace

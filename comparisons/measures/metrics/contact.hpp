@@ -43,6 +43,10 @@ Demand worst_of(const std::vector<Demand>& demands);
 /// where the model holds throughout.
 std::vector<std::string> validity_warnings(const Scene& scene, const History& history);
 
+/// What each interface carries from the block below to the block above at every sample, row by row; open
+/// interfaces have no centre: there it is the pivot. Precondition: the history has patterns.
+std::vector<Reaction> reactions_of(const Scene& scene, const History& history);
+
 /// Spring and dashpot of a block's corner.
 struct CornerSpring {
   double stiffness = 0;  ///< N/m
