@@ -12,8 +12,6 @@
 namespace rockstack {
 namespace {
 
-using Value = std::function<double(const MotionTally&)>;
-
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -74,7 +72,7 @@ std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
 std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exact,
                                             const std::vector<MotionTally>& other) {
   std::vector<DistributionDistance> list;
-  const auto add = [&](const std::string& quantity, const Value& value) {
+  const auto add = [&](const std::string& quantity, const auto& value) {
     const auto first = each_of(exact, value), second = each_of(other, value);
     list.push_back({"", "", quantity, first.size(), second.size(), mean(first), mean(second),
                     kolmogorov_smirnov(first, second)});

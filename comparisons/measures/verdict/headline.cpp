@@ -37,8 +37,7 @@ EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<Ju
 
 /// The coarsest, the middle one and the finest.
 std::vector<double> reported_steps(const EndsOfSteps& steps) {
-  std::vector<double> all;
-  for (const auto& [dt, ends] : steps) all.push_back(dt);
+  std::vector<double> all = each_of(steps, &EndsOfSteps::value_type::first);
   if (all.size() > 3) all = {all.front(), all[all.size() / 2], all.back()};
   return all;
 }
