@@ -48,7 +48,6 @@ std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
   return {};
 }
 
-/// Counts of an alignment as three columns.
 void set_counts(const std::vector<AlignedImpact>& alignment, std::optional<int>& matched,
                 std::optional<int>& missed, std::optional<int>& extra) {
   const AlignmentCounts counts = count(alignment);

@@ -29,7 +29,6 @@ void rank(const std::vector<ReplicatedRow*>& rows) {
       if (set_name(one->row) == set_name(set) && one->row.status == RunStatus::done) one->row.rank = set.rank;
 }
 
-/// The scenes of suites, with what their rows are held against.
 std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
   std::vector<JudgedScene> scenes;
   for (const Suite& suite : suites)

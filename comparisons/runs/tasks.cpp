@@ -50,7 +50,6 @@ std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
   return tasks;
 }
 
-/// Counts tasks, and the work that is left.
 class ProgressCounter {
  public:
   ProgressCounter(std::size_t tasks, double work, const std::function<void(const Progress&)>& tell)

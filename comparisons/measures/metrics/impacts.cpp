@@ -31,7 +31,6 @@ std::vector<Contact> contacts(const std::vector<double>& times, const std::vecto
   return list;
 }
 
-/// A pattern and when it begins.
 struct Passage {
   double time = 0;  ///< s
   Pattern pattern;

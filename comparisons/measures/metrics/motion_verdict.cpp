@@ -54,7 +54,6 @@ std::optional<std::size_t> first_block(const History& history, const Holds& hold
   return {};
 }
 
-/// The block that slides in the last sample.
 std::optional<std::size_t> sliding_at_end(const History& history) {
   return first_block(
       history, [&](std::size_t k) { return !history.patterns.empty() && history.patterns.back().slides[k]; });

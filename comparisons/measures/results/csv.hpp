@@ -87,7 +87,6 @@ std::optional<double> number_in(std::string_view cell);
 /// cell, and a range is a cell an element.
 class CsvWriter {
  public:
-  /// Adds cells to the line under way.
   template <class... Cells>
   void add(const Cells&... cells) {
     (add_one(cells), ...);
@@ -95,7 +94,6 @@ class CsvWriter {
 
   void end_line();
 
-  /// Adds cells and ends the line.
   template <class... Cells>
   void line(const Cells&... cells) {
     add(cells...);

@@ -208,7 +208,6 @@ std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
   return joined(doubts) + ".";
 }
 
-/// Two sentences as one.
 std::string together(const std::string& first, std::string second) {
   if (first.empty() || second.empty()) return first + second;
   second.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(second.front())));
@@ -246,7 +245,6 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
   return sentences;
 }
 
-/// How rows are ranked and told apart.
 std::string ranking_definition() {
   return fmt::format(
       "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
