@@ -123,9 +123,8 @@ Descriptor::~Descriptor() {
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  const int number = descriptor_.number();
-  if (number >= 0 && flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    : Descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (number() >= 0 && flock(number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw InputError(
         fmt::format("--out {}: must be a folder that no other run writes into just now", folder.string()));
 }
