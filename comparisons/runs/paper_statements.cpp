@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "analytic/scene/lists.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "analytic/scene/lists.hpp"
