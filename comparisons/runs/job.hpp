@@ -1,13 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <future>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"
 

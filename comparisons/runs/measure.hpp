@@ -1,20 +1,9 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "analytic/branches.hpp"
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/solve_options.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
-#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/runs/job.hpp"
-#include "comparisons/suites/suite.hpp"
-#include "engines/body_record.hpp"
 
 namespace rockstack {
 

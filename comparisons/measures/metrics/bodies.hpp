@@ -1,11 +1,6 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "analytic/scene/history.hpp"
 #include "analytic/scene/kinematics.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 
 namespace rockstack {

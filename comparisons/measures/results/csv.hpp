@@ -5,10 +5,7 @@
 #include <fstream>
 #include <optional>
 #include <ranges>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
 

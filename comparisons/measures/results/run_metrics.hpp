@@ -1,9 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"

@@ -1,15 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/alignment.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "engines/body_record.hpp"
 
