@@ -138,8 +138,7 @@ struct BasicHistory {
   std::size_t size() const { return times.size(); }
   std::span<const Real> angles_at(std::size_t sample) const { return row(angles, sample); }
   std::span<const Real> velocities_at(std::size_t sample) const { return row(velocities, sample); }
-
- private:
+  /// Of values that are stored row by row.
   std::span<const Real> row(const std::vector<Real>& values, std::size_t sample) const {
     const auto width = static_cast<std::size_t>(blocks);
     return {values.data() + sample * width, width};

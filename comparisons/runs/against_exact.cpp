@@ -48,7 +48,6 @@ std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
   return {};
 }
 
-/// Counts of an alignment as three columns.
 void set_counts(const std::vector<AlignedImpact>& alignment, std::optional<int>& matched,
                 std::optional<int>& missed, std::optional<int>& extra) {
   const AlignmentCounts counts = count(alignment);
@@ -149,7 +148,7 @@ std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, 
   for (const ContactImpact& impact : impacts)
     if (impact.speed >= slowest)
       list.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
-  std::ranges::stable_sort(list, [](const ImpactTime& a, const ImpactTime& b) { return a.time < b.time; });
+  std::ranges::stable_sort(list, {}, &ImpactTime::time);
   return list;
 }
 
@@ -191,20 +190,14 @@ History extrapolated(const History& stiffer, const History& softer, double facto
   return result;
 }
 
-/// Nothing where there is no difference.
-std::optional<double> share(const Difference& part, const Difference& whole) {
-  const double value = share_of(part, whole);
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 void add_sizes(const DifferenceParts& parts, RunMetrics& row) {
   const Difference whole = whole_of(parts);
   row.model_difference = root_mean_square(parts.model);
   row.softness_difference = root_mean_square(parts.softness);
   row.step_difference = root_mean_square(parts.step);
-  row.model_share = share(parts.model, whole);
-  row.softness_share = share(parts.softness, whole);
-  row.step_share = share(parts.step, whole);
+  row.model_share = share_of(parts.model, whole);
+  row.softness_share = share_of(parts.softness, whole);
+  row.step_share = share_of(parts.step, whole);
   if (row.model_share)
     row.parts_over_whole = std::hypot(*row.model_difference, *row.softness_difference, *row.step_difference) /
                            root_mean_square(whole);

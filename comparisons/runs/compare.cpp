@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "analytic/scene/input/page_scene.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
@@ -25,17 +26,14 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
 void rank(const std::vector<ReplicatedRow*>& rows) {
   for (const RankedSet& set : rank_all(each_of(rows, [](const ReplicatedRow* row) { return *row; })))
     for (ReplicatedRow* one : rows)
-      if (one->row.engine == set.engine && one->row.solver == set.solver &&
-          one->row.settings == set.settings && one->row.status == RunStatus::done)
-        one->row.rank = set.rank;
+      if (set_name(one->row) == set_name(set) && one->row.status == RunStatus::done) one->row.rank = set.rank;
 }
 
-/// The scenes of suites, with what their rows are held against.
 std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
   std::vector<JudgedScene> scenes;
   for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes)
-      scenes.push_back({scene.name, scale_of(scene.scene, suite.tolerance)});
+      scenes.push_back({scene.name, least_height(scene.scene.blocks), scene.scene.duration, suite.tolerance});
   return scenes;
 }
 
@@ -43,8 +41,6 @@ std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
 /// words, and their ranks among those of their scene and step.
 std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& rows,
                                          const std::vector<JudgedScene>& scenes) {
-  std::map<std::string, SceneScale> scales;
-  for (const JudgedScene& scene : scenes) scales[scene.name] = scene.scale;
   std::vector<ReplicatedRow> reported;
   reported.reserve(rows.size());
   std::map<std::pair<std::string, double>, std::vector<ReplicatedRow*>> cells;
@@ -54,7 +50,7 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
     if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one.row);
     if (!is_engine(one.row)) continue;
-    one.row.outcome = outcome(one.row, scales.at(nominal.scene));
+    one.row.outcome = outcome(one.row, scene_in(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
   for (const auto& [cell, own] : cells) rank(own);
@@ -76,13 +72,11 @@ class RowTeller {
     own.push_back(row);
     if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front().row);
     if (--left_[cell] > 0) return;
-    std::vector<RunMetrics> rows;
-    for (ReplicatedRow& one : reported_rows(own, scenes_)) rows.push_back(std::move(one.row));
+    std::vector<RunMetrics> rows = each_of(reported_rows(own, scenes_), &ReplicatedRow::row);
     const auto place = [](const RunMetrics& one) {
       return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
     };
-    std::ranges::stable_sort(rows,
-                             [&](const RunMetrics& a, const RunMetrics& b) { return place(a) < place(b); });
+    std::ranges::stable_sort(rows, {}, place);
     options_.rows(rows);
     rows_.erase(cell);
   }
@@ -130,10 +124,8 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                      const ComparisonEvidence& evidence, const std::string& command) {
   const std::vector<RunMetrics>& rows = result.rows;
   Json json;
-  std::vector<std::string> titles;
   json["scenes"] = Json::array();
   for (const Suite& suite : suites) {
-    titles.push_back(suite.title);
     for (const NamedScene& scene : suite.scenes) {
       Json entry{{"name", scene.name}};
       entry.update(scene_json(scene.scene));
@@ -157,7 +149,7 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
       json["scenes"].push_back(std::move(entry));
     }
   }
-  json["title"] = fmt::format("{}", fmt::join(titles, "; "));
+  json["title"] = fmt::format("{}", fmt::join(each_of(suites, &Suite::title), "; "));
   json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
@@ -254,18 +246,17 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
       jobs, folder, executor, options.command,
       {options.progress, [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); }});
   ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
-  CompareResult result{{}, made.reused, {}};
-  for (const ReplicatedRow& one : evidence.rows) result.rows.push_back(one.row);
+  CompareResult result{each_of(evidence.rows, &ReplicatedRow::row), made.reused, {}};
   evidence.fits = fit_runs(result.rows);
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
-  if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(Json(evidence.distances)));
-  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(Json(evidence.fits)));
+  if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(evidence.distances));
+  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(evidence.fits));
   if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made.rows));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));
-  write_file(folder / "comparison.csv", comparison_csv(result.rows));
+  write_file(folder / "comparison.csv", csv_of(result.rows));
   write_file(folder / "comparison.json",
              comparison_json(suites, result, evidence, options.command).dump(2) + "\n");
   return result;

@@ -1,16 +1,8 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/job.hpp"
-#include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
 

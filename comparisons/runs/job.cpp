@@ -9,6 +9,19 @@
 namespace rockstack {
 namespace {
 
+/// Found where it is first asked for. Keeps references to the suite and the scene.
+std::shared_future<double> horizon_of(const Suite& suite, const NamedScene& scene) {
+  return std::async(std::launch::deferred, [&suite, &scene] {
+    Replicates replicates = suite.replicates;
+    replicates.runs = horizon_scenes;
+    try {
+      return predictable_time(scene.scene, replicates, suite.tolerance);
+    } catch (const std::exception&) {
+      return scene.scene.duration;
+    }
+  });
+}
+
 /// How many samples files keep: of those that lie between, none.
 double samples_of(const Job& job) {
   const double interval = job.series != nullptr ? job.dt : sample_interval;
@@ -101,18 +114,6 @@ double predictable_time(const Scene& scene, const Replicates& replicates, double
     if (largest(apart) > tolerance) time = std::min(time, agreement_time(apart, tolerance));
   }
   return time;
-}
-
-std::shared_future<double> horizon_of(const Suite& suite, const NamedScene& scene) {
-  return std::async(std::launch::deferred, [&suite, &scene] {
-    Replicates replicates = suite.replicates;
-    replicates.runs = horizon_scenes;
-    try {
-      return predictable_time(scene.scene, replicates, suite.tolerance);
-    } catch (const std::exception&) {
-      return scene.scene.duration;
-    }
-  });
 }
 
 std::vector<Job> jobs_of(const std::vector<Suite>& suites) {

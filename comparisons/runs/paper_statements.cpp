@@ -19,15 +19,14 @@ Verdict verdict(bool holds) {
 /// "exact 1.0, bullet 1.1, ode 1.2" for a number, or a text, of each answer.
 template <class Value>
 std::string each(const std::vector<Answer>& answers, const Value& value) {
-  std::string list;
-  for (const auto& [name, history] : answers) {
-    list += fmt::format("{}{} ", list.empty() ? "" : ", ", name);
-    if constexpr (std::is_arithmetic_v<decltype(value(history))>)
-      list += fmt::format("{:.4g}", static_cast<double>(value(history)));
+  const auto text = [&](const Answer& answer) {
+    const auto found = value(answer.history);
+    if constexpr (std::is_arithmetic_v<decltype(found)>)
+      return fmt::format("{} {:.4g}", answer.name, found);
     else
-      list += value(history);
-  }
-  return list;
+      return answer.name + " " + found;
+  };
+  return text_of_each(answers, text, ", ");
 }
 
 bool lands(const Event& event) {

@@ -148,7 +148,7 @@ void write_replicates(const std::string& packed, const RunMetrics& nominal,
   Json json = parse_json(packed, "draws: ");
   auto rows = json.at("draws").get<std::vector<RunMetrics>>();
   rows.insert(rows.begin(), nominal);
-  write_file(folder / "draws.csv", comparison_csv(rows));
+  write_file(folder / "draws.csv", csv_of(rows));
   if (const std::string band = json.at("band"); !band.empty()) write_file(folder / "band.csv", band);
   json.erase("band");
   write_file(folder / "draws.json", json.dump() + "\n");
@@ -169,7 +169,9 @@ void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
     const std::vector<double> values = values_of(column, first, replicates);
     if (values.empty()) continue;
     column.set(nominal, median(values));
-    column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
+    if (!column.quartiles) continue;
+    column_named(column.name + "_lower").set(nominal, quantile(values, lower));
+    column_named(column.name + "_upper").set(nominal, quantile(values, upper));
   }
 }
 

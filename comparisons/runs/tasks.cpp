@@ -41,7 +41,7 @@ std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
     return std::pair(scenes.at(job.scene.name),
                      job.series == nullptr ? -std::numeric_limits<double>::infinity() : -job.dt);
   };
-  std::ranges::stable_sort(sorted, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::ranges::stable_sort(sorted, {}, key);
   std::vector<std::size_t> tasks;
   for (const std::size_t job : sorted) {
     tasks.push_back(job);
@@ -50,7 +50,6 @@ std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
   return tasks;
 }
 
-/// Counts tasks, and the work that is left.
 class ProgressCounter {
  public:
   ProgressCounter(std::size_t tasks, double work, const std::function<void(const Progress&)>& tell)

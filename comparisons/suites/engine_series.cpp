@@ -27,10 +27,9 @@ std::vector<double> read_steps(const Node& table) {
 std::vector<std::string> read_settings(const Node& table) {
   const Node* node = find(table, "settings");
   if (node == nullptr) return {"default", "tuned"};
-  std::vector<std::string> settings;
-  for (const Node& child : entries(*node, "an array of \"default\" and \"tuned\""))
-    settings.push_back(choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}}));
-  return settings;
+  return each_of(entries(*node, "an array of \"default\" and \"tuned\""), [](const Node& child) {
+    return choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}});
+  });
 }
 
 const WorkerEngine& read_engine(const Node& table, const std::filesystem::path& folder) {
@@ -99,10 +98,9 @@ std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::
 
 /// A value as a suite may give it.
 std::string value_text(const WorkerEngine& engine, const std::string& name, double value) {
-  for (const Setting& setting : engine.settings)
-    if (setting.name == name && !setting.choices.empty())
-      return setting.choices[static_cast<std::size_t>(value)];
-  return fmt::format("{}", value);
+  const Setting& setting = find_setting(engine.name, engine.settings, name);
+  return setting.choices.empty() ? fmt::format("{}", value)
+                                 : setting.choices[static_cast<std::size_t>(value)];
 }
 
 }  // namespace

@@ -32,12 +32,7 @@ Variant read_friction(const Node& node) {
 
 Variant read_variant(const Node& node) {
   if (node.kind == Node::Kind::text && node.text.starts_with(friction_key)) return read_friction(node);
-  using enum Variant::Choice;
-  return {choice<Variant::Choice>(node, {{"linear", linear},
-                                         {"nonlinear", nonlinear},
-                                         {"paper", paper},
-                                         {"consistent", consistent},
-                                         {"unilateral", unilateral}})};
+  return {choice<Variant::Choice>(node, {"linear", "nonlinear", "paper", "consistent", "unilateral"})};
 }
 
 std::vector<Variant> read_variants(const Node& array) {

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/document.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/suites/measurement.hpp"
 #include "engines/worker/registry.hpp"
 

@@ -159,8 +159,8 @@ bool ComparedScene::has(const std::string& result) const {
   return std::ranges::find(results, result) != results.end();
 }
 
-SceneScale scale_of(const Comparison& comparison, const ComparedScene& scene) {
-  return {least_height(scene.stack), scene.duration, comparison.tolerance};
+JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {
+  return {scene.name, least_height(scene.stack), scene.duration, comparison.tolerance};
 }
 
 std::string heading(const ComparedScene& scene) {

@@ -117,7 +117,7 @@ struct Comparison {
 };
 
 /// What a scene's rows are held against.
-SceneScale scale_of(const Comparison& comparison, const ComparedScene& scene);
+JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene);
 
 /// A scene's title with the law of its exact motion.
 std::string heading(const ComparedScene& scene);

@@ -106,7 +106,7 @@ std::string first_of_all(const Comparison& comparison) {
   const std::vector<RankedSet>& ranking = comparison.verdict.ranking;
   std::vector<std::string> first;
   for (const RankedSet& set : ranking)
-    if (set.rank == 1) first.push_back(set_name(set.engine, set.solver, set.settings));
+    if (set.rank == 1) first.push_back(set_name(set));
   return nearest_phrase(first, ranking.size());
 }
 

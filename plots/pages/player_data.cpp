@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/results/reactions.hpp"
 #include "plots/data/patterns.hpp"
 
 namespace rockstack::plots {

@@ -108,9 +108,8 @@ class Writer {
     const Score& score = *accuracy_.of(solver);
     const Run& worst = score.worst();
     const std::vector<RankedSet>& ranking = comparison_.verdict.ranking;
-    const auto set = std::ranges::find_if(ranking, [&](const RankedSet& one) {
-      return set_name(one.engine, one.solver, one.settings) == set_name(worst);
-    });
+    const auto set =
+        std::ranges::find_if(ranking, [&](const RankedSet& one) { return set_name(one) == set_name(worst); });
     if (set == ranking.end()) return;
     const auto sharing =
         std::ranges::count_if(ranking, [&](const RankedSet& one) { return one.rank == set->rank; });

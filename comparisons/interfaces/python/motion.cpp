@@ -5,7 +5,6 @@
 #include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/results/reactions.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {

@@ -5,15 +5,8 @@
 namespace rockstack {
 namespace {
 
-/// The best alignment of two tails: most pairs first, then least time difference.
-struct Score {
-  int pairs = 0;
-  double difference = 0;  ///< s
-
-  bool better_than(const Score& other) const {
-    return pairs != other.pairs ? pairs > other.pairs : difference < other.difference;
-  }
-};
+/// How many pairs an alignment has, and less the sum of their time differences, s: the greater, the better.
+using Score = std::pair<int, double>;
 
 /// The impacts of one interface, by their numbers in both sequences.
 class InterfaceAlignment {
@@ -27,38 +20,31 @@ class InterfaceAlignment {
         engine_numbers_(of_interface(engine, interface)),
         columns_(engine_numbers_.size() + 1),
         scores_((exact_numbers_.size() + 1) * columns_) {
-    for (std::size_t i = exact_numbers_.size(); i-- > 0;) {
-      for (std::size_t j = engine_numbers_.size(); j-- > 0;) {
-        Score best = at(i + 1, j);
-        if (at(i, j + 1).better_than(best)) best = at(i, j + 1);
-        if (fit(i, j) && paired(i, j).better_than(best)) best = paired(i, j);
-        scores_[i * columns_ + j] = best;
-      }
-    }
+    for (std::size_t i = exact_numbers_.size(); i-- > 0;)
+      for (std::size_t j = engine_numbers_.size(); j-- > 0;)
+        scores_[i * columns_ + j] = std::max({at(i + 1, j), at(i, j + 1), paired(i, j)});
   }
 
   void append_to(std::vector<AlignedImpact>& lines) const {
     std::size_t i = 0, j = 0;
     while (i < exact_numbers_.size() || j < engine_numbers_.size()) {
       const bool both = i < exact_numbers_.size() && j < engine_numbers_.size();
-      const bool pair = both && starts_paired(i, j);
-      const bool takes_exact =
-          pair || j == engine_numbers_.size() || (both && !at(i, j + 1).better_than(at(i + 1, j)));
-      AlignedImpact line;
-      if (takes_exact) {
-        line.interface = exact_at(i).interface;
-        line.number = static_cast<int>(exact_numbers_[i]) + 1;
-        line.exact = exact_at(i).time;
-        line.exact_side = exact_at(i).side;
-      }
+      const bool pair = both && at(i, j) == paired(i, j);
+      const bool takes_exact = pair || j == engine_numbers_.size() || (both && at(i + 1, j) >= at(i, j + 1));
+      AlignedImpact& line = lines.emplace_back();
       if (pair || !takes_exact) {
-        line.interface = engine_at(j).interface;
-        line.engine = engine_at(j).time;
-        line.engine_side = engine_at(j).side;
-        ++j;
+        const ImpactTime& impact = engine_at(j++);
+        line.interface = impact.interface;
+        line.engine = impact.time;
+        line.engine_side = impact.side;
       }
-      if (takes_exact) ++i;
-      lines.push_back(line);
+      if (takes_exact) {
+        const ImpactTime& impact = exact_at(i++);
+        line.interface = impact.interface;
+        line.number = static_cast<int>(exact_numbers_[i - 1]) + 1;
+        line.exact = impact.time;
+        line.exact_side = impact.side;
+      }
     }
   }
 
@@ -73,22 +59,15 @@ class InterfaceAlignment {
   const ImpactTime& exact_at(std::size_t i) const { return exact_[exact_numbers_[i]]; }
   const ImpactTime& engine_at(std::size_t j) const { return engine_[engine_numbers_[j]]; }
 
-  /// Of the tails from i and j.
+  /// Of the best alignment of the tails from i and j.
   const Score& at(std::size_t i, std::size_t j) const { return scores_[i * columns_ + j]; }
 
-  /// True where the best alignment of the tails from i and j starts with the pair (i, j).
-  bool starts_paired(std::size_t i, std::size_t j) const {
-    return fit(i, j) && !at(i + 1, j).better_than(paired(i, j)) && !at(i, j + 1).better_than(paired(i, j));
-  }
-
-  bool fit(std::size_t i, std::size_t j) const {
-    return sign(exact_at(i).side) * sign(engine_at(j).side) >= 0 &&
-           std::abs(exact_at(i).time - engine_at(j).time) <= windows_[exact_numbers_[i]];
-  }
-
+  /// Of the best one that starts with the pair (i, j); less than any where these cannot be a pair.
   Score paired(std::size_t i, std::size_t j) const {
-    const Score& rest = at(i + 1, j + 1);
-    return {rest.pairs + 1, rest.difference + std::abs(exact_at(i).time - engine_at(j).time)};
+    const double apart = std::abs(exact_at(i).time - engine_at(j).time);
+    if (sign(exact_at(i).side) * sign(engine_at(j).side) < 0 || !(apart <= windows_[exact_numbers_[i]]))
+      return {-1, 0};
+    return {at(i + 1, j + 1).first + 1, at(i + 1, j + 1).second - apart};
   }
 
   const std::vector<ImpactTime>& exact_;
@@ -121,10 +100,8 @@ double largest_relative(const Difference& apart, std::size_t interface, double b
   const auto first = std::ranges::lower_bound(apart.times, begin);
   double largest = 0;
   for (auto i = static_cast<std::size_t>(first - apart.times.begin());
-       i < apart.times.size() && apart.times[i] <= end; ++i) {
-    const std::span blocks(apart.values.data() + i * apart.blocks, apart.blocks);
-    largest = std::max(largest, std::abs(relative_at(blocks, interface)));
-  }
+       i < apart.times.size() && apart.times[i] <= end; ++i)
+    largest = std::max(largest, std::abs(relative_at(apart.at(i), interface)));
   return largest;
 }
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "analytic/scene/history.hpp"
 #include "analytic/scene/kinematics.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 
 namespace rockstack {
@@ -57,9 +52,5 @@ std::vector<double> energy_balance(const std::vector<double>& energy, const std:
 
 /// The largest rise above the least value before, J.
 double largest_gain(const std::vector<double>& energy);
-
-/// How far a centre is nearer to the one below than upright blocks that touch have it, at most, at one sample
-/// of a motion that tells centres, m.
-double deepest_sinking(const Scene& scene, const History& history, std::size_t sample);
 
 }  // namespace rockstack

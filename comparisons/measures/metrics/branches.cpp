@@ -10,12 +10,8 @@
 namespace rockstack {
 namespace {
 
-struct Ending {
-  std::string word;
-  double time;  ///< s
-};
-
-Ending ending_of(const Scene& scene, const Branch& branch) {
+/// How a branch ends, and when, s.
+std::pair<std::string, double> ending_of(const Scene& scene, const Branch& branch) {
   const History& history = branch.history;
   if (!branch.unfinished.empty())
     return {"given up", history.events.empty() ? 0.0 : history.events.back().time};
@@ -45,9 +41,9 @@ Json row_of(const Scene& scene, const BranchTree& tree, std::size_t index) {
     row["like_from"] = like->from;
     row["mirrored"] = like->mirrored;
   }
-  const Ending end = ending_of(scene, branch);
-  row["ends"] = end.word;
-  row["end_time"] = end.time;
+  const auto [ending, end_time] = ending_of(scene, branch);
+  row["ends"] = ending;
+  row["end_time"] = end_time;
   row["verdict"] = verdict_of(scene, branch);
   return row;
 }

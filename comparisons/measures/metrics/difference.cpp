@@ -107,12 +107,12 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
   return parts;
 }
 
-double share_of(const Difference& part, const Difference& whole) {
+std::optional<double> share_of(const Difference& part, const Difference& whole) {
   const auto product = [&](const Difference& other) {
     return std::inner_product(other.values.begin(), other.values.end(), whole.values.begin(), 0.0);
   };
   const double squares = product(whole);
-  return squares > 0 ? product(part) / squares : std::nan("");
+  return squares > 0 ? std::optional(product(part) / squares) : std::nullopt;
 }
 
 Difference whole_of(const DifferenceParts& parts) {

@@ -2,16 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
+
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {
 
 using Cells = std::vector<std::string>;
+
+/// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
+/// guarded against that: it is written behind a ', which reading takes off again.
+bool needs_guard(std::string_view text) {
+  if (text.starts_with('\'')) return needs_guard(text.substr(1));
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
+}
 
 /// Takes one quoted cell from the front of `rest`, which starts with the opening quote.
 std::string take_quoted(std::string_view& rest, const std::string& where) {
@@ -81,9 +89,7 @@ std::size_t CsvLine::index(const std::string& name) const {
 }
 
 CsvLine::Indices CsvLine::indices(const std::vector<std::string>& names) const {
-  Indices list;
-  for (const std::string& name : names) list.push_back(index(name));
-  return list;
+  return each_of(names, [&](const std::string& name) { return index(name); });
 }
 
 double CsvLine::value(std::size_t index) const {
@@ -128,12 +134,6 @@ std::vector<std::string> numbered(const std::string& stem, int count) {
   return names;
 }
 
-bool needs_guard(std::string_view text) {
-  if (text.starts_with('\'')) return needs_guard(text.substr(1));
-  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
-         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
-}
-
 std::optional<double> number_in(std::string_view cell) {
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
@@ -151,11 +151,6 @@ void CsvWriter::separate() {
 }
 
 void CsvWriter::write(double number) {
-  separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
-}
-
-void CsvWriter::write(std::ptrdiff_t number) {
   separate();
   fmt::format_to(std::back_inserter(text_), "{}", number);
 }

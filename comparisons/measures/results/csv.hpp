@@ -5,10 +5,7 @@
 #include <fstream>
 #include <optional>
 #include <ranges>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
 
@@ -79,10 +76,6 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 /// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
 std::vector<std::string> numbered(const std::string& stem, int count);
 
-/// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
-/// guarded against that: it is written behind a ', which reading takes off again.
-bool needs_guard(std::string_view text);
-
 /// A cell as a number, none where it is something else.
 std::optional<double> number_in(std::string_view cell);
 
@@ -91,7 +84,6 @@ std::optional<double> number_in(std::string_view cell);
 /// cell, and a range is a cell an element.
 class CsvWriter {
  public:
-  /// Adds cells to the line under way.
   template <class... Cells>
   void add(const Cells&... cells) {
     (add_one(cells), ...);
@@ -99,7 +91,6 @@ class CsvWriter {
 
   void end_line();
 
-  /// Adds cells and ends the line.
   template <class... Cells>
   void line(const Cells&... cells) {
     add(cells...);
@@ -114,7 +105,7 @@ class CsvWriter {
     if constexpr (std::is_same_v<Cell, bool>) {
       write(std::string_view(cell ? "true" : "false"));
     } else if constexpr (std::is_integral_v<Cell>) {
-      write(static_cast<std::ptrdiff_t>(cell));
+      write(std::string_view(std::to_string(cell)));
     } else if constexpr (std::is_floating_point_v<Cell>) {
       write(static_cast<double>(cell));
     } else if constexpr (std::is_convertible_v<const Cell&, std::string_view>) {
@@ -129,7 +120,6 @@ class CsvWriter {
   }
 
   void write(double number);
-  void write(std::ptrdiff_t number);
   void write(std::string_view text);
   void separate();
 

@@ -14,7 +14,6 @@
 #include <set>
 #include <sstream>
 #include <system_error>
-#include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
 
@@ -33,38 +32,6 @@ void write_all(int descriptor, std::string_view text, const std::filesystem::pat
     text.remove_prefix(static_cast<std::size_t>(written));
   }
 }
-
-/// A file that grows beside its place, and goes away unless it is finished.
-class PartialFile {
- public:
-  explicit PartialFile(const std::filesystem::path& file) : file_(file), own_(file.string() + ".partial") {
-    // Made new: what a killed run has left goes, and a link leads nowhere.
-    unlink(own_.c_str());
-    descriptor_ = open(own_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail(file_);
-  }
-  ~PartialFile() {
-    if (descriptor_ < 0) return;
-    close(descriptor_);
-    unlink(own_.c_str());
-  }
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
-
-  void append(std::string_view text) { write_all(descriptor_, text, file_); }
-
-  /// On the disk first, then in its place: a machine that stops leaves it whole or not there.
-  void finish() {
-    const bool on_disk = fsync(descriptor_) == 0 || errno == EINVAL;  // where a file system cannot be asked
-    if (!on_disk || rename(own_.c_str(), file_.c_str()) != 0) fail(file_);
-    close(std::exchange(descriptor_, -1));
-  }
-
- private:
-  std::filesystem::path file_;
-  std::string own_;
-  int descriptor_ = -1;
-};
 
 struct Kind {
   const char* name;
@@ -156,9 +123,8 @@ Descriptor::~Descriptor() {
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  const int number = descriptor_.number();
-  if (number >= 0 && flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    : Descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (number() >= 0 && flock(number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw InputError(
         fmt::format("--out {}: must be a folder that no other run writes into just now", folder.string()));
 }
@@ -185,9 +151,20 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
 }
 
 void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write) {
-  PartialFile partial(file);
-  write([&](std::string_view text) { partial.append(text); });
-  partial.finish();
+  const std::string own = file.string() + ".partial";
+  // Made new: what a killed run has left goes, and a link leads nowhere.
+  unlink(own.c_str());
+  const Descriptor partial(open(own.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (partial.number() < 0) fail(file);
+  try {
+    write([&](std::string_view text) { write_all(partial.number(), text, file); });
+    // On the disk first, then in its place: a machine that stops leaves it whole or not there.
+    const bool on_disk = fsync(partial.number()) == 0 || errno == EINVAL;  // where it cannot be asked
+    if (!on_disk || rename(own.c_str(), file.c_str()) != 0) fail(file);
+  } catch (...) {
+    unlink(own.c_str());
+    throw;
+  }
 }
 
 ResultsFolder::ResultsFolder(const fs::path& folder, Results results)

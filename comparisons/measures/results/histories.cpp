@@ -4,8 +4,8 @@
 
 #include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/reactions.hpp"
 
 namespace rockstack {
 namespace {

@@ -23,15 +23,13 @@ History samples_in(const fs::path& file) {
   while (blocks < max_blocks && line.has(fmt::format("theta_{}", blocks + 1))) ++blocks;
   const std::size_t time = line.index("time");
   // What a history may leave out has no columns.
-  const auto columns = [&](const char* first, const std::vector<std::string>& names) {
-    return line.has(first) ? line.indices(names) : CsvLine::Indices();
+  const auto columns = [&](const std::vector<std::string>& names) {
+    return line.has(names.front()) ? line.indices(names) : CsvLine::Indices();
   };
   const CsvLine::Indices angles = line.indices(numbered("theta_", std::max(blocks, 1))),
                          velocities = line.indices(numbered("omega_", blocks)),
-                         pattern = columns("pattern", {"pattern"}),
-                         slips = columns("slip_1", numbered("slip_", blocks)),
-                         gaps = columns("gap_1", numbered("gap_", blocks)),
-                         places = columns("x_1", place_names(blocks));
+                         pattern = columns({"pattern"}), slips = columns(numbered("slip_", blocks)),
+                         gaps = columns(numbered("gap_", blocks)), places = columns(place_names(blocks));
   const auto named = [&](const auto& name) { return named_pattern(name, blocks); };
   for (std::string last; line.next();) {
     history.times.push_back(line.value(time));

@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_measures_texts.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -47,8 +50,21 @@ void read_cell(const Json& cell, TopplingVerdict& value) {
   value = named_verdict(cell.get<std::string>());
 }
 
-void put(RunMetrics& row, const Column::Field& field, const Json& cell) {
-  std::visit([&](auto member) { read_cell(cell, row.*member); }, field);
+/// Those of quartiles stand behind the one that they are of.
+std::vector<Column> all_columns() {
+  const std::map<std::string, Column::Field> fields{
+#include "comparisons/measures/results/run_metrics_fields.inc"
+  };
+  std::vector<Column> all;
+  for (const auto& [name, kind, meaning] : paragraphs(columns_txt)) {
+    const auto is = [&kind = kind](const char* word) { return kind.find(word) != std::string::npos; };
+    all.push_back({name, meaning, fields.at(name), is("measured"), is("median"), is("quartiles")});
+    if (!is("quartiles")) continue;
+    all.push_back(
+        {name + "_lower", "lower quartile of the same over replicates", fields.at(name + "_lower")});
+    all.push_back({name + "_upper", "upper quartile", fields.at(name + "_upper")});
+  }
+  return all;
 }
 
 }  // namespace
@@ -68,12 +84,18 @@ Json Column::cell(const RunMetrics& row) const {
 }
 
 void Column::set(RunMetrics& row, const Json& cell) const {
-  put(row, field, cell);
+  std::visit([&](auto member) { read_cell(cell, row.*member); }, field);
 }
 
-void Column::set_quartiles(RunMetrics& row, const Json& low, const Json& high) const {
-  if (lower) put(row, *lower, low);
-  if (upper) put(row, *upper, high);
+const std::vector<Column>& columns() {
+  static const std::vector<Column> list = all_columns();
+  return list;
+}
+
+const Column& column_named(const std::string& name) {
+  const auto found = std::ranges::find(columns(), name, &Column::name);
+  if (found == columns().end()) throw std::logic_error(name + ": no column of a comparison");
+  return *found;
 }
 
 void to_json(Json& cells, const RunMetrics& row) {

@@ -50,10 +50,6 @@ std::vector<double> ground_times(const Scene& scene) {
 
 }  // namespace
 
-std::string comparison_csv(const std::vector<RunMetrics>& rows) {
-  return csv_of(Json(rows));
-}
-
 std::string cell_text(const Json& cell) {
   if (cell.is_null()) return "";
   if (cell.is_number_float()) return fmt::format("{}", cell.get<double>());
@@ -74,10 +70,6 @@ std::string csv_of(const Json& list) {
 std::string history_csv(const History& history) {
   const bool patterns = !history.patterns.empty(), slips = !history.slips.empty();
   const bool gaps = !history.gaps.empty(), places = !history.centres.empty();
-  const auto width = static_cast<std::size_t>(history.blocks);
-  const auto row = [width](const std::vector<double>& values, std::size_t sample) {
-    return std::span<const double>(values).subspan(sample * width, width);
-  };
   CsvWriter csv;
   csv.add("time", numbered("theta_", history.blocks), numbered("omega_", history.blocks));
   if (patterns) csv.add("pattern");
@@ -89,9 +81,9 @@ std::string history_csv(const History& history) {
   for (std::size_t i = 0; i < history.size(); ++i) {
     csv.add(history.times[i], history.angles_at(i), history.velocities_at(i));
     if (patterns) csv.add(name(history.patterns[i]));
-    if (slips) csv.add(row(history.slips, i));
-    if (gaps) csv.add(row(history.gaps, i));
-    if (places) csv.add(row(history.centres, 2 * i), row(history.centres, 2 * i + 1));
+    if (slips) csv.add(history.row(history.slips, i));
+    if (gaps) csv.add(history.row(history.gaps, i));
+    if (places) csv.add(history.row(history.centres, 2 * i), history.row(history.centres, 2 * i + 1));
     csv.end_line();
   }
   return csv.text();
@@ -119,10 +111,7 @@ std::string ground_csv(const Scene& scene) {
 std::string difference_csv(const Difference& difference) {
   CsvWriter csv;
   csv.line("time", numbered("difference_", static_cast<int>(difference.blocks)));
-  for (std::size_t i = 0; i < difference.times.size(); ++i) {
-    const std::span angles(difference.values);
-    csv.line(difference.times[i], angles.subspan(i * difference.blocks, difference.blocks));
-  }
+  for (std::size_t i = 0; i < difference.times.size(); ++i) csv.line(difference.times[i], difference.at(i));
   return csv.text();
 }
 
@@ -130,11 +119,8 @@ std::string parts_csv(const DifferenceParts& parts) {
   const auto blocks = static_cast<int>(parts.model.blocks);
   CsvWriter csv;
   csv.line("time", numbered("model_", blocks), numbered("softness_", blocks), numbered("step_", blocks));
-  const auto sample = [&](const Difference& part, std::size_t i) {
-    return std::span(part.values).subspan(i * part.blocks, part.blocks);
-  };
   for (std::size_t i = 0; i < parts.model.times.size(); ++i)
-    csv.line(parts.model.times[i], sample(parts.model, i), sample(parts.softness, i), sample(parts.step, i));
+    csv.line(parts.model.times[i], parts.model.at(i), parts.softness.at(i), parts.step.at(i));
   return csv.text();
 }
 

@@ -1,22 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/alignment.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "engines/body_record.hpp"
 
 namespace rockstack {
-
-/// The rows as comma-separated values with a header.
-std::string comparison_csv(const std::vector<RunMetrics>& rows);
 
 /// A cell of a table as text; empty where it is null.
 std::string cell_text(const Json& cell);

@@ -1,12 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 

@@ -10,14 +10,8 @@ namespace {
 
 constexpr std::size_t least_steps = 5;
 
-struct Quantity {
-  const char* column;
-  std::optional<double> RunMetrics::*field;
-};
-
-constexpr std::array<Quantity, 2> quantities{
-    {{"rms_angle_difference", &RunMetrics::rms_angle_difference},
-     {"first_impact_time_difference", &RunMetrics::first_impact_time_difference}}};
+/// Columns whose absolute values are errors.
+constexpr std::array quantities{"rms_angle_difference", "first_impact_time_difference"};
 
 /// Rows that differ in their time step alone.
 using Series = std::vector<const RunMetrics*>;
@@ -35,10 +29,11 @@ std::vector<Series> series_of(const std::vector<RunMetrics>& rows) {
   return list;
 }
 
-StepFit fit_of(const Series& series, const Quantity& quantity) {
+StepFit fit_of(const Series& series, const char* quantity) {
   std::vector<StepError> errors;
   for (const RunMetrics* row : series)
-    if (const auto& error = row->*quantity.field) errors.push_back({*row->dt, std::abs(*error)});
+    if (const Json error = column_named(quantity).cell(*row); !error.is_null())
+      errors.push_back({*row->dt, std::abs(error.get<double>())});
   return fit_steps(errors);
 }
 
@@ -49,9 +44,8 @@ std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
   for (const Series& series : series_of(rows)) {
     if (series.size() < least_steps) continue;
     const RunMetrics& row = *series.front();
-    for (const Quantity& quantity : quantities)
-      fits.push_back(
-          {row.scene, row.engine, row.solver, row.settings, quantity.column, fit_of(series, quantity)});
+    for (const char* quantity : quantities)
+      fits.push_back({row.scene, row.engine, row.solver, row.settings, quantity, fit_of(series, quantity)});
   }
   return fits;
 }
@@ -79,20 +73,16 @@ void to_json(Json& json, const SeriesFit& one) {
 }
 
 void from_json(const Json& json, SeriesFit& one) {
-  const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
   const auto number = [&](const std::string& key) {
     return json.at(key).is_null() ? std::nan("") : json.at(key).get<double>();
   };
   const auto bounded = [&](const std::string& key) {
     return Bounded{number(key), number(key + "_low"), number(key + "_high")};
   };
-  one = {text("scene"),
-         text("engine"),
-         text("solver"),
-         text("settings"),
-         text("quantity"),
-         StepFit{json.at("steps").get<std::size_t>(), bounded("gap"), bounded("order"), number("coefficient"),
-                 number("scatter"), text("reason")}};
+  const StepFit fit{json.at("steps"),      bounded("gap"),    bounded("order"),
+                    number("coefficient"), number("scatter"), json.at("reason")};
+  one = {json.at("scene"),    json.at("engine"),   json.at("solver"),
+         json.at("settings"), json.at("quantity"), fit};
 }
 
 std::string fit_definition() {

@@ -56,8 +56,8 @@ std::map<Cell, double> least_errors(const Sets& sets) {
   for (const auto& [name, errors] : sets) {
     for (const auto& [cell, error] : errors) {
       if (!std::isfinite(error.median)) continue;
-      const auto [known, added] = least.emplace(cell, error.median);
-      if (!added) known->second = std::min(known->second, error.median);
+      double& known = least.try_emplace(cell, error.median).first->second;
+      known = std::min(known, error.median);
     }
   }
   return least;
@@ -104,7 +104,7 @@ void rank(const Sets& sets, std::vector<RankedSet>& list) {
   for (std::size_t j = 1; j < list.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
       const MannWhitney test = test_of(errors_of(list[i]), errors_of(list[j]));
-      chances.push_back({test.p_value, test.least_p_value});
+      chances.push_back(test);
       first_is_nearer.push_back(test.superiority > 0.5);
     }
   }

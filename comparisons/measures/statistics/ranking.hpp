@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 
 namespace rockstack {

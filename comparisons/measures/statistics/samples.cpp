@@ -56,13 +56,6 @@ std::vector<std::size_t> doubled_ranks(const std::vector<double>& sorted) {
   return ranks;
 }
 
-/// The chances of both tails at a sum of doubled ranks, that sum included.
-struct Tails {
-  double lower, upper;
-
-  double p_value() const { return std::min(1.0, 2 * std::min(lower, upper)); }
-};
-
 /// The ranks of one stratum, and those that fall to the second sample.
 struct Ranks {
   std::vector<std::size_t> all;  ///< rising
@@ -103,10 +96,15 @@ std::vector<double> ways_of(const Ranks& ranks) {
   return choices[ranks.count];
 }
 
-/// The tails at a sum over all strata.
-using TailsAt = std::function<Tails(std::size_t sum)>;
+/// The chance of a sum of doubled ranks over all strata that is as far from the middle, or further.
+using ChanceOf = std::function<double(std::size_t sum)>;
 
-TailsAt exact_tails(const std::vector<Ranks>& strata) {
+/// From those of both tails, the sum itself included.
+double of_both_sides(double lower, double upper) {
+  return std::min(1.0, 2 * std::min(lower, upper));
+}
+
+ChanceOf exact_chance(const std::vector<Ranks>& strata) {
   std::vector<double> ways{1};  // by sum
   for (const Ranks& ranks : strata) {
     const std::vector<double> own = ways_of(ranks);
@@ -115,17 +113,17 @@ TailsAt exact_tails(const std::vector<Ranks>& strata) {
       for (std::size_t j = 0; ways[i] > 0 && j < own.size(); ++j) both[i + j] += ways[i] * own[j];
     ways = both;
   }
-  return [ways](std::size_t sum) -> Tails {
+  return [ways](std::size_t sum) {
     const auto begin = ways.begin(), here = begin + static_cast<std::ptrdiff_t>(sum);
     const double below = std::accumulate(begin, here, 0.0),
                  above = std::accumulate(here + 1, ways.end(), 0.0);
     const double all = below + *here + above;
-    return {(below + *here) / all, (above + *here) / all};
+    return of_both_sides((below + *here) / all, (above + *here) / all);
   };
 }
 
-/// Their normal limit.
-TailsAt normal_tails(const std::vector<Ranks>& strata) {
+/// Its normal limit.
+ChanceOf normal_chance(const std::vector<Ranks>& strata) {
   double mean_sum = 0, variance = 0;
   for (const Ranks& ranks : strata) {
     const auto all = static_cast<double>(ranks.all.size()), own = static_cast<double>(ranks.count);
@@ -136,12 +134,12 @@ TailsAt normal_tails(const std::vector<Ranks>& strata) {
     mean_sum += own * mean;
     variance += own * (all - own) / all / (all - 1) * squares;
   }
-  return [mean_sum, deviation = std::sqrt(variance)](std::size_t sum) -> Tails {
+  return [mean_sum, deviation = std::sqrt(variance)](std::size_t sum) {
     const auto tail = [&](double apart) {
       return deviation > 0 ? std::erfc((apart - 1) / deviation / std::numbers::sqrt2) / 2 : 1;
     };
     const double apart = static_cast<double>(sum) - mean_sum;
-    return {tail(-apart), tail(apart)};
+    return of_both_sides(tail(-apart), tail(apart));
   };
 }
 
@@ -218,8 +216,8 @@ MannWhitney mann_whitney(const std::vector<Stratum>& strata) {
     pairs += own * static_cast<double>(ranks.all.size() - ranks.count);
   }
   constexpr std::size_t most_exact = 50;
-  const TailsAt tails = values > most_exact ? normal_tails(all) : exact_tails(all);
-  return {won / pairs, tails(sum).p_value(), std::min(tails(least).p_value(), tails(most).p_value())};
+  const ChanceOf chance = values > most_exact ? normal_chance(all) : exact_chance(all);
+  return {{chance(sum), std::min(chance(least), chance(most))}, won / pairs};
 }
 
 ChanceMatches chance_matches(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "comparisons/measures/metrics/impacts.hpp"
 
@@ -71,11 +67,11 @@ struct KolmogorovSmirnov {
 /// Precondition: neither sample is empty.
 KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> first, std::vector<double> second);
 
-/// Two samples compared by the ranks of their values.
-struct MannWhitney {
+/// Two samples compared by the ranks of their values: the p-value is the chance of a superiority as far from
+/// one half, or further, on either side, and the least one that of any samples of these sizes and these
+/// values in common.
+struct MannWhitney : TestChance {
   double superiority = 0.5;  ///< share of pairs in which the second sample's value is the greater; ties half
-  double p_value = 1;        ///< the chance of a superiority as far from one half, or further, on either side
-  double least_p_value = 1;  ///< of any samples of these sizes and these values in common
 };
 
 /// The test of H. B. Mann & D. R. Whitney, "On a test of whether one of two random variables is

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
@@ -19,15 +20,12 @@ std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>
   std::vector<const RunMetrics*> list;
   for (const ReplicatedRow& one : rows) {
     const RunMetrics& row = one.row;
-    if (!is_engine(row) || !row.error || event_of(row, scale_in(scenes, row.scene)).empty()) continue;
-    const auto known = std::ranges::find_if(list, [&](const RunMetrics* other) {
+    if (!is_engine(row) || !row.error || event_of(row, scene_in(scenes, row.scene)).empty()) continue;
+    const auto same = [&](const RunMetrics* other) {
       return other->scene == row.scene && set_name(*other) == set_name(row);
-    });
-    if (known == list.end()) {
-      list.push_back(&row);
-    } else if (*row.error > *(*known)->error) {
-      *known = &row;
-    }
+    };
+    const RunMetrics*& worst = found_or_added(list, same, &row);
+    if (*row.error > *worst->error) worst = &row;
   }
   return list;
 }
@@ -35,29 +33,25 @@ std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>
 /// Which sets have events of each kind, and how deep blocks sink in and how high they rise at most.
 std::string counted_events(const std::vector<const RunMetrics*>& events,
                            const std::vector<JudgedScene>& scenes) {
-  std::set<std::string> sinking, rising, falling, standing;
+  std::map<std::string, std::set<std::string>> sets;  // by what happens
   double deepest = 0, highest = 0;
   for (const RunMetrics* row : events) {
-    const std::string event = event_of(*row, scale_in(scenes, row->scene));
-    const bool sinks = event.starts_with("sinks"), rises = event.starts_with("rises");
-    if (sinks) deepest = std::max(deepest, sunk_in(*row, scale_in(scenes, row->scene)).depth);
-    if (rises) highest = std::max(highest, row->gap.value_or(0));
-    (sinks                         ? sinking
-     : rises                       ? rising
-     : event.starts_with("stands") ? standing
-                                   : falling)
-        .insert(set_name(*row));
+    const std::string event = event_of(*row, scene_in(scenes, row->scene));
+    const std::string verb = event.substr(0, event.find_first_of(" ,"));
+    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, scene_in(scenes, row->scene)).depth);
+    if (verb == "rises") highest = std::max(highest, row->gap.value_or(0));
+    sets[verb == "sinks" || verb == "rises" || verb == "stands" ? verb : "falls"].insert(set_name(*row));
   }
   std::vector<std::string> parts;
-  const auto add = [&](const std::set<std::string>& sets, const std::string& what) {
-    if (!sets.empty())
-      parts.push_back(fmt::format("with {} {}", joined_up_to(most_sets, {sets.begin(), sets.end()}), what));
+  const auto add = [&](const char* verb, const std::string& what) {
+    if (const auto& own = sets[verb]; !own.empty())
+      parts.push_back(fmt::format("with {} {}", joined_up_to(most_sets, {own.begin(), own.end()}), what));
   };
-  add(falling, "blocks fall or topple that do not in the exact motion");
-  add(standing, "blocks stand that fall in the exact motion");
-  add(sinking, fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
-  add(rising, fmt::format("blocks rise that do not lift off in the exact motion, by {} at most",
-                          quantity_text(highest, "m", 2)));
+  add("falls", "blocks fall or topple that do not in the exact motion");
+  add("stands", "blocks stand that fall in the exact motion");
+  add("sinks", fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
+  add("rises", fmt::format("blocks rise that do not lift off in the exact motion, by {} at most",
+                           quantity_text(highest, "m", 2)));
   return capitalised(fmt::format("{}.", fmt::join(parts, "; ")));
 }
 
@@ -70,7 +64,7 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
   if (events.size() > most) return counted_events(events, scenes);
   std::vector<std::string> parts;
   for (const RunMetrics* row : events) {
-    const std::string event = event_of(*row, scale_in(scenes, row->scene));
+    const std::string event = event_of(*row, scene_in(scenes, row->scene));
     const char* subject = event.starts_with("block")                                 ? ""
                           : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
                                                                                      : "it ";

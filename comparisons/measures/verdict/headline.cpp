@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <set>
 #include <tuple>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 
@@ -25,19 +25,18 @@ EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<Ju
   for (const ReplicatedRow& one : rows) {
     if (!can_be_ranked(one)) continue;
     const RunMetrics& row = one.row;
-    const SceneScale& scale = scale_in(scenes, row.scene);
+    const JudgedScene& scene = scene_in(scenes, row.scene);
     Ends& ends = steps[*row.dt];
-    const bool whole = agrees(row, scale);
-    ends.times.push_back(whole ? INFINITY : agreement_end(row, scale));
-    ends.beyond = ends.beyond || (whole && row.horizon.value_or(scale.duration) < scale.duration);
+    const bool whole = agrees(row, scene);
+    ends.times.push_back(whole ? INFINITY : agreement_end(row, scene));
+    ends.beyond = ends.beyond || (whole && row.horizon.value_or(scene.duration) < scene.duration);
   }
   return steps;
 }
 
 /// The coarsest, the middle one and the finest.
 std::vector<double> reported_steps(const EndsOfSteps& steps) {
-  std::vector<double> all;
-  for (const auto& [dt, ends] : steps) all.push_back(dt);
+  std::vector<double> all = each_of(steps, &EndsOfSteps::value_type::first);
   if (all.size() > 3) all = {all.front(), all[all.size() / 2], all.back()};
   return all;
 }
@@ -68,8 +67,7 @@ std::string horizons(const std::vector<ReplicatedRow>& rows, const std::vector<J
   for (const JudgedScene& scene : scenes) {
     const auto row = std::ranges::find_if(
         rows, [&](const ReplicatedRow& one) { return one.row.scene == scene.name && can_be_ranked(one); });
-    if (row == rows.end() || row->row.horizon.value_or(scene.scale.duration) >= scene.scale.duration)
-      continue;
+    if (row == rows.end() || row->row.horizon.value_or(scene.duration) >= scene.duration) continue;
     texts.push_back(fmt::format("{} in {}", quantity_text(*row->row.horizon, "s"), scene.name));
   }
   return texts.empty() ? "" : " (the horizon: " + joined(texts) + ")";
@@ -88,7 +86,7 @@ struct First {
 First first_of(const std::vector<RankedSet>& ranking) {
   First first;
   for (const RankedSet& set : ranking)
-    if (set.rank == 1) first.sets.push_back(set_name(set.engine, set.solver, set.settings));
+    if (set.rank == 1) first.sets.push_back(set_name(set));
   first.all = first.sets.size() == ranking.size();
   return first;
 }
@@ -116,15 +114,10 @@ std::vector<First> firsts_of(const std::vector<ReplicatedRow>& rows, const std::
     if (ranking.empty()) continue;
     First first = first_of(ranking);
     if (first.sets.size() > 1) first.steps = alone_at_steps(own);
-    const auto known = std::ranges::find_if(list, [&](const First& other) {
+    const auto same = [&](const First& other) {
       return std::tie(first.sets, first.steps) == std::tie(other.sets, other.steps);
-    });
-    if (known != list.end()) {
-      known->scenes.push_back(scene.name);
-    } else {
-      first.scenes = {scene.name};
-      list.push_back(first);
-    }
+    };
+    found_or_added(list, same, first).scenes.push_back(scene.name);
   }
   return list;
 }
@@ -160,17 +153,17 @@ std::string furthest(const std::vector<RankedSet>& ranking, const std::string& o
   const std::size_t others = ranking.size() - 1, nearer = static_cast<std::size_t>(last.rank) - 1;
   std::vector<std::string> sets;
   for (const RankedSet& set : ranking)
-    if (set.rank == last.rank) sets.push_back(set_name(set.engine, set.solver, set.settings));
+    if (set.rank == last.rank) sets.push_back(set_name(set));
   if (2 * nearer < others) return "";
   if (nearer < others)
     return fmt::format("; {}furthest {} {}: {} of the {} other sets are nearer", over,
                        sets.size() == 1 ? "is" : "are", joined_up_to(most_named, sets), nearer, others);
   if (last.failed > 0)
-    return fmt::format("; {}{} fails in {}", over, set_name(last.engine, last.solver, last.settings),
+    return fmt::format("; {}{} fails in {}", over, set_name(last),
                        counted(static_cast<std::size_t>(last.failed), "cell"));
   return fmt::format(
       "; {}{} is furthest: {:.2g} times the least error of a scene and step, in the geometric mean", over,
-      set_name(last.engine, last.solver, last.settings), last.score);
+      set_name(last), last.score);
 }
 
 /// A ranking of one step needs no word of it.
@@ -187,18 +180,16 @@ std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<R
   First first = first_of(ranking);
   first.scenes = {fmt::format("the ranking over {} scenes that move", scenes)};
   std::string text = part(first, evidence(rows));
-  for (const First& one : firsts) {
-    if (one.sets != first.sets || first.sets.size() > 1) continue;
-    text += " (alone first in " + joined(one.scenes) + ")";
-  }
+  for (const First& one : firsts)
+    if (one.sets == first.sets && one.sets.size() == 1)
+      text += " (alone first in " + joined(one.scenes) + ")";
   return text;
 }
 
 }  // namespace
 
-const SceneScale& scale_in(const std::vector<JudgedScene>& scenes, const std::string& name) {
-  const auto found = std::ranges::find(scenes, name, &JudgedScene::name);
-  return found->scale;
+const JudgedScene& scene_in(const std::vector<JudgedScene>& scenes, const std::string& name) {
+  return *std::ranges::find(scenes, name, &JudgedScene::name);
 }
 
 std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
@@ -215,7 +206,7 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   std::vector<std::string> parts;
   for (const double dt : reported_steps(steps))
     parts.push_back(fmt::format("{} {}", quantity_text(dt, "s"), leaving(steps.at(dt))));
-  const double tolerance = scenes.front().scale.tolerance;
+  const double tolerance = scenes.front().tolerance;
   const bool of_replicates =
       std::ranges::any_of(rows, [](const ReplicatedRow& one) { return one.errors.size() > 1; });
   return fmt::format(
@@ -233,12 +224,9 @@ std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::v
   if (scenes.size() == 1) firsts.front().scenes.clear();
   std::size_t moving = 0;
   for (const First& one : firsts) moving += one.scenes.size();
-  std::string text;
-  if (moving > most_named) {
-    text = over_all(rows, ranking, firsts, moving);
-  } else {
-    for (const First& one : firsts) text += (text.empty() ? "" : "; ") + part(one, evidence(rows));
-  }
+  const auto told = [&](const First& first) { return part(first, evidence(rows)); };
+  const std::string text =
+      moving > most_named ? over_all(rows, ranking, firsts, moving) : text_of_each(firsts, told, "; ");
   const bool one_by_one = moving > 1 && moving <= most_named;
   return capitalised(over_steps(rows) + text) +
          furthest(ranking, one_by_one ? fmt::format("over these {} scenes ", moving) : "") + ".";

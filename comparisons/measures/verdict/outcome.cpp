@@ -21,18 +21,18 @@ std::string share_of_replicates(const RunMetrics& row) {
   return other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
 }
 
-std::string at_rest(const RunMetrics& row, const SceneScale& scale, const std::string& event) {
-  const bool turns = row.largest_angle_difference.value_or(0) > scale.tolerance;
+std::string at_rest(const RunMetrics& row, const JudgedScene& scene, const std::string& event) {
+  const bool turns = row.largest_angle_difference.value_or(0) > scene.tolerance;
   const bool sinks = event.starts_with("sinks");
   if (!event.empty() && !(sinks && !turns)) return event;
   if (sinks) return "rests, but " + event;
-  if (row.gap.value_or(0) > scale.tolerance * scale.least_height)
+  if (row.gap.value_or(0) > scene.tolerance * scene.least_height)
     return "does not rest: rises by " + quantity_text(*row.gap, "m", 2);
   const std::string off = quantity_text(row.largest_position_difference.value_or(0), "m", 2) + " off";
   if (turns)
     return fmt::format("does not rest: {} and {}", quantity_text(*row.largest_angle_difference, "rad", 2),
                        off);
-  return agrees(row, scale) ? "rests" : "rests, but is " + off;
+  return agrees(row, scene) ? "rests" : "rests, but is " + off;
 }
 
 }  // namespace
@@ -43,10 +43,6 @@ std::string with_verb(const std::string& block_and_time, const std::string& verb
   return block_and_time.substr(0, at) + " " + verb + " at " + quantity_text(time, "s");
 }
 
-SceneScale scale_of(const Scene& scene, double tolerance) {
-  return {least_height(scene.blocks), scene.duration, tolerance};
-}
-
 bool is_engine(const RunMetrics& row) {
   return row.dt && !row.settings.empty() && row.settings != "baseline";
 }
@@ -55,51 +51,47 @@ std::string set_name(const std::string& engine, const std::string& solver, const
   return fmt::format("{}:{} ({})", engine, solver, settings);
 }
 
-std::string set_name(const RunMetrics& row) {
-  return set_name(row.engine, row.solver, row.settings);
+bool agrees(const RunMetrics& row, const JudgedScene& scene) {
+  return row.largest_angle_difference.value_or(0) <= scene.tolerance &&
+         row.relative_position_difference.value_or(0) <= scene.tolerance;
 }
 
-bool agrees(const RunMetrics& row, const SceneScale& scale) {
-  return row.largest_angle_difference.value_or(0) <= scale.tolerance &&
-         row.relative_position_difference.value_or(0) <= scale.tolerance;
-}
-
-double agreement_end(const RunMetrics& row, const SceneScale& scale) {
-  const double horizon = row.horizon.value_or(scale.duration);
-  if (agrees(row, scale)) return horizon;
+double agreement_end(const RunMetrics& row, const JudgedScene& scene) {
+  const double horizon = row.horizon.value_or(scene.duration);
+  if (agrees(row, scene)) return horizon;
   return std::min(
       {horizon, row.agreement_time.value_or(horizon), row.position_agreement_time.value_or(horizon)});
 }
 
-Sunk sunk_in(const RunMetrics& row, const SceneScale& scale) {
+Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene) {
   const double off = row.largest_position_difference.value_or(0);
   const double at_the_end = std::min(row.sinking.value_or(0), off);
   const double deepest = std::min(row.penetration.value_or(0), off);
-  if (deepest > scale.tolerance * scale.least_height && deepest > 2 * at_the_end) return {deepest, false};
-  if (at_the_end > told_sinking * scale.least_height) return {at_the_end, true};
+  if (deepest > scene.tolerance * scene.least_height && deepest > 2 * at_the_end) return {deepest, false};
+  if (at_the_end > told_sinking * scene.least_height) return {at_the_end, true};
   return {};
 }
 
-std::string event_of(const RunMetrics& row, const SceneScale& scale) {
+std::string event_of(const RunMetrics& row, const JudgedScene& scene) {
   const std::string replicates = share_of_replicates(row);
   if (const std::string fall = fall_of(row); !fall.empty())
     return replicates.empty() ? fall : fall + ", " + replicates;
   if (!replicates.empty()) return "topples otherwise " + replicates;
-  if (const Sunk sunk = sunk_in(row, scale); sunk.depth > 0)
+  if (const Sunk sunk = sunk_in(row, scene); sunk.depth > 0)
     return "sinks in by " + quantity_text(sunk.depth, "m", 2) + (sunk.stays ? "" : " for a moment");
   const bool pivots = row.law == name(Law::paper) || row.law == name(Law::consistent);
-  const bool rises = pivots && row.motion > rest_extent && row.gap > scale.tolerance * scale.least_height;
+  const bool rises = pivots && row.motion > rest_extent && row.gap > scene.tolerance * scene.least_height;
   return rises ? "rises by " + quantity_text(*row.gap, "m", 2) : "";
 }
 
-std::string outcome(const RunMetrics& row, const SceneScale& scale) {
+std::string outcome(const RunMetrics& row, const JudgedScene& scene) {
   if (row.status != RunStatus::done) return name(row.status) + ": " + row.reason;
   if (!row.error) return "";
-  const std::string event = event_of(row, scale);
-  if (row.motion && *row.motion <= rest_extent) return at_rest(row, scale, event);
-  const double horizon = row.horizon.value_or(scale.duration);
-  const std::string until = !agrees(row, scale) ? "until " + quantity_text(agreement_end(row, scale), "s")
-                            : horizon < scale.duration ? "to the horizon"
+  const std::string event = event_of(row, scene);
+  if (row.motion && *row.motion <= rest_extent) return at_rest(row, scene, event);
+  const double horizon = row.horizon.value_or(scene.duration);
+  const std::string until = !agrees(row, scene) ? "until " + quantity_text(agreement_end(row, scene), "s")
+                            : horizon < scene.duration ? "to the horizon"
                                                        : "to the end";
   return "agrees " + until + (event.empty() ? "" : "; " + event);
 }

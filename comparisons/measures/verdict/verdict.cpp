@@ -21,9 +21,9 @@ std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& 
   return one == rows.end() || !is_engine(one->row) ? run : phrase(one->row);
 }
 
-std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
+std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
   const std::string doubt = exact.outcome.empty() ? "" : ". It is " + exact.outcome;
-  const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scale.duration, "s"))
+  const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scene.duration, "s"))
                                                 : "ends as " + with_verb(exact.toppled, "falls");
   if (exact.impacts.value_or(0) == 0)
     return fmt::format("The exact motion {} and has no impact{}.", end, doubt);
@@ -32,22 +32,18 @@ std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
                      *exact.impacts + exact.slower_impacts.value_or(0), doubt);
 }
 
-/// The least and the largest of a column at each step, the coarsest first.
-struct Extremes {
-  const RunMetrics* least = nullptr;
-  const RunMetrics* most = nullptr;
-};
-
 using Measure = std::optional<double> RunMetrics::*;
 
-std::map<double, Extremes, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows, Measure value) {
-  std::map<double, Extremes, std::greater<>> list;
-  for (const auto& one : rows) {
-    const RunMetrics& row = one.row;
-    if (!is_engine(row) || !(row.*value)) continue;
-    Extremes& range = list[*row.dt];
-    if (!range.least || *(row.*value) < *(range.least->*value)) range.least = &row;
-    if (!range.most || *(row.*value) > *(range.most->*value)) range.most = &row;
+/// The least and the largest of a column at each step, the coarsest first.
+std::map<double, std::pair<double, double>, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows,
+                                                                   Measure measure) {
+  std::map<double, std::pair<double, double>, std::greater<>> list;
+  for (const ReplicatedRow& one : rows) {
+    const std::optional<double>& value = one.row.*measure;
+    if (!is_engine(one.row) || !value) continue;
+    auto& [least, most] = list.try_emplace(*one.row.dt, *value, *value).first->second;
+    least = std::min(least, *value);
+    most = std::max(most, *value);
   }
   return list;
 }
@@ -58,8 +54,7 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
                     std::string (*text)(double, const std::string&, int) = quantity_text) {
   std::vector<std::string> parts;
   for (const auto& [dt, range] : ranges(rows, value)) {
-    const std::string least = text(*(range.least->*value), unit, 2);
-    const std::string most = text(*(range.most->*value), unit, 2);
+    const std::string least = text(range.first, unit, 2), most = text(range.second, unit, 2);
     parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"),
                                 least == most ? least : fmt::format("{} to {}", least, most)));
   }
@@ -69,8 +64,7 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
 /// Empty where nothing slips otherwise.
 std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
   const auto list = ranges(rows, &RunMetrics::slip_error);
-  const bool same =
-      std::ranges::all_of(list, [](const auto& one) { return *one.second.most->slip_error == 0; });
+  const bool same = std::ranges::all_of(list, [](const auto& one) { return one.second.second == 0; });
   return same ? "" : by_step(rows, "Slips are off by at most: {}.", "m", &RunMetrics::slip_error);
 }
 
@@ -89,11 +83,11 @@ void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::stri
                                                : fmt::format("{} have", all)));
 }
 
-void add_beyond(const std::vector<ReplicatedRow>& rows, const SceneScale& scale,
+void add_beyond(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene,
                 std::vector<std::string>& sentences) {
   std::vector<std::string> other;
   std::size_t compared = 0;
-  double horizon = scale.duration;
+  double horizon = scene.duration;
   for (const ReplicatedRow& one : rows) {
     if (!can_be_ranked(one)) continue;
     horizon = one.row.horizon.value_or(horizon);
@@ -101,7 +95,7 @@ void add_beyond(const std::vector<ReplicatedRow>& rows, const SceneScale& scale,
     if (!one.peaks.empty() && mann_whitney(one.exact_peaks, one.peaks).p_value <= separation_level)
       other.push_back(phrase(one.row));
   }
-  if (compared == 0 || horizon >= scale.duration) return;
+  if (compared == 0 || horizon >= scene.duration) return;
   sentences.push_back(
       fmt::format("Exact motions of scenes that differ in the sixth digit part after {}; later on largest "
                   "angles, energy, motion at rest and toppling alone are compared.",
@@ -156,7 +150,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
   const auto exact =
       std::ranges::find_if(rows, [](const ReplicatedRow& one) { return one.row.engine == "exact"; });
   const bool solved = exact != rows.end() && exact->row.status == RunStatus::done;
-  sentences.push_back(solved ? exact_sentence(exact->row, scene.scale)
+  sentences.push_back(solved ? exact_sentence(exact->row, scene)
                              : "There is no exact motion to compare with.");
   sentences.push_back(event_sentence(rows, {scene}, rows.size()));
   const std::string angles =
@@ -169,7 +163,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
                               &RunMetrics::first_impact_time_difference, signed_quantity_text));
   sentences.push_back(slip_sentence(rows));
   add_sequences(rows, sentences);
-  add_beyond(rows, scene.scale, sentences);
+  add_beyond(rows, scene, sentences);
   for (const auto& one : rows)
     if (one.row.status != RunStatus::done)
       sentences.push_back(
@@ -181,8 +175,8 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
 bool row_is_off_at_rest(const ReplicatedRow& one, const std::vector<JudgedScene>& scenes) {
   const RunMetrics& row = one.row;
   if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
-  const SceneScale& scale = scale_in(scenes, row.scene);
-  return !agrees(row, scale) && event_of(row, scale).empty();
+  const JudgedScene& scene = scene_in(scenes, row.scene);
+  return !agrees(row, scene) && event_of(row, scene).empty();
 }
 
 /// Scenes in which nothing moves, where what happens in engines is all there is to tell.
@@ -214,7 +208,6 @@ std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
   return joined(doubts) + ".";
 }
 
-/// Two sentences as one.
 std::string together(const std::string& first, std::string second) {
   if (first.empty() || second.empty()) return first + second;
   second.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(second.front())));
@@ -252,15 +245,6 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
   return sentences;
 }
 
-}  // namespace
-
-ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
-  ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
-  for (const JudgedScene& scene : scenes)
-    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
-  return verdict;
-}
-
 std::string ranking_definition() {
   return fmt::format(
       "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
@@ -268,6 +252,15 @@ std::string ranking_definition() {
       "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
       "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
       100 * separation_level);
+}
+
+}  // namespace
+
+ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
+  ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
+  for (const JudgedScene& scene : scenes)
+    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
+  return verdict;
 }
 
 ComparisonVerdict verdict_from(const Json& json) {

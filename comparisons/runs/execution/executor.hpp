@@ -30,8 +30,6 @@ class Executor {
 
   /// How many compute at a time, for reports: "2 threads".
   virtual std::string description() const = 0;
-
-  /// How many.
   virtual std::size_t count() const = 0;
 
   /// True where this process gives out the tasks and keeps what is delivered.

@@ -57,8 +57,6 @@ class Ranks : public Executor {
     while (rank_ == leader && busy_ > 0) dismiss(receive().rank);
     MPI_Finalize();
   }
-  Ranks(const Ranks&) = delete;
-  Ranks& operator=(const Ranks&) = delete;
 
   std::string description() const override {
     return std::to_string(size_ - 1) + " MPI ranks and one that leads";

@@ -42,7 +42,7 @@ void judge_all(ResultsChange& result) {
     for (QuantityChange& change : row.quantities) {
       if (!change.test) continue;
       tested.push_back(&change);
-      chances.push_back({change.test->p_value, change.test->least_p_value});
+      chances.push_back(*change.test);
     }
   }
   const AdjustedTests adjusted = adjust(chances, result.level);

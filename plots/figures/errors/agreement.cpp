@@ -104,7 +104,7 @@ constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
 /// From nought to when it stops agreeing, or to the edge, with the quartiles over replicates of what decides:
 /// angles or centres.
-void add_times(Plots& plots, const Place& place, const SceneScale& scale, double edge) {
+void add_times(Plots& plots, const Place& place, const JudgedScene& scale, double edge) {
   const Run& run = *place.run;
   if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
   const double end = agreement_end(run, scale);
@@ -151,7 +151,7 @@ TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
   const double whole = std::min(scene.duration, beyond * scene.horizon());
   const std::vector<Run> exact = shown_runs(comparison, scene.name).exact;
   double end = scene.has("histories") && !exact.empty() ? time_axis(scene, exact).end : whole;
-  const SceneScale scale = scale_of(comparison, scene);
+  const JudgedScene scale = scale_of(comparison, scene);
   for (const Run& run : comparison.runs)
     if (run.scene == scene.name && is_shown(run) && run.done() && !agrees(run, scale))
       end = std::max(end, agreement_end(run, scale));

@@ -12,7 +12,7 @@ namespace {
 constexpr double height = 0.4;  // m
 
 JudgedScene scene(const std::string& name, double duration = 5) {
-  return {name, {.least_height = height, .duration = duration, .tolerance = 0.01}};
+  return {.name = name, .least_height = height, .duration = duration, .tolerance = 0.01};
 }
 
 /// A row of a scene that moves, with replicates within a tenth of its error (rad).
