@@ -55,8 +55,7 @@ double impacts_to_a_tenth(double ratio) {
 
 Table shapes() {
   Table table{{"height over width", "base", "ratio by shape", "ratio measured", "energy kept by shape",
-               "energy kept, measured", "impacts to a tenth of the energy, by shape", "the same, measured"},
-              {}};
+               "energy kept, measured", "impacts to a tenth of the energy, by shape", "the same, measured"}};
   for (const Measured& one : measured) {
     const double shape = housner_ratio(one.height_over_width), found = one.share * shape;
     table.rows.push_back({cell(one.height_over_width), one.base, fixed(shape, 3), fixed(found, 3),
@@ -70,8 +69,7 @@ Table shapes() {
 Table spreads(const Scene& scene, const Measured& one) {
   const double ratio = one.share * housner_ratio(one.height_over_width);
   Table table{
-      {"impact", "ratio 1 % less (s)", "ratio as measured (s)", "ratio 1 % more (s)", "between them (s)"},
-      {}};
+      {"impact", "ratio 1 % less (s)", "ratio as measured (s)", "ratio 1 % more (s)", "between them (s)"}};
   const std::vector<double> middle = impact_times(block_of(scene, one, ratio)),
                             less = impact_times(block_of(scene, one, ratio * (1 - assumed_spread))),
                             more = impact_times(block_of(scene, one, ratio * (1 + assumed_spread)));

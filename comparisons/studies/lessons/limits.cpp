@@ -19,7 +19,7 @@ double slip_error(Scene scene, const char* engine, double friction, double dt) {
 }
 
 Table slipping(const Scene& scene) {
-  Table table{{"friction of the scene", "Bullet: RMS difference (rad)", "ODE: RMS difference (rad)"}, {}};
+  Table table{{"friction of the scene", "Bullet: RMS difference (rad)", "ODE: RMS difference (rad)"}};
   for (const double friction : {0.05, 0.1, 0.13, 0.16, 0.2, 0.5})
     table.rows.push_back({cell(friction), fixed(slip_error(scene, "bullet", friction, sample_step), 4),
                           fixed(slip_error(scene, "ode", friction, sample_step), 4)});
@@ -39,8 +39,7 @@ Scene shaken_down(Scene scene, double peak) {
 }
 
 Table lifting(const Scene& scene) {
-  Table table{{"ground falls with at most (g)", "least normal force (N)", "at (s)", "what the solver says"},
-              {}};
+  Table table{{"ground falls with at most (g)", "least normal force (N)", "at (s)", "what the solver says"}};
   for (const double share : {0.25, 0.5, 0.75, 1.0, 1.25}) {
     const Scene falling = shaken_down(scene, share * scene.gravity);
     const History history = with_demands(falling);

@@ -13,8 +13,7 @@ std::vector<Event> first_impacts(const History& history, std::size_t count) {
 
 Table balance(const Scene& scene, const std::vector<Event>& impacts) {
   Table table{{"time (s)", "interface", "pattern", "energy before (J)", "energy after (J)",
-               "energy of the jump (J)", "before − after − jump (J)", "share lost"},
-              {}};
+               "energy of the jump (J)", "before − after − jump (J)", "share lost"}};
   for (const Event& impact : impacts) {
     const ImpactEnergies e = impact_energies(scene, impact);
     table.rows.push_back({cell(impact.time), std::to_string(impact.interface),
@@ -29,7 +28,7 @@ Table candidates(const Scene& scene, const Event& event) {
   const Model<double> model = make_model<double>(scene);
   const Impact<double> impact = impact_of(event);
   Table table{
-      {"pattern after", "θ̇₁ (rad/s)", "θ̇₂ (rad/s)", "opens as it should", "least pivot impulse (N s)"}, {}};
+      {"pattern after", "θ̇₁ (rad/s)", "θ̇₂ (rad/s)", "opens as it should", "least pivot impulse (N s)"}};
   for (const Contact contact : {Contact::left, Contact::closed, Contact::right}) {
     Pattern pattern = event.from;
     pattern[event.interface - 1] = contact;

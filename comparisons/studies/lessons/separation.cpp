@@ -26,7 +26,7 @@ double angle_after(Scene scene, const Event& landed, const Landing& landing) {
 }
 
 Table readings(const Scene& scene) {
-  Table table{{"equations", "θ̇₁ after / before", "θ̇₂ after / before", "kinetic energy after / before"}, {}};
+  Table table{{"equations", "θ̇₁ after / before", "θ̇₂ after / before", "kinetic energy after / before"}};
   const auto add = [&](const char* label, const Misprints& misprints) {
     const Landing landing = land(scene, misprints);
     table.rows.push_back({label, cell(landing.base), cell(landing.top), cell(landing.energy)});
@@ -39,8 +39,7 @@ Table readings(const Scene& scene) {
 }
 
 Table first_events(const History& history) {
-  Table table{{"time (s)", "event", "interface", "pattern before", "pattern after", "θ₁ (rad)", "θ₂ (rad)"},
-              {}};
+  Table table{{"time (s)", "event", "interface", "pattern before", "pattern after", "θ₁ (rad)", "θ₂ (rad)"}};
   constexpr std::size_t count = 6;
   for (const Event& event : history.events) {
     if (table.rows.size() == count) break;
@@ -62,7 +61,7 @@ double first_gap(const History& history, int interface, double size) {
 }
 
 Table solvers(const Scene& scene, const History& exact) {
-  Table table{{"solver", "gap of 0.001 rad between the blocks at (s)", "θ₂ at 1 s (rad)"}, {}};
+  Table table{{"solver", "gap of 0.001 rad between the blocks at (s)", "θ₂ at 1 s (rad)"}};
   const auto add = [&](const char* label, const History& history) {
     table.rows.push_back(
         {label, cell(first_gap(history, 2, visible_gap)), cell(angle_at(history, 1, quoted_time))});

@@ -72,8 +72,7 @@ std::string spread(const std::vector<double>& values) {
 /// ERP and CFM as the spring and damper that they stand for at a step.
 Table springs(double weight) {
   Table table{
-      {"ERP", "CFM (s/kg)", "step (s)", "stiffness (N/m)", "damping (N s/m)", "sinks under the weight (m)"},
-      {}};
+      {"ERP", "CFM (s/kg)", "step (s)", "stiffness (N/m)", "damping (N s/m)", "sinks under the weight (m)"}};
   for (const double erp : {0.01, 0.2, 0.8})
     for (const double cfm : {1e-10, 1e-5}) {
       const double stiffness = erp / (contact_step * cfm);
@@ -116,8 +115,7 @@ Meaning of_solref(const char* words, double time, const Block& block, double gra
 /// themselves.
 Table at_rest(Scene scene) {
   Table table{{"engine", "parameters", "stiffness of a point (N/m)", "damping of a point (N·s/m)",
-               "sinks, computed (m)", "sinks, in the engine (m)"},
-              {}};
+               "sinks, computed (m)", "sinks, in the engine (m)"}};
   scene.law = Law::unilateral;  // by which engines tell gaps
   scene.friction = {1};
   scene.initial.angles = {0};
@@ -169,7 +167,7 @@ double speed_back_in_ode(const Scene& scene, const CornerSpring& corner, double 
 /// Landings on springs of one stiffness, from undamped to more than critically damped. Without friction
 /// nothing else is in the contact.
 Table damped_landings(Scene scene) {
-  Table table{{"damping ratio ζ", "one corner alone", "this block, exact", "ODE, 1 ms", "ODE, 0.1 ms"}, {}};
+  Table table{{"damping ratio ζ", "one corner alone", "this block, exact", "ODE, 1 ms", "ODE, 0.1 ms"}};
   scene.friction = {0};
   for (const double ratio : {0.0, 0.1, 0.3, 1.0, 3.0}) {
     const CornerSpring corner = corner_of(scene.blocks.front(), ratio);
@@ -184,8 +182,7 @@ Table damped_landings(Scene scene) {
 /// The parts of every difference of the suite; an empty cell where contacts are rigid.
 Table parts(const std::vector<RunMetrics>& rows) {
   Table table{{"run", "step (s)", "ζ", "restitution", "contact model (rad)", "contact softness (rad)",
-               "time step (rad)"},
-              {}};
+               "time step (rad)"}};
   const auto words = [](const std::optional<double>& value) { return value ? power(*value, 1) : ""; };
   for (const RunMetrics& row : rows) {
     if (!row.step_difference) continue;
@@ -205,7 +202,7 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   const double alpha = std::atan2(block.half_width, block.half_height);
   const std::vector<Choice> all = choices();
   const std::vector<Fall> every = falls(scene);
-  Table table{{"engine and parameters", "speed after / before: median", "least", "most"}, {}};
+  Table table{{"engine and parameters", "speed after / before: median", "least", "most"}};
   std::vector<std::string> bounces;
   std::vector<double> medians;
   for (const Choice& choice : all) {

@@ -28,8 +28,7 @@ std::string shares(const std::vector<RunMetrics>& rows, const std::string& engin
 
 Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
   Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
-               "agrees within tolerance until (s)"},
-              {}};
+               "agrees within tolerance until (s)"}};
   for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene.name && row.rms_angle_difference)
       table.rows.push_back({row.engine + " " + row.solver, cell(*row.dt),
@@ -39,7 +38,7 @@ Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
 }
 
 Table over_iterations(const Scene& scene) {
-  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}, {}};
+  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}};
   for (const double count : {2.0, 5.0, 20.0, 100.0, 500.0})
     table.rows.push_back({cell(count),
                           cell(error_of(scene, answer("ode:quickstep", "tuned", scene, iteration_step,
@@ -109,8 +108,7 @@ Table by_steps(const Scene& scene) {
                     std::atan2(b, h)};
   const double exact = first_event(exact_answer(scene), EventKind::impact)->time;
   Table table{{"step (s)", "semi-implicit Euler, end of step (s)", "Runge–Kutta of order 4, end of step (s)",
-               "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"},
-              {}};
+               "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"}};
   std::vector<double> first, last;
   constexpr double coarsest = 0.04, finest = 0.0025;  // s
   for (double dt = coarsest; dt >= finest; dt /= 2) {

@@ -11,8 +11,7 @@ Table patterns_after(const Scene& scene, const Event& event) {
   const Impact<double> impact = impact_of(event);
   const std::array<Contact, 3> contacts{Contact::left, Contact::closed, Contact::right};
   Table table{{"pattern after", "θ̇₁ (rad/s)", "θ̇₂ (rad/s)", "opens as it should",
-               "impulse of the ground (N s)", "its place from the middle (m)"},
-              {}};
+               "impulse of the ground (N s)", "its place from the middle (m)"}};
   for (const Contact lower : contacts)
     for (const Contact upper : contacts) {
       Pattern pattern = event.from;

@@ -28,8 +28,7 @@ std::string start_of(const History& history) {
 /// jams.
 Table four_cases(Scene scene) {
   Table table{{"friction", "ω (rad/s)", "A (m/s²)", "m B", "N that satisfy the laws, closed form (weights)",
-               "N exact (weights)", "motions without impulse, exact solver"},
-              {}};
+               "N exact (weights)", "motions without impulse, exact solver"}};
   const double weight = weight_of(scene), mass = scene.blocks.front().mass, rough = scene.friction.front(),
                fast = scene.initial.velocities.front();
   for (const double friction : {0.5, rough})
@@ -72,8 +71,7 @@ Scene stuck_at_once(Scene scene) {
 /// where several do.
 Table early_motions(const Scene& jams, const Scene& several, const BranchTree& tree) {
   Table table{{"motion", "step (s)", "none: ω (rad/s)", "none: centre moved (mm)", "several: ω (rad/s)",
-               "several: centre moved (mm)"},
-              {}};
+               "several: centre moved (mm)"}};
   const auto add = [&](const std::string& name, const std::string& step, const std::vector<std::string>& none,
                        const History& other) {
     table.rows.push_back(joined(joined({name, step}, none), early_cells(other)));
@@ -101,8 +99,7 @@ Table branches_of(const Scene& scene, const BranchTree& tree) {
   const auto rows = branches_json(scene, tree);
   const auto blocks = static_cast<int>(scene.blocks.size());
   Table table{
-      {"branch", "leaves branch", "from (s)", "with pattern", "instead of pattern", "ends with", "at (s)"},
-      {}};
+      {"branch", "leaves branch", "from (s)", "with pattern", "instead of pattern", "ends with", "at (s)"}};
   const auto text = [](const Json& value) {
     return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
   };

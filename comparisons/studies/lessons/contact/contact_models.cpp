@@ -36,8 +36,7 @@ std::string friction_cell(double friction) {
 /// What each asks, which law that makes it, and what the other law would have said.
 Table needs() {
   Table table{{"scene", "friction", "least normal force (weights)", "forces need", "impacts need",
-               "pivots fail first", "law"},
-              {}};
+               "pivots fail first", "law"}};
   for (const Example& example : examples()) {
     const Scene scene = scene_of(example);
     const ContactNeed need = contact_need(scene);
@@ -51,8 +50,7 @@ Table needs() {
 
 Table consequences() {
   Table table{{"scene", "friction", "slips by up to (mm)", "lifts by up to (mm)",
-               "angles of the two laws apart, RMS (rad)"},
-              {}};
+               "angles of the two laws apart, RMS (rad)"}};
   for (const Example& example : examples()) {
     const Scene scene = scene_of(example);
     const History free = exact_answer(under(scene, Law::unilateral));

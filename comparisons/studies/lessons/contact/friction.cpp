@@ -43,8 +43,7 @@ double engine_ratio(const char* engine, const Scene& scene, const Event& impact)
 Table impact_ratios(const Scene& scene) {
   const double r = ratio_of(scene.blocks.front());
   Table table{{"friction", "slips", "ω⁺/ω⁻, closed form", "ω⁺/ω⁻, exact solver", "ω⁺/ω⁻, Bullet",
-               "ω⁺/ω⁻, ODE quickstep", "ω⁺/ω⁻, ODE step"},
-              {}};
+               "ω⁺/ω⁻, ODE quickstep", "ω⁺/ω⁻, ODE step"}};
   for (const double friction : {1.0, 0.6, 0.4, 0.345, 0.3, 0.2, 0.1}) {
     const Scene fast = before_impact(scene, friction);
     const Event impact = *first_event(solve(fast), EventKind::impact);
@@ -58,8 +57,7 @@ Table impact_ratios(const Scene& scene) {
 
 /// What a swing asks of the floor, from release to its impact.
 Table demands(Scene scene) {
-  Table table{{"released at (rad)", "turns at the impact with (rad/s)", "forces need", "the impact needs"},
-              {}};
+  Table table{{"released at (rad)", "turns at the impact with (rad/s)", "forces need", "the impact needs"}};
   for (const double angle : {0.01, 0.1, 0.2, 0.3, 0.4}) {
     scene.initial = {{angle}, {0}};
     scene.law = Law::consistent;
@@ -94,8 +92,7 @@ Slips count_slips(const History& history) {
 
 Table stack_slips(const Scene& scene) {
   Table table{{"friction", "slips", "of these begin at an impact", "top block slips by up to (mm)",
-               "and is left at (mm)", "largest angle of the top block (rad)"},
-              {}};
+               "and is left at (mm)", "largest angle of the top block (rad)"}};
   for (const double friction : {2.0, 1.0, 0.5, 0.3}) {
     const History history = exact_answer(with_friction(scene, friction));
     const Slips slips = count_slips(history);
