@@ -24,16 +24,12 @@ double quarter_period(const Constants& c, double share) {
   return std::acosh(1 / (1 - share)) / c.p;
 }
 
-Scene released(Scene scene, double angle) {
-  scene.initial.angles = {angle};
-  return scene;
-}
-
-Table periods(const Scene& scene, const Constants& c) {
+Table periods(Scene scene, const Constants& c) {
   Table table{
       {"release, share of α", "release (rad)", "quarter period, formula (s)", "quarter period, solver (s)"}};
   for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
-    const History history = solve(released(scene, share * c.alpha));
+    scene.initial.angles = {share * c.alpha};
+    const History history = solve(scene);
     const Event* landing = first_event(history, EventKind::impact);
     table.rows.push_back({cell(share), cell(share * c.alpha), cell(quarter_period(c, share)),
                           landing ? cell(landing->time) : ""});

@@ -66,7 +66,12 @@ History exact_answer(const Scene& scene, double interval = 1e-3);
 /// Root of the mean square of all differences of an answer's angles from the exact motion, rad.
 double error_of(const Scene& scene, const History& answer);
 
+/// One of the scenes that come with the program. @throws InputError as read_scene().
+Scene read_shipped(const std::string& scene, const std::vector<std::string>& overrides = {});
+
 Scene under(Scene scene, Law law);
+
+Scene lasting(Scene scene, double duration);
 
 /// Of all blocks, N.
 double weight_of(const Scene& scene);

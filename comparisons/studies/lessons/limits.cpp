@@ -28,13 +28,8 @@ Table slipping(const Scene& scene) {
 
 /// What a lift of the ground, half a sine of this peak, asks of the floor.
 Scene shaken_down(Scene scene, double peak) {
-  Pulse pulse;
-  pulse.shape = PulseShape::half_sine;
-  pulse.amplitude = -peak;
-  pulse.period = 0.4;
-  pulse.start = 0.1;
   scene.vertical = {};
-  scene.vertical.pulse = pulse;
+  scene.vertical.pulse = {.shape = PulseShape::half_sine, .amplitude = -peak, .period = 0.4, .start = 0.1};
   return scene;
 }
 
@@ -43,10 +38,9 @@ Table lifting(const Scene& scene) {
   for (const double share : {0.25, 0.5, 0.75, 1.0, 1.25}) {
     const Scene falling = shaken_down(scene, share * scene.gravity);
     const History history = with_demands(falling);
-    const auto warnings = validity_warnings(falling, history);
-    bool lifts = false;
-    for (const std::string& warning : warnings)
-      lifts = lifts || warning.find("lift off") != std::string::npos;
+    const bool lifts = std::ranges::any_of(
+        validity_warnings(falling, history),
+        [](const std::string& warning) { return warning.find("lift off") != std::string::npos; });
     table.rows.push_back({cell(share), fixed(history.forces[0].least_normal, 1),
                           fixed(history.forces[0].least_normal_time, 4),
                           lifts ? "blocks would lift off" : "blocks stay on the ground"});

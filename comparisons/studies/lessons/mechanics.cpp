@@ -162,6 +162,10 @@ double impact_ratio(double r, double friction) {
                                         : (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
 }
 
+double impacts_to_share(double share, double ratio) {
+  return std::ceil(std::log(share) / (2 * std::log(ratio)));
+}
+
 std::vector<double> SlidingCorner::forces() const {
   std::vector<double> list;
   if (free >= 0) list.push_back(0);

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -164,7 +162,7 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
                       {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
           .tables = {{"steps", over_steps(rows, scene)},
                      {"iterations", over_iterations(scene.scene)},
-                     {"by_steps", by_steps(read_scene(shipped("scenes") / "housner-block.toml", {}))}},
+                     {"by_steps", by_steps(read_shipped("housner-block"))}},
           .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
           .measured = {{"first_impact_in_steps",
                         *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},

@@ -1,9 +1,7 @@
-#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -62,10 +60,8 @@ Table demands(Scene scene) {
     scene.initial = {{angle}, {0}};
     scene.law = Law::consistent;
     const Event impact = *first_event(solve(scene), EventKind::impact);
-    Scene swing = scene;
-    swing.duration = impact.time * (1 - 1e-9);
-    Scene landed = scene;
-    landed.duration = impact.time * (1 + 1e-9);
+    const Scene swing = lasting(scene, impact.time * (1 - 1e-9)),
+                landed = lasting(scene, impact.time * (1 + 1e-9));
     table.rows.push_back({cell(angle), cell(std::abs(impact.before[0])),
                           fixed(contact_need(swing).force.friction, 4),
                           fixed(contact_need(landed).impulse.friction, 4)});
@@ -108,14 +104,13 @@ Table stack_slips(const Scene& scene) {
 
 LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
-  const Scene stack = read_scene(shipped("scenes") / "spanos-free-rocking.toml");
+  const Scene stack = read_shipped("spanos-free-rocking");
   const double r = ratio_of(scene.blocks.front());
   const double friction = friction_of(scene).front();
   const History history = exact_answer(scene);
   const Event& impact = *first_event(history, EventKind::impact);
   const InterfaceSummary floor = contact_summary(history).front();
-  Scene swing = scene;
-  swing.duration = impact.time * (1 - 1e-9);
+  const Scene swing = lasting(scene, impact.time * (1 - 1e-9));
   const Demand top = solve(stack, {.events = EventsKept::summed, .validity = true}).forces.back();
   return {.numbers = {{"r", fixed(r, 0)},
                       {"friction", fixed(friction, 3)},

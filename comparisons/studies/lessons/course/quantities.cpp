@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
-#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/course/course.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -84,11 +82,6 @@ double erp_damping(const Asked& asked) {
   return (1 - number_of(asked, "erp")) / number_of(asked, "cfm");
 }
 
-/// Impacts until an amplitude's energy has come down to a share, at a ratio of velocities r: r²ⁿ = share.
-double impacts_to_share(const Asked& asked) {
-  return std::ceil(std::log(number_of(asked, "share")) / (2 * std::log(number_of(asked, "ratio"))));
-}
-
 struct Quantity {
   const char* name;
   double (*value)(const Asked& asked);
@@ -121,7 +114,7 @@ const std::vector<Quantity>& quantities() {
       {"sticking-ratio",
        [](const Asked& a) {
          const Block& block = a.scene.blocks.front();
-         return impact_ratio(block.half_height / block.half_width, largest_friction);
+         return impact_ratio(block.half_height / block.half_width);
        }},
       {"friction-short", friction_short},
       {"jamming-friction",
@@ -151,7 +144,8 @@ const std::vector<Quantity>& quantities() {
        [](const Asked& a) {
          return std::log(number_of(a, "parted") / number_of(a, "error")) / number_of(a, "rate");
        }},
-      {"impacts-to-share", impacts_to_share}};
+      {"impacts-to-share",
+       [](const Asked& a) { return impacts_to_share(number_of(a, "share"), number_of(a, "ratio")); }}};
   return list;
 }
 
@@ -159,7 +153,7 @@ const std::vector<Quantity>& quantities() {
 
 Asked asked_about(const std::string& scene, const std::vector<std::string>& changes) {
   Asked asked;
-  asked.scene = read_scene(shipped("scenes") / (scene + ".toml"), changes);
+  asked.scene = read_shipped(scene, changes);
   asked.history = solve(asked.scene);
   return asked;
 }
