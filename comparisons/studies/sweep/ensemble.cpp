@@ -11,12 +11,7 @@ namespace rockstack {
 namespace {
 
 Value number_value(double number, const std::string& place) {
-  Value value;
-  value.node.kind = Node::Kind::number;
-  value.node.number = number;
-  value.node.place = place;
-  value.text = number_text(number);
-  return value;
+  return {{.kind = Node::Kind::number, .place = place, .number = number}, number_text(number)};
 }
 
 void describe_record(const std::filesystem::path& name, MotionLibrary& library, std::string& text) {

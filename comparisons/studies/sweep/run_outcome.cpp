@@ -9,17 +9,11 @@ namespace {
 /// What interfaces do, at a time or ever.
 struct Freedom {
   bool slips = false, opens = false, parts = false;
-
-  Freedom& operator|=(const Freedom& other) {
-    slips |= other.slips;
-    opens |= other.opens;
-    parts |= other.parts;
-    return *this;
-  }
 };
 
-Freedom freedom(const Pattern& pattern) {
-  Freedom result;
+/// Of a pattern, and of what was `before`.
+Freedom freedom(const Pattern& pattern, const Freedom& before = {}) {
+  Freedom result = before;
   for (std::size_t k = 0; k < static_cast<std::size_t>(pattern.size); ++k) {
     result.slips |= pattern.slides[k] != 0;
     result.opens |= pattern.contacts[k] == Contact::left || pattern.contacts[k] == Contact::right;
@@ -109,7 +103,7 @@ MotionMode whole_mode(const Scene& scene, const History& history) {
     if (last == EventKind::fall || last == EventKind::strike) return MotionMode::fall;
   }
   Freedom ever = freedom(scene.initial);
-  for (const Event& event : history.events) ever |= freedom(event.to);
+  for (const Event& event : history.events) ever = freedom(event.to, ever);
   return mode_of(ever);
 }
 
