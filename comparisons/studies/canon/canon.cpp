@@ -1,7 +1,6 @@
 #include "comparisons/studies/canon/canon.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <numeric>
 
@@ -247,19 +246,14 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
   for (const NamedScene& scene : suite.scenes)
     json["scenes"].push_back(
         {{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}});
-  std::vector<const WorkerEngine*> engines;
-  engines.reserve(rows.size());
-  for (const CanonRow& row : rows) {
-    engines.push_back(row.engine);
-    Json answers = Json::array();
-    for (const CanonAnswer& answer : row.answers) answers.push_back(json_of(answer));
-    json["rows"].push_back({{"engine", row.engine->name},
-                            {"solver", row.engine->solver},
-                            {"version", row.engine->version},
-                            {"settings", row.settings},
-                            {"answers", std::move(answers)}});
-  }
-  json["environment"] = environment(engines);
+  for (const CanonRow& row : rows)
+    json["rows"].push_back(
+        {{"engine", row.engine->name},
+         {"solver", row.engine->solver},
+         {"version", row.engine->version},
+         {"settings", row.settings},
+         {"answers", each_of(row.answers, [](const CanonAnswer& answer) { return json_of(answer); })}});
+  json["environment"] = environment(each_of(rows, &CanonRow::engine));
   return json.dump(2) + "\n";
 }
 
