@@ -126,13 +126,9 @@ std::string percent(double share, int digits) {
   return fixed(100 * share, digits) + " %";
 }
 
-std::string cell(double value) {
-  return fmt::format("{}", value);
-}
-
 std::string cell(double value, double scale) {
   constexpr double rounding = 1e-12;
-  return cell(std::abs(value) < rounding * scale ? 0 : value);
+  return fmt::format("{}", std::abs(value) < rounding * scale ? 0 : value);
 }
 
 }  // namespace rockstack

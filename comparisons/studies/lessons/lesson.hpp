@@ -95,10 +95,7 @@ std::string power(double value, int digits);
 /// A share as per cent, "29.5 %".
 std::string percent(double share, int digits);
 
-/// A cell of a table: a number with all its digits.
-std::string cell(double value);
-
-/// The same, 0 where the number is rounding beside `scale`.
-std::string cell(double value, double scale);
+/// A cell of a table: a number with all its digits; 0 where it is rounding beside `scale`.
+std::string cell(double value, double scale = 0);
 
 }  // namespace rockstack

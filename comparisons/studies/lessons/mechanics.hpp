@@ -15,6 +15,8 @@ struct ImpactEnergies {
   double before = 0;  ///< kinetic
   double after = 0;
   double jump = 0;  ///< kinetic energy of the change of velocity
+
+  double share_lost() const { return 1 - after / before; }
 };
 
 /// Precondition: the event is an impact of that scene.

@@ -18,7 +18,7 @@ Table balance(const Scene& scene, const std::vector<Event>& impacts) {
     const ImpactEnergies e = impact_energies(scene, impact);
     table.rows.push_back({cell(impact.time), std::to_string(impact.interface),
                           name(impact.from) + " → " + name(impact.to), cell(e.before), cell(e.after),
-                          cell(e.jump), cell(e.before - e.after - e.jump), cell(1 - e.after / e.before)});
+                          cell(e.jump), cell(e.before - e.after - e.jump), cell(e.share_lost())});
   }
   return table;
 }
@@ -68,7 +68,7 @@ LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>
                       {"energy_before", fixed(e.before, 1)},
                       {"energy_after", fixed(e.after, 1)},
                       {"energy_jump", fixed(e.jump, 1)},
-                      {"lost", percent(1 - e.after / e.before, 1)},
+                      {"lost", percent(e.share_lost(), 1)},
                       {"worst", power(worst, 0)},
                       {"foot_x", fixed(left + length * std::sqrt(e.after / e.before), 1)},
                       {"middle_x", fixed(left + length / 2 * std::sqrt(e.after / e.before), 1)},

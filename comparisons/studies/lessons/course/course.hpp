@@ -65,6 +65,9 @@ struct Asked {
   Scene scene;
   History history;
   std::map<std::string, double> numbers;
+
+  /// @throws InputError for a number that is not there.
+  double operator[](const std::string& name) const;
 };
 
 /// Solves a shipped scene with changes, with all that quantities need.
