@@ -76,7 +76,6 @@ double decades_down(double difference) {
   return 210 - 18.75 * (std::log10(std::max(difference, 1e-12)) + 4);
 }
 
-/// The paths of the drawing.
 std::map<std::string, std::string> paths(const History& exact, const History& changed,
                                          const std::vector<double>& differences, const Growth& line) {
   const auto angle = [](const History& history) {

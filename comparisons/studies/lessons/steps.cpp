@@ -61,7 +61,6 @@ SwingState euler_step(const Swing& swing, SwingState from, double dt) {
   return {from.angle + dt * velocity, velocity};
 }
 
-/// Classical Runge–Kutta.
 SwingState fourth_order_step(const Swing& swing, SwingState from, double dt) {
   const auto rate = [&](double share, SwingState slope) {
     return SwingState{from.velocity + share * dt * slope.velocity,

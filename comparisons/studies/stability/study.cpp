@@ -11,11 +11,8 @@
 namespace rockstack {
 namespace {
 
-/// Values of one key along the axis: a number each.
-struct KeyValues {
-  std::string key;
-  std::vector<double> values;
-};
+/// A key with its values along the axis.
+using KeyValues = std::pair<std::string, std::vector<double>>;
 
 /// The stack with that many blocks: cut off, or its top block over and over.
 Scene stacked(Scene scene, std::size_t blocks) {
@@ -36,9 +33,9 @@ std::vector<KeyValues> read_set(const Node& axis, std::size_t count) {
     throw wrong_value(set, "a table of scene keys, each an array");
   for (const Node& child : set.children) {
     list.push_back({child.name, numbers(child)});
-    if (list.back().values.size() != count)
+    if (list.back().second.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
-    for (const double value : list.back().values)
+    for (const double value : list.back().second)
       if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
         throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
   }
@@ -68,12 +65,11 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
   for (std::size_t i = 0; i < along.values.size(); ++i) {
     std::vector<std::string> changes = overrides;
     std::size_t blocks = 0;
-    for (const KeyValues& one : set) {
-      if (one.key == "blocks") {
-        blocks = static_cast<std::size_t>(one.values[i]);
-      } else {
-        changes.push_back(fmt::format("{}={}", one.key, one.values[i]));
-      }
+    for (const auto& [key, values] : set) {
+      if (key == "blocks")
+        blocks = static_cast<std::size_t>(values[i]);
+      else
+        changes.push_back(fmt::format("{}={}", key, values[i]));
     }
     scenes.push_back(read_named_scene(scene, changes));
     if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks), scenes.back().document = {};

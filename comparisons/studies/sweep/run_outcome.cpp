@@ -32,12 +32,9 @@ Freedom freedom(const InitialState& initial) {
       return other;
     });
   };
-  const auto has_any = [](const std::vector<double>& values) {
-    return std::ranges::any_of(values, [](double value) { return value != 0; });
-  };
-  return {.slips = has_any(initial.slip_velocities),
+  return {.slips = largest_magnitude(initial.slip_velocities) > 0,
           .opens = differs(initial.angles) || differs(initial.velocities),
-          .parts = has_any(initial.gaps)};
+          .parts = largest_magnitude(initial.gaps) > 0};
 }
 
 MotionMode mode_of(const Freedom& freedom) {

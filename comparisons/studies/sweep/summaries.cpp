@@ -157,16 +157,12 @@ std::string column_of(MotionMode mode) {
   return column;
 }
 
-/// Whether a motion may begin so; others are ends.
-bool begins(MotionMode mode) {
-  return mode <= MotionMode::free_flight;
-}
-
 void write_modes(const std::vector<Run>& runs, const std::filesystem::path& folder) {
   struct Cell {
     std::size_t runs = 0, failed = 0;
     std::map<std::string, std::size_t> onset, motion;
   };
+  const auto onsets = std::span(motion_modes).first(1 + static_cast<std::size_t>(MotionMode::free_flight));
   std::map<std::pair<double, double>, Cell> cells;
   for (const Run& run : runs) {
     Cell& cell = cells[{run.intensity, run.friction}];
@@ -176,14 +172,12 @@ void write_modes(const std::vector<Run>& runs, const std::filesystem::path& fold
   }
   CsvWriter csv;
   csv.add("intensity", "friction", "runs");
-  for (const MotionMode mode : motion_modes)
-    if (begins(mode)) csv.add("onset_" + column_of(mode));
+  for (const MotionMode mode : onsets) csv.add("onset_" + column_of(mode));
   for (const MotionMode mode : motion_modes) csv.add(column_of(mode));
   csv.line("failed");
   for (auto& [place, cell] : cells) {
     csv.add(number_text(place.first), number_text(place.second), cell.runs);
-    for (const MotionMode mode : motion_modes)
-      if (begins(mode)) csv.add(cell.onset[name(mode)]);
+    for (const MotionMode mode : onsets) csv.add(cell.onset[name(mode)]);
     for (const MotionMode mode : motion_modes) csv.add(cell.motion[name(mode)]);
     csv.line(cell.failed);
   }

@@ -50,7 +50,6 @@ std::size_t place_of(const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(lessons(), name, &Lesson::name) - lessons().begin());
 }
 
-/// What a course's list says of a lesson.
 Json summary(const Lesson& lesson, const CourseEntry& course) {
   Json after = Json::array();
   for (const std::string& name : course.after)
