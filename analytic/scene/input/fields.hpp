@@ -10,11 +10,11 @@ namespace rockstack {
 /// A key of an input file and what it means; `rockstack keys` prints it. SI units.
 struct InputKey {
   const char* name;
-  const char* example;   ///< a value that is accepted, as TOML; empty: a table, with keys of its own
-  const char* unit;      ///< empty: none
-  const char* range;     ///< which values are accepted
-  const char* standard;  ///< what holds where it is left out: a value as TOML, or words; see below
-  const char* meaning;
+  const char* example = "";   ///< a value that is accepted, as TOML; empty: a table, with keys of its own
+  const char* unit = "";      ///< empty: none
+  const char* range = "";     ///< which values are accepted
+  const char* standard = "";  ///< what holds where it is left out: a value as TOML, or words; see below
+  const char* meaning = "";
 };
 
 // Words that `standard` has where no value stands for a key that is left out. "instead of KEY": one of the

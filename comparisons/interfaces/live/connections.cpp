@@ -29,12 +29,12 @@ void Connections::enter(int socket) {
 
 void Connections::admit(int socket) {
   const std::lock_guard lock(mutex_);
-  forget(socket);
+  std::erase(sockets_, socket);
 }
 
 void Connections::leave(int socket) {
   const std::lock_guard lock(mutex_);
-  forget(socket);
+  std::erase(sockets_, socket);
   --open_;
 }
 
@@ -45,10 +45,6 @@ void Connections::make_room(int except) {
   if (silent == sockets_.end()) return;
   shutdown(*silent, SHUT_RDWR);
   sockets_.erase(silent);
-}
-
-void Connections::forget(int socket) {
-  std::erase(sockets_, socket);
 }
 
 }  // namespace rockstack::live

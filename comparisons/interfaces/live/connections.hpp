@@ -20,7 +20,6 @@ class Connections {
 
  private:
   void make_room(int except);
-  void forget(int socket);
 
   std::mutex mutex_;
   std::size_t threads_;

@@ -35,9 +35,7 @@ std::pair<History, std::string> followed(const Scene& scene, const SolveOptions&
 }
 
 SolveOptions options_for(const Scene& scene, double interval) {
-  SolveOptions options;
-  options.sample_times = regular_times(interval, scene.duration);
-  return options;
+  return {.sample_times = regular_times(interval, scene.duration)};
 }
 
 /// The motions beside that of solve() that obey as well, from the start on.

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cstdio>
 
-#include "comparisons/measures/results/build.hpp"
 #include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
@@ -22,10 +21,6 @@ std::string waiting_time(double seconds) {
   if (seconds < 60) return fmt::format("{:.0f} s", seconds);
   if (seconds < 3600) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.1f} h", seconds / 3600);
-}
-
-std::vector<std::string> both_if_empty(const std::vector<std::string>& settings) {
-  return settings.empty() ? std::vector<std::string>{"default", "tuned"} : settings;
 }
 
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
@@ -111,10 +106,6 @@ void show_report(const std::filesystem::path& folder, const Common& common) {
   plots::show(folder);
 #endif
   print_report(folder, common);
-}
-
-std::string version_text() {
-  return fmt::format("rockstack {}", build::version);
 }
 
 }  // namespace rockstack

@@ -140,14 +140,14 @@ int keys_command(const KindArguments& arguments, const Common& common);
 
 struct CheckEngineArguments {
   std::string engine;
-  std::vector<std::string> settings;  ///< empty: both
-  std::vector<std::string> checks;    ///< their names; empty: all
+  std::vector<std::string> settings{"default", "tuned"};
+  std::vector<std::string> checks;  ///< their names; empty: all
 };
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common);
 
 struct CanonArguments {
-  std::vector<std::string> engines;   ///< empty: all
-  std::vector<std::string> settings;  ///< empty: both
+  std::vector<std::string> engines;  ///< empty: all
+  std::vector<std::string> settings{"default", "tuned"};
   std::filesystem::path out;
 };
 int canon_command(const CanonArguments& arguments, const Common& common);
@@ -173,9 +173,6 @@ std::vector<const WorkerEngine*> engines_named(const std::string& name);
 /// The same of several names; where there is none, those of `otherwise`.
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
                                                EngineList (*otherwise)());
-
-/// Those given, or "default" and "tuned" where none is.
-std::vector<std::string> both_if_empty(const std::vector<std::string>& settings);
 
 /// @throws InputError also where the input names a suite.
 NamedScene read_one_scene(const std::string& input, const Common& common);
@@ -231,8 +228,5 @@ struct Command {
 
 /// Adds every subcommand with its options to the program, which must outlive what is returned.
 std::vector<Command> add_commands(CLI::App& app, const Common& common);
-
-/// The program's name and version.
-std::string version_text();
 
 }  // namespace rockstack

@@ -14,10 +14,8 @@
 namespace rockstack {
 namespace {
 
-/// The suite or scene that an input of `compare` names.
-std::filesystem::path find_input(const std::string& input) {
-  return input_file(input, {"suites", "scenes"});
-}
+/// The kinds of inputs of `compare`.
+const std::vector<std::string> input_kinds{"suites", "scenes"};
 
 /// A suite says by itself what it runs.
 void refuse_choice(const std::string& suite, const SceneChoice& choice) {
@@ -31,7 +29,7 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
 }
 
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
-  const auto file = find_input(input);
+  const auto file = input_file(input, input_kinds);
   const InputKind kind = kind_of(file);
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
   refuse_choice(input, arguments.choice);
@@ -153,7 +151,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     return 0;
   }
   for (const std::string& input : arguments.inputs) {
-    const auto file = find_input(input);
+    const auto file = input_file(input, input_kinds);
     const InputKind kind = kind_of(file);
     if (kind == InputKind::scene || kind == InputKind::suite) continue;
     refuse_choice(input, arguments.choice);

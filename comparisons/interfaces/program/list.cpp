@@ -192,12 +192,6 @@ void print_list(const std::vector<Listed>& list, const std::string& indent) {
   for (const Listed& one : list) fmt::print("{}{:<{}}  {}\n", indent, one.name, width, one.title);
 }
 
-Json to_json(const std::vector<Listed>& list) {
-  Json json = Json::array();
-  for (const Listed& one : list) json.push_back({{"name", one.name}, {"title", one.title}});
-  return json;
-}
-
 }  // namespace
 
 int keys_command(const KindArguments& arguments, const Common& common) {
@@ -245,7 +239,9 @@ int list_command(const KindArguments& arguments, const Common& common) {
   for (const std::string kind : {"scenes", "suites", "ensembles", "lessons", "engines"}) {
     if (!only.empty() && kind != only) continue;
     if (common.json) {
-      (only.empty() ? all[kind] : all) = to_json(listed(kind));
+      (only.empty() ? all[kind] : all) = each_of(listed(kind), [](const Listed& one) {
+        return Json{{"name", one.name}, {"title", one.title}};
+      });
     } else {
       if (only.empty()) fmt::print("{}\n", kind);
       print_list(listed(kind), only.empty() ? "  " : "");

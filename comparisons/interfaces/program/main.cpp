@@ -7,6 +7,7 @@
 #include <new>
 
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/results/build.hpp"
 
 namespace {
 
@@ -69,7 +70,7 @@ void refuse_unexpected(const CLI::App& app, const Command* given) {
 
 int run(int count, char** arguments) {
   CLI::App app{"Stacked rocking blocks: the exact theory beside physics engines", "rockstack"};
-  app.set_version_flag("--version", version_text());
+  app.set_version_flag("--version", fmt::format("rockstack {}", build::version));
   app.require_subcommand(0, 1);
   app.fallthrough();
   Common common;

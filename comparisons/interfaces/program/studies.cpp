@@ -160,18 +160,16 @@ int fit_command(const FitArguments& arguments, const Common& common) {
 int canon_command(const CanonArguments& arguments, const Common& common) {
   Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
   const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
-  const std::vector<std::string> sets = both_if_empty(arguments.settings);
   const ResultsFolder folder(arguments.out, Results::canon);
-  const bool talk = !common.quiet && !common.json;
-  if (talk)
+  if (common.talks())
     fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
                "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
   const auto show = progress(common);
-  const std::size_t total = asked.size() * sets.size() * suite.scenes.size();
+  const std::size_t total = asked.size() * arguments.settings.size() * suite.scenes.size();
   std::size_t done = 0, off = 0;
   std::vector<CanonRow> rows;
   for (const WorkerEngine* engine : asked) {
-    for (const std::string& settings : sets) {
+    for (const std::string& settings : arguments.settings) {
       CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
       for (const NamedScene& scene : suite.scenes) {
         const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
@@ -179,7 +177,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
         row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
         if (!follows_law(row.answers.back())) ++off;
         clear_progress(common);
-        if (talk) print(row, row.answers.back());
+        if (common.talks()) print(row, row.answers.back());
       }
     }
   }
@@ -188,7 +186,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   write_file(arguments.out / "canon.json", json);
   if (common.json) fmt::print("{}", json);
   show_report(arguments.out, common);
-  if (talk)
+  if (common.talks())
     fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
   return off == 0 ? 0 : 1;
 }

@@ -14,7 +14,7 @@ namespace rockstack {
 /// A small file of comma-separated values as text: one name a column, one vector of cells a row.
 struct Table {
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows = {};
 };
 
 /// Reads a file of comma-separated values with a header line; cells may be quoted, and hold no line breaks.

@@ -48,9 +48,7 @@ std::vector<std::string> advice_sentences(const AdviceRequest& request, const Ad
   if (advice.predictable_time < duration)
     sentences.push_back(
         fmt::format("This holds until {:.4g} s, the horizon of predictability.", advice.predictable_time));
-  std::vector<std::string> untried;
-  untried.reserve(advice.untried.size());
-  for (const Untried& one : advice.untried) untried.push_back(one.engine->full_name());
+  const auto untried = each_of(advice.untried, [](const Untried& one) { return one.engine->full_name(); });
   if (!untried.empty())
     sentences.push_back(
         fmt::format("In {:g} s the search has not come to smaller steps of {}; --within gives it more.",

@@ -45,26 +45,21 @@ void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
   trial.confirmed = count_within(replicates, request.error);
 }
 
-/// Time since it was made, s.
-class Stopwatch {
- public:
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+using Clock = std::chrono::steady_clock;
 
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// Nothing where its replicates would take longer than what is `left`, s.
 std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
                              const std::filesystem::path& folder, const std::string& command, double left) {
   const auto own = folder / "runs" / describe(job).run;
-  const Stopwatch watch;
+  const Clock::time_point start = Clock::now();
   Trial trial{nominal_run(job, own, command)};
   trial.within = meets(trial.row, request.error) ? 1 : 0;
   if (trial.within == 0 || !is_replicated(job)) return trial;
-  const double took = watch.elapsed(), one = took / (1 + request.repeats);
+  const double took = seconds_since(start), one = took / (1 + request.repeats);
   const int runs = request.replicates.runs + request.confirming.runs;
   if (took + runs * one / static_cast<double>(all_cores()) > left) return {};
   const auto replicates = make_replicates(job, all_cores());
@@ -156,7 +151,7 @@ int cheapest(const std::vector<Trial>& trials) {
 
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command, const AdviceListener& listener) {
-  const Stopwatch watch;
+  const Clock::time_point start = Clock::now();
   Advice advice;
   advice.predictable_time = predictable_time(scene.scene, request.replicates, request.error);
   NamedScene predictable = scene;
@@ -168,7 +163,7 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
   while (Search* const search = most_promising(searches, steps.size())) {
     const EngineSeries& series = suite.series[static_cast<std::size_t>(search - searches.data())];
     const double dt = steps[search->next], before = search->next > 0 ? steps[search->next - 1] : dt;
-    const double begin = watch.elapsed(), left = request.within - begin;
+    const double begin = seconds_since(start), left = request.within - begin;
     std::optional<Trial> made;
     if (search->took * before / dt <= left) {
       listener.begin(series, dt, begin);
@@ -188,7 +183,7 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
     const double best = pick < 0 ? std::numeric_limits<double>::infinity()
                                  : *advice.trials[static_cast<std::size_t>(pick)].row.stepping_time_minimum;
     ++search->next;
-    search->took = watch.elapsed() - begin;
+    search->took = seconds_since(start) - begin;
     search->promise = expected_time(trial.row, request.error);
     search->over = trial.passes() || trial.row.status == RunStatus::time_limit ||
                    trial.row.stepping_time_minimum.value_or(0) > best;
@@ -197,7 +192,7 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
     const RunMetrics& row = advice.trials[static_cast<std::size_t>(advice.pick)].row;
     const double longer = scene.scene.duration / advice.predictable_time;
     const double expected = request.replicates.runs * longer * row.stepping_time_minimum.value_or(0);
-    if (const double begin = watch.elapsed(); begin + expected <= request.within) {
+    if (const double begin = seconds_since(start); begin + expected <= request.within) {
       listener.begin(*picked, *row.dt, begin);
       advice.beyond = whole_scene({suite, suite.scenes.front(), *row.dt, picked}, scene.scene);
     }
@@ -219,12 +214,11 @@ Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Ad
             {"pick", nullptr},
             {"untried", Json::array()},
             {"beyond", advice.beyond},
-            {"trials", Json::array()}};
-  if (advice.pick >= 0) json["pick"] = json_of(advice.trials[static_cast<std::size_t>(advice.pick)]);
+            {"trials", each_of(advice.trials, [](const Trial& trial) { return json_of(trial); })}};
   for (const Untried& one : advice.untried)
     json["untried"].push_back(
         {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
-  for (const Trial& trial : advice.trials) json["trials"].push_back(json_of(trial));
+  if (advice.pick >= 0) json["pick"] = json["trials"][static_cast<std::size_t>(advice.pick)];
   json["environment"] = environment(request.engines);
   json["command"] = command;
   return json;

@@ -1,7 +1,6 @@
 #include "comparisons/studies/canon/canon.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <numeric>
 
@@ -72,15 +71,11 @@ CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineS
   return errors;
 }
 
-bool sooner(const Deviation& one, const Deviation& other) {
-  return one.time < other.time;
-}
-
 /// Of a quantity, the replicate in the middle.
 Deviation middle_of(const CanonErrors& errors, std::size_t quantity) {
   auto replicates = each_of(errors.replicates, [&](const auto& each) { return each.at(quantity); });
   const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
-  std::nth_element(replicates.begin(), middle, replicates.end(), sooner);
+  std::ranges::nth_element(replicates, middle, {}, &Deviation::time);
   return *middle;
 }
 
@@ -95,7 +90,7 @@ void judge(CanonAnswer& answer, const StepFit& fit) {
   // Of the three finest steps, which differ by four: under any order from a half on, the error falls by a
   // factor of two or more between them.
   const auto [finest_least, finest_most] =
-      std::minmax_element(answer.deviations.end() - 3, answer.deviations.end(), sooner);
+      std::ranges::minmax_element(std::span(answer.deviations).last(3), {}, &Deviation::time);
   const double least = finest_least->time, most = finest_most->time;
   const bool falls = finest.time <= 0.5 * answer.deviations.front().time;
   if (most <= canon_resolution) {
@@ -149,7 +144,6 @@ Json json_of(const CanonAnswer& answer) {
   return json;
 }
 
-/// The answer of that identity in a file, or none.
 std::optional<CanonAnswer> kept_answer(const fs::path& file, const std::string& identity) {
   const auto whole = [&](const Json& json) -> std::optional<CanonAnswer> {
     const Json& told = json.at("answer");
@@ -247,19 +241,14 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
   for (const NamedScene& scene : suite.scenes)
     json["scenes"].push_back(
         {{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}});
-  std::vector<const WorkerEngine*> engines;
-  engines.reserve(rows.size());
-  for (const CanonRow& row : rows) {
-    engines.push_back(row.engine);
-    Json answers = Json::array();
-    for (const CanonAnswer& answer : row.answers) answers.push_back(json_of(answer));
-    json["rows"].push_back({{"engine", row.engine->name},
-                            {"solver", row.engine->solver},
-                            {"version", row.engine->version},
-                            {"settings", row.settings},
-                            {"answers", std::move(answers)}});
-  }
-  json["environment"] = environment(engines);
+  for (const CanonRow& row : rows)
+    json["rows"].push_back(
+        {{"engine", row.engine->name},
+         {"solver", row.engine->solver},
+         {"version", row.engine->version},
+         {"settings", row.settings},
+         {"answers", each_of(row.answers, [](const CanonAnswer& answer) { return json_of(answer); })}});
+  json["environment"] = environment(each_of(rows, &CanonRow::engine));
   return json.dump(2) + "\n";
 }
 

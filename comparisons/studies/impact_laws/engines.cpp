@@ -7,9 +7,7 @@ namespace rockstack {
 namespace {
 
 double largest_apart(const std::vector<double>& some, const std::vector<double>& others) {
-  double largest = 0;
-  for (std::size_t k = 0; k < some.size(); ++k) largest = std::max(largest, std::abs(some[k] - others[k]));
-  return largest;
+  return (vector_of(some) - vector_of(others)).cwiseAbs().maxCoeff();
 }
 
 std::vector<double> list_of(const Vector<double>& values) {
@@ -18,12 +16,8 @@ std::vector<double> list_of(const Vector<double>& values) {
 
 /// Mean angular velocities between two samples.
 std::vector<double> mean_rates(const History& history, std::size_t from, std::size_t to) {
-  const auto first = history.angles_at(from);
-  const auto last = history.angles_at(to);
-  std::vector<double> rates;
-  for (std::size_t k = 0; k < first.size(); ++k)
-    rates.push_back((last[k] - first[k]) / (history.times[to] - history.times[from]));
-  return rates;
+  return list_of((vector_of(history.angles_at(to)) - vector_of(history.angles_at(from))) /
+                 (history.times[to] - history.times[from]));
 }
 
 struct LawRun {

@@ -93,8 +93,8 @@ double clearness(const DrawnImpact& drawn, const LawVerdict& verdict) {
 void note_disagreement(const ImpactKind& kind, const DrawnImpact& drawn, const LawVerdict& verdict,
                        std::vector<Disagreement>& list) {
   const auto is = [&](const Disagreement& known) {
-    return known.kind.before == kind.before && known.kind.interface == kind.interface &&
-           known.paper == verdict.paper.pattern && known.consistent == verdict.consistent->pattern;
+    return known.kind == kind && known.paper == verdict.paper.pattern &&
+           known.consistent == verdict.consistent->pattern;
   };
   Disagreement& found =
       found_or_added(list, is, {kind, verdict.paper.pattern, verdict.consistent->pattern, 0, 0, drawn});

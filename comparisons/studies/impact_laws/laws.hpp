@@ -36,6 +36,8 @@ struct ImpactDraws {
 struct ImpactKind {
   Pattern before;
   int interface = 0;
+
+  bool operator==(const ImpactKind&) const = default;
 };
 
 /// "3a-ground", "1a-blocks"; of three blocks "RCC-ground", "RRL-interface-2".

@@ -167,8 +167,7 @@ ImpactLawResults run_study(const ImpactLawStudy& study) {
 std::vector<ImpactShare> shares_by_kind(const std::vector<ImpactShare>& shares) {
   std::vector<ImpactShare> kinds;
   for (const ImpactShare& share : shares) {
-    if (kinds.empty() || name(kinds.back().kind) != name(share.kind))
-      kinds.push_back({share.blocks, share.kind});
+    if (kinds.empty() || kinds.back().kind != share.kind) kinds.push_back({share.blocks, share.kind});
     kinds.back().impacts += share.impacts;
     kinds.back().differ += share.differ;
     kinds.back().none += share.none;

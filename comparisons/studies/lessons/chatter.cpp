@@ -33,8 +33,7 @@ Chatter first_chatter(const History& history) {
 /// The flights between impacts, and what is left of each.
 Table flights(const Chatter& chatter) {
   Table table{{"impact of the base", "time (s)", "flight since the last (s)", "of the flight before",
-               "with that before it, of the pair before", "speed after (rad/s)"},
-              {}};
+               "with that before it, of the pair before", "speed after (rad/s)"}};
   constexpr std::size_t count = 14;
   for (std::size_t i = 0; i < std::min(count, chatter.impacts.size()); ++i)
     table.rows.push_back(
@@ -45,7 +44,7 @@ Table flights(const Chatter& chatter) {
 }
 
 Table seen_by_engines(const Scene& scene, std::size_t exact) {
-  Table table{{"solver", "step (s)", "impacts seen"}, {}};
+  Table table{{"solver", "step (s)", "impacts seen"}};
   table.rows.push_back({"exact, event by event", "", std::to_string(exact)});
   for (const char* engine : {"bullet", "ode"})
     for (const double dt : {1e-2, 1e-3, 1e-4})

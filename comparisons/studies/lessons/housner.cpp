@@ -24,17 +24,12 @@ double quarter_period(const Constants& c, double share) {
   return std::acosh(1 / (1 - share)) / c.p;
 }
 
-Scene released(Scene scene, double angle) {
-  scene.initial.angles = {angle};
-  return scene;
-}
-
-Table periods(const Scene& scene, const Constants& c) {
+Table periods(Scene scene, const Constants& c) {
   Table table{
-      {"release, share of α", "release (rad)", "quarter period, formula (s)", "quarter period, solver (s)"},
-      {}};
+      {"release, share of α", "release (rad)", "quarter period, formula (s)", "quarter period, solver (s)"}};
   for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
-    const History history = solve(released(scene, share * c.alpha));
+    scene.initial.angles = {share * c.alpha};
+    const History history = solve(scene);
     const Event* landing = first_event(history, EventKind::impact);
     table.rows.push_back({cell(share), cell(share * c.alpha), cell(quarter_period(c, share)),
                           landing ? cell(landing->time) : ""});
@@ -56,7 +51,7 @@ std::vector<double> peaks(const History& history, std::size_t count) {
 }
 
 Table swings(const Scene& scene, const Constants& c) {
-  Table table{{"impacts so far", "peak, formula (rad)", "peak, solver (rad)"}, {}};
+  Table table{{"impacts so far", "peak, formula (rad)", "peak, solver (rad)"}};
   constexpr std::size_t count = 8;
   const std::vector<double> found = peaks(exact_answer(scene, 1e-4), count);
   const double rise = 1 - scene.initial.angles.front() / c.alpha;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -46,11 +47,9 @@ std::string title(const Lesson& lesson) {
 }
 
 const Lesson& find_lesson(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Lesson& lesson : lessons()) {
-    if (lesson.name == name) return lesson;
-    names.push_back(lesson.name);
-  }
+  const auto found = std::ranges::find(lessons(), name, &Lesson::name);
+  if (found != lessons().end()) return *found;
+  const std::vector<std::string> names = each_of(lessons(), &Lesson::name);
   throw InputError(
       fmt::format("teach {}: must be one of {}{}", name, fmt::join(names, ", "), did_you_mean(name, names)));
 }
@@ -69,8 +68,17 @@ double error_of(const Scene& scene, const History& answer) {
   return root_mean_square(difference(solve(scene, {.sample_times = answer.times}), answer));
 }
 
+Scene read_shipped(const std::string& scene, const std::vector<std::string>& overrides) {
+  return read_scene(shipped("scenes") / (scene + ".toml"), overrides);
+}
+
 Scene under(Scene scene, Law law) {
   scene.law = law;
+  return scene;
+}
+
+Scene lasting(Scene scene, double duration) {
+  scene.duration = duration;
   return scene;
 }
 
@@ -82,7 +90,7 @@ double weight_of(const Scene& scene) {
 
 const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
                            const std::string& settings, double dt) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const RunMetrics& row) {
+  const auto found = std::ranges::find_if(rows, [&](const RunMetrics& row) {
     return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == settings &&
            row.dt == dt;
   });
@@ -118,13 +126,9 @@ std::string percent(double share, int digits) {
   return fixed(100 * share, digits) + " %";
 }
 
-std::string cell(double value) {
-  return fmt::format("{}", value);
-}
-
 std::string cell(double value, double scale) {
   constexpr double rounding = 1e-12;
-  return cell(std::abs(value) < rounding * scale ? 0 : value);
+  return fmt::format("{}", std::abs(value) < rounding * scale ? 0 : value);
 }
 
 }  // namespace rockstack

@@ -66,7 +66,12 @@ History exact_answer(const Scene& scene, double interval = 1e-3);
 /// Root of the mean square of all differences of an answer's angles from the exact motion, rad.
 double error_of(const Scene& scene, const History& answer);
 
+/// One of the scenes that come with the program. @throws InputError as read_scene().
+Scene read_shipped(const std::string& scene, const std::vector<std::string>& overrides = {});
+
 Scene under(Scene scene, Law law);
+
+Scene lasting(Scene scene, double duration);
 
 /// Of all blocks, N.
 double weight_of(const Scene& scene);
@@ -90,10 +95,7 @@ std::string power(double value, int digits);
 /// A share as per cent, "29.5 %".
 std::string percent(double share, int digits);
 
-/// A cell of a table: a number with all its digits.
-std::string cell(double value);
-
-/// The same, 0 where the number is rounding beside `scale`.
-std::string cell(double value, double scale);
+/// A cell of a table: a number with all its digits; 0 where it is rounding beside `scale`.
+std::string cell(double value, double scale = 0);
 
 }  // namespace rockstack

@@ -19,7 +19,7 @@ double slip_error(Scene scene, const char* engine, double friction, double dt) {
 }
 
 Table slipping(const Scene& scene) {
-  Table table{{"friction of the scene", "Bullet: RMS difference (rad)", "ODE: RMS difference (rad)"}, {}};
+  Table table{{"friction of the scene", "Bullet: RMS difference (rad)", "ODE: RMS difference (rad)"}};
   for (const double friction : {0.05, 0.1, 0.13, 0.16, 0.2, 0.5})
     table.rows.push_back({cell(friction), fixed(slip_error(scene, "bullet", friction, sample_step), 4),
                           fixed(slip_error(scene, "ode", friction, sample_step), 4)});
@@ -28,26 +28,19 @@ Table slipping(const Scene& scene) {
 
 /// What a lift of the ground, half a sine of this peak, asks of the floor.
 Scene shaken_down(Scene scene, double peak) {
-  Pulse pulse;
-  pulse.shape = PulseShape::half_sine;
-  pulse.amplitude = -peak;
-  pulse.period = 0.4;
-  pulse.start = 0.1;
   scene.vertical = {};
-  scene.vertical.pulse = pulse;
+  scene.vertical.pulse = {.shape = PulseShape::half_sine, .amplitude = -peak, .period = 0.4, .start = 0.1};
   return scene;
 }
 
 Table lifting(const Scene& scene) {
-  Table table{{"ground falls with at most (g)", "least normal force (N)", "at (s)", "what the solver says"},
-              {}};
+  Table table{{"ground falls with at most (g)", "least normal force (N)", "at (s)", "what the solver says"}};
   for (const double share : {0.25, 0.5, 0.75, 1.0, 1.25}) {
     const Scene falling = shaken_down(scene, share * scene.gravity);
     const History history = with_demands(falling);
-    const auto warnings = validity_warnings(falling, history);
-    bool lifts = false;
-    for (const std::string& warning : warnings)
-      lifts = lifts || warning.find("lift off") != std::string::npos;
+    const bool lifts = std::ranges::any_of(
+        validity_warnings(falling, history),
+        [](const std::string& warning) { return warning.find("lift off") != std::string::npos; });
     table.rows.push_back({cell(share), fixed(history.forces[0].least_normal, 1),
                           fixed(history.forces[0].least_normal_time, 4),
                           lifts ? "blocks would lift off" : "blocks stay on the ground"});

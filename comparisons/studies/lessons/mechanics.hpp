@@ -15,6 +15,8 @@ struct ImpactEnergies {
   double before = 0;  ///< kinetic
   double after = 0;
   double jump = 0;  ///< kinetic energy of the change of velocity
+
+  double share_lost() const { return 1 - after / before; }
 };
 
 /// Precondition: the event is an impact of that scene.
@@ -54,7 +56,10 @@ double impact_friction(double r);
 
 /// Angular velocity after that impact over that before: 1 − 1.5/(1 + r²) where it sticks, otherwise
 /// (r² − 2 + 3 μ r)/(4 + r² − 3 μ r). Precondition: r² + 3 μ r > 2, or the block stays flat.
-double impact_ratio(double r, double friction);
+double impact_ratio(double r, double friction = largest_friction);
+
+/// Impacts until an amplitude's energy has come down to a share, at a ratio of velocities q: q²ⁿ ≤ share.
+double impacts_to_share(double share, double ratio);
 
 /// A corner that slides to the right under a block that leans that way, as Painlevé's (Genot and Brogliato
 /// 1999, European Journal of Mechanics A 18, 653–677): a normal force N ≥ 0 and Coulomb's friction μN give it

@@ -23,8 +23,7 @@ std::vector<double> errors_of(const char* engine, const char* settings, const Sc
 
 Table quartiles(const std::vector<std::pair<const char*, std::vector<double>>>& sets) {
   Table table{{"engine and set", "at 1 ms itself (rad)", "least of 21 (rad)", "lower quartile (rad)",
-               "median (rad)", "upper quartile (rad)", "most of 21 (rad)"},
-              {}};
+               "median (rad)", "upper quartile (rad)", "most of 21 (rad)"}};
   for (const auto& [name, errors] : sets)
     table.rows.push_back({name, cell(errors[draws / 2]), cell(quantile(errors, 0)),
                           cell(quantile(errors, 0.25)), cell(quantile(errors, 0.5)),
@@ -35,8 +34,7 @@ Table quartiles(const std::vector<std::pair<const char*, std::vector<double>>>& 
 /// Impacts that match: of the engine, of the exact motion read at its steps, and by chance.
 Table matches(const std::vector<RunMetrics>& rows) {
   Table table{{"run", "step (s)", "impacts, exact", "matched", "sampling limit: the exact motion itself",
-               "chance level: random times", "chance level: shifted"},
-              {}};
+               "chance level: random times", "chance level: shifted"}};
   for (const RunMetrics& row : rows) {
     if (!row.dt || !row.impacts_matched || !row.impacts_matched_null) continue;
     const auto count = [](const std::optional<int>& value) { return value ? std::to_string(*value) : ""; };

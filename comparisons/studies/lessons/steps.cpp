@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -28,8 +26,7 @@ std::string shares(const std::vector<RunMetrics>& rows, const std::string& engin
 
 Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
   Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
-               "agrees within tolerance until (s)"},
-              {}};
+               "agrees within tolerance until (s)"}};
   for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene.name && row.rms_angle_difference)
       table.rows.push_back({row.engine + " " + row.solver, cell(*row.dt),
@@ -39,7 +36,7 @@ Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
 }
 
 Table over_iterations(const Scene& scene) {
-  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}, {}};
+  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}};
   for (const double count : {2.0, 5.0, 20.0, 100.0, 500.0})
     table.rows.push_back({cell(count),
                           cell(error_of(scene, answer("ode:quickstep", "tuned", scene, iteration_step,
@@ -64,7 +61,6 @@ SwingState euler_step(const Swing& swing, SwingState from, double dt) {
   return {from.angle + dt * velocity, velocity};
 }
 
-/// Classical Runge–Kutta.
 SwingState fourth_order_step(const Swing& swing, SwingState from, double dt) {
   const auto rate = [&](double share, SwingState slope) {
     return SwingState{from.velocity + share * dt * slope.velocity,
@@ -109,8 +105,7 @@ Table by_steps(const Scene& scene) {
                     std::atan2(b, h)};
   const double exact = first_event(exact_answer(scene), EventKind::impact)->time;
   Table table{{"step (s)", "semi-implicit Euler, end of step (s)", "Runge–Kutta of order 4, end of step (s)",
-               "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"},
-              {}};
+               "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"}};
   std::vector<double> first, last;
   constexpr double coarsest = 0.04, finest = 0.0025;  // s
   for (double dt = coarsest; dt >= finest; dt /= 2) {
@@ -166,7 +161,7 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
                       {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
           .tables = {{"steps", over_steps(rows, scene)},
                      {"iterations", over_iterations(scene.scene)},
-                     {"by_steps", by_steps(read_scene(shipped("scenes") / "housner-block.toml", {}))}},
+                     {"by_steps", by_steps(read_shipped("housner-block"))}},
           .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
           .measured = {{"first_impact_in_steps",
                         *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},

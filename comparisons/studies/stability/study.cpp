@@ -11,11 +11,8 @@
 namespace rockstack {
 namespace {
 
-/// Values of one key along the axis: a number each.
-struct KeyValues {
-  std::string key;
-  std::vector<double> values;
-};
+/// A key with its values along the axis.
+using KeyValues = std::pair<std::string, std::vector<double>>;
 
 /// The stack with that many blocks: cut off, or its top block over and over.
 Scene stacked(Scene scene, std::size_t blocks) {
@@ -36,9 +33,9 @@ std::vector<KeyValues> read_set(const Node& axis, std::size_t count) {
     throw wrong_value(set, "a table of scene keys, each an array");
   for (const Node& child : set.children) {
     list.push_back({child.name, numbers(child)});
-    if (list.back().values.size() != count)
+    if (list.back().second.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
-    for (const double value : list.back().values)
+    for (const double value : list.back().second)
       if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
         throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
   }
@@ -68,12 +65,11 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
   for (std::size_t i = 0; i < along.values.size(); ++i) {
     std::vector<std::string> changes = overrides;
     std::size_t blocks = 0;
-    for (const KeyValues& one : set) {
-      if (one.key == "blocks") {
-        blocks = static_cast<std::size_t>(one.values[i]);
-      } else {
-        changes.push_back(fmt::format("{}={}", one.key, one.values[i]));
-      }
+    for (const auto& [key, values] : set) {
+      if (key == "blocks")
+        blocks = static_cast<std::size_t>(values[i]);
+      else
+        changes.push_back(fmt::format("{}={}", key, values[i]));
     }
     scenes.push_back(read_named_scene(scene, changes));
     if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks), scenes.back().document = {};
@@ -125,7 +121,8 @@ std::string steps_csv(const std::vector<LargestSteps>& list) {
   return csv.text();
 }
 
-Json limits_json(const StabilityLimits& limits) {
+Json limits_json() {
+  constexpr StabilityLimits limits = stability_limits;
   return {{"unstable_energy", limits.unstable_energy},
           {"unstable_gap", limits.unstable_gap},
           {"unstable_tilt", limits.unstable_tilt},
@@ -178,43 +175,42 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
 }
 
 std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows) {
-  using Key = std::tuple<std::string, std::string, std::string, double>;
-  std::map<Key, std::size_t> places;
-  std::vector<LargestSteps> list;
-  std::vector<std::map<double, Soundness>> by_step;
-  for (const auto& [row, value, verdict] : rows) {
-    if (!row.dt) continue;
-    const auto [at, added] = places.try_emplace({row.engine, row.solver, row.settings, value}, list.size());
-    if (added) {
-      list.push_back({row.engine, row.solver, row.settings, value});
-      by_step.emplace_back();
-    }
-    by_step[at->second][*row.dt] = verdict.soundness;
+  struct Solver {
+    LargestSteps steps;
+    std::map<double, Soundness> by_step;
+  };
+  std::vector<Solver> solvers;
+  for (const StabilityRun& run : rows) {
+    if (!run.row.dt) continue;
+    const LargestSteps own{run.row.engine, run.row.solver, run.row.settings, run.value};
+    const auto is = [&](const Solver& known) { return known.steps == own; };
+    found_or_added(solvers, is, {own, {}}).by_step[*run.row.dt] = run.verdict.soundness;
   }
-  for (std::size_t i = 0; i < list.size(); ++i) {
+  return each_of(solvers, [](const Solver& solver) {
+    LargestSteps steps = solver.steps;
     bool sound = true;
-    for (const auto& [dt, soundness] : by_step[i]) {
+    for (const auto& [dt, soundness] : solver.by_step) {
       if (soundness > Soundness::inexact) break;
-      list[i].stable = dt;
+      steps.stable = dt;
       sound = sound && soundness == Soundness::sound;
-      if (sound) list[i].sound = dt;
+      if (sound) steps.sound = dt;
     }
-  }
-  return list;
+    return steps;
+  });
 }
 
 std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,
                                         Executor& executor, const CompareOptions& options) {
   std::vector<StabilityRun> rows;
   for (const RunMetrics& row : compare({study.suite}, folder, executor, options).rows) {
-    rows.push_back({row, place(study, row),
-                    judge_stability(row, find_scene(study.suite.scenes, row.scene).scene, study.limits)});
+    rows.push_back(
+        {row, place(study, row), judge_stability(row, find_scene(study.suite.scenes, row.scene).scene)});
     rows.back().row.settings = settings_of(study, row.settings);
   }
   write_file(folder / "stability.csv", stability_csv(rows));
   write_file(folder / "steps.csv", steps_csv(largest_steps(rows)));
   const Json json{{"title", study.suite.title},        {"axis", study.axis.name},
-                  {"parameter", study.axis.parameter}, {"limits", limits_json(study.limits)},
+                  {"parameter", study.axis.parameter}, {"limits", limits_json()},
                   {"study_file", study.text},          {"command", options.command}};
   write_file(folder / "stability.json", json.dump(2) + "\n");
   return rows;

@@ -58,7 +58,8 @@ std::string name(Soundness soundness) {
   return names.at(static_cast<std::size_t>(soundness));
 }
 
-StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene, const StabilityLimits& limits) {
+StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene) {
+  constexpr StabilityLimits limits = stability_limits;
   if (row.status != RunStatus::done) return {Soundness::failed, name(row.status) + ": " + row.reason};
   const Scale scale = scale_of(scene);
   std::string unstable = first_beyond(

@@ -11,12 +11,7 @@ namespace rockstack {
 namespace {
 
 Value number_value(double number, const std::string& place) {
-  Value value;
-  value.node.kind = Node::Kind::number;
-  value.node.number = number;
-  value.node.place = place;
-  value.text = number_text(number);
-  return value;
+  return {{.kind = Node::Kind::number, .place = place, .number = number}, number_text(number)};
 }
 
 void describe_record(const std::filesystem::path& name, MotionLibrary& library, std::string& text) {
@@ -191,13 +186,12 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   if (find(table, "group") == nullptr && std::ranges::all_of(variation.keys, is_label))
     throw wrong_value(key, "a key that changes the exact motion, or one of a group");
   const Node& given = way(table);
-  if (given.name == "values") {
+  if (given.name == "values")
     variation.values = read_values(given);
-  } else if (given.name == "range") {
+  else if (given.name == "range")
     variation.values = read_range(given);
-  } else {
+  else
     variation.distribution = read_distribution(given);
-  }
   for (Value& value : variation.values)
     if (variation.is_record(value))
       value.node.text = std::filesystem::absolute(folder / value.node.text).string();

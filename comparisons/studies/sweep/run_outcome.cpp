@@ -9,17 +9,11 @@ namespace {
 /// What interfaces do, at a time or ever.
 struct Freedom {
   bool slips = false, opens = false, parts = false;
-
-  Freedom& operator|=(const Freedom& other) {
-    slips |= other.slips;
-    opens |= other.opens;
-    parts |= other.parts;
-    return *this;
-  }
 };
 
-Freedom freedom(const Pattern& pattern) {
-  Freedom result;
+/// Of a pattern, and of what was `before`.
+Freedom freedom(const Pattern& pattern, const Freedom& before = {}) {
+  Freedom result = before;
   for (std::size_t k = 0; k < static_cast<std::size_t>(pattern.size); ++k) {
     result.slips |= pattern.slides[k] != 0;
     result.opens |= pattern.contacts[k] == Contact::left || pattern.contacts[k] == Contact::right;
@@ -38,12 +32,9 @@ Freedom freedom(const InitialState& initial) {
       return other;
     });
   };
-  const auto has_any = [](const std::vector<double>& values) {
-    return std::ranges::any_of(values, [](double value) { return value != 0; });
-  };
-  return {.slips = has_any(initial.slip_velocities),
+  return {.slips = largest_magnitude(initial.slip_velocities) > 0,
           .opens = differs(initial.angles) || differs(initial.velocities),
-          .parts = has_any(initial.gaps)};
+          .parts = largest_magnitude(initial.gaps) > 0};
 }
 
 MotionMode mode_of(const Freedom& freedom) {
@@ -109,7 +100,7 @@ MotionMode whole_mode(const Scene& scene, const History& history) {
     if (last == EventKind::fall || last == EventKind::strike) return MotionMode::fall;
   }
   Freedom ever = freedom(scene.initial);
-  for (const Event& event : history.events) ever |= freedom(event.to);
+  for (const Event& event : history.events) ever = freedom(event.to, ever);
   return mode_of(ever);
 }
 

@@ -42,21 +42,15 @@ Run run_in(const CsvLine& line, const SummaryKeys& keys) {
   return run;
 }
 
-std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys& keys) {
-  std::vector<Run> runs;
-  for (CsvLine line(file); line.next();) runs.push_back(run_in(line, keys));
-  return runs;
-}
-
 /// The level that an intensity belongs to: its own; or where there are many, as values are drawn, the middle
 /// one of a bin, each bin with as many runs as any other.
-std::map<double, double> levels_of(const std::vector<Run>& runs) {
-  constexpr std::size_t most_levels = 100, bins = 20;
+std::map<double, double> levels_of(const std::vector<Run>& runs, std::size_t most) {
+  constexpr std::size_t bins = 20;
   std::vector<double> all = each_of(runs, &Run::intensity);
   std::ranges::sort(all);
   std::map<double, double> levels;
   for (const double intensity : all) levels.emplace(intensity, intensity);
-  if (levels.size() <= most_levels) return levels;
+  if (levels.size() <= most) return levels;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t bin = i * bins / all.size();
     levels[all[i]] = all[(2 * bin + 1) * all.size() / (2 * bins)];
@@ -80,16 +74,14 @@ std::vector<Level> tallied(const std::vector<Run>& runs, const std::map<double, 
 /// The curve is fitted to all intensities as they are, whatever the levels of the table.
 void write_fragility(const std::vector<Run>& runs, const std::map<double, double>& levels,
                      const std::filesystem::path& folder) {
-  std::map<double, double> own;
-  for (const auto& [intensity, level] : levels) own.emplace(intensity, intensity);
-  const auto fit = fit_fragility(tallied(runs, own));
+  const auto fit = fit_fragility(tallied(runs, levels_of(runs, runs.size())));
   CsvWriter csv;
   csv.line("intensity", "runs", "toppled", "failed", "fraction", "lower", "upper", "fitted");
   for (const Level& level : tallied(runs, levels)) {
     const Bounds bounds = wilson_bounds(level.toppled, level.runs);
-    const auto runs_there = static_cast<double>(level.runs);
     const std::string fraction =
-        level.runs == 0 ? "" : number_text(static_cast<double>(level.toppled) / runs_there);
+        level.runs == 0 ? ""
+                        : number_text(static_cast<double>(level.toppled) / static_cast<double>(level.runs));
     csv.line(number_text(level.intensity), level.runs, level.toppled, level.failed, fraction,
              number_text(bounds.lower), number_text(bounds.upper),
              fit ? number_text(probability(*fit, level.intensity)) : "");
@@ -160,14 +152,9 @@ void write_overturning(const std::vector<Run>& runs, const std::filesystem::path
 /// "slide_rock" of slide-rock.
 std::string column_of(MotionMode mode) {
   std::string column = name(mode);
-  std::replace_if(
-      column.begin(), column.end(), [](char c) { return c == '-' || c == ' '; }, '_');
+  std::ranges::replace_if(
+      column, [](char c) { return c == '-' || c == ' '; }, '_');
   return column;
-}
-
-/// Whether a motion may begin so; others are ends.
-bool begins(MotionMode mode) {
-  return mode <= MotionMode::free_flight;
 }
 
 void write_modes(const std::vector<Run>& runs, const std::filesystem::path& folder) {
@@ -175,6 +162,7 @@ void write_modes(const std::vector<Run>& runs, const std::filesystem::path& fold
     std::size_t runs = 0, failed = 0;
     std::map<std::string, std::size_t> onset, motion;
   };
+  const auto onsets = std::span(motion_modes).first(1 + static_cast<std::size_t>(MotionMode::free_flight));
   std::map<std::pair<double, double>, Cell> cells;
   for (const Run& run : runs) {
     Cell& cell = cells[{run.intensity, run.friction}];
@@ -184,14 +172,12 @@ void write_modes(const std::vector<Run>& runs, const std::filesystem::path& fold
   }
   CsvWriter csv;
   csv.add("intensity", "friction", "runs");
-  for (const MotionMode mode : motion_modes)
-    if (begins(mode)) csv.add("onset_" + column_of(mode));
+  for (const MotionMode mode : onsets) csv.add("onset_" + column_of(mode));
   for (const MotionMode mode : motion_modes) csv.add(column_of(mode));
   csv.line("failed");
   for (auto& [place, cell] : cells) {
     csv.add(number_text(place.first), number_text(place.second), cell.runs);
-    for (const MotionMode mode : motion_modes)
-      if (begins(mode)) csv.add(cell.onset[name(mode)]);
+    for (const MotionMode mode : onsets) csv.add(cell.onset[name(mode)]);
     for (const MotionMode mode : motion_modes) csv.add(cell.motion[name(mode)]);
     csv.line(cell.failed);
   }
@@ -202,14 +188,15 @@ void write_modes(const std::vector<Run>& runs, const std::filesystem::path& fold
 
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys) {
   for (const char* name : {"fragility.csv", "fragility-fit.csv", "incremental.csv",
-                           "incremental-fractiles.csv", "overturning.csv", "modes.csv"}) {
+                           "incremental-fractiles.csv", "overturning.csv", "modes.csv"})
     std::filesystem::remove(folder / name);
-  }
   if (keys.intensity.empty()) return;
-  const std::vector<Run> runs = read_runs(folder / "runs.csv", keys);
+  std::vector<Run> runs;
+  for (CsvLine line(folder / "runs.csv"); line.next();) runs.push_back(run_in(line, keys));
   if (!keys.period.empty()) return write_overturning(runs, folder);
   if (!keys.friction.empty()) return write_modes(runs, folder);
-  const std::map<double, double> levels = levels_of(runs);
+  constexpr std::size_t most_lines = 100;
+  const std::map<double, double> levels = levels_of(runs, most_lines);
   write_fragility(runs, levels, folder);
   write_incremental(runs, levels, folder);
 }

@@ -1,5 +1,6 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
+#include "analytic/scene/input/page_scene.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
@@ -40,12 +41,6 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
   write_summaries(folder, ensemble.summary);
 }
 
-std::size_t count_failed(const std::filesystem::path& runs) {
-  std::size_t count = 0;
-  for (CsvLine line(runs); line.next();) count += line.text("status") == "failed" ? 1 : 0;
-  return count;
-}
-
 void write_timing(const SweepResult& result, const Executor& executor, const SweepOptions& options) {
   const Json json{{"command", options.command},
                   {"workers", executor.description()},
@@ -74,11 +69,10 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   Journal journal(options.folder, identity(ensemble, library) + std::to_string(block_size(result.runs)));
   std::vector<std::size_t> blocks;
   for (std::size_t block = 0; block * block_size(result.runs) < result.runs; ++block) {
-    if (journal.has(block)) {
+    if (journal.has(block))
       result.done += length_of(block, result.runs);
-    } else {
+    else
       blocks.push_back(block);
-    }
   }
   const std::size_t begun_with = result.done;
   options.progress(result.done, begun_with, result.runs);
@@ -94,7 +88,8 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!result.finished()) return result;
   write_results(ensemble, journal, options.folder);
-  result.failed = count_failed(options.folder / "runs.csv");
+  for (CsvLine line(options.folder / "runs.csv"); line.next();)
+    result.failed += line.text("status") == "failed" ? 1 : 0;
   if (result.computed > 0) write_timing(result, executor, options);
   return result;
 }

@@ -22,8 +22,7 @@ InterfaceSummary summary_of(const Scene& scene) {
 
 Table amplitudes(Scene scene) {
   Table table{{"amplitude (g)", "least normal force by pivots (weights)", "lifts off at (s)", "lands at (s)",
-               "highest gap (mm)"},
-              {}};
+               "highest gap (mm)"}};
   const double weight = scene.blocks.front().mass * scene.gravity;
   for (const double share : {0.8, 0.99, 1.5, 2.0, 3.0}) {
     scene.vertical.pulse->amplitude = share * scene.gravity;
@@ -60,8 +59,7 @@ Scene sliding(Scene scene, double speed, double friction) {
 
 Table slides(const Scene& scene, const Throw& thrown, double speed) {
   Table table{{"friction", "after the landing (m/s): v₀ − μ g t", "exact solver", "stops at (s): v₀/(μ g)",
-               "exact solver", "slides (m): closed form", "exact solver", "without the throw (m)"},
-              {}};
+               "exact solver", "slides (m): closed form", "exact solver", "without the throw (m)"}};
   for (const double friction : {0.1, 0.2, 0.4}) {
     const Scene moving = sliding(scene, speed, friction);
     const Slide form = slide_through(thrown, speed, friction, scene.gravity);

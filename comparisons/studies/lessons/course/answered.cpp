@@ -50,7 +50,6 @@ std::size_t place_of(const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(lessons(), name, &Lesson::name) - lessons().begin());
 }
 
-/// What a course's list says of a lesson.
 Json summary(const Lesson& lesson, const CourseEntry& course) {
   Json after = Json::array();
   for (const std::string& name : course.after)
@@ -94,51 +93,38 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
 
 }  // namespace
 
-Answered answered(const Problem& problem, const std::map<std::string, double>& numbers) {
+Json answered(const Problem& problem, const std::map<std::string, double>& numbers) {
   Places places;
   for (const auto& [name, number] : numbers) places[name] = cell(number);
   Asked asked = asked_in(problem, problem.changes, places);
   Asked other = problem.against.empty() ? Asked() : asked_in(problem, problem.against, places);
   asked.numbers = other.numbers = numbers;
-  Answered result{problem.name, filled_in(problem.text, places), {}};
+  Json parts = Json::array();
   for (Part part : problem.parts) {
-    part.ask = filled_in(part.ask, places);
     part.choices = all_filled_in(part.choices, places);
     const double divisor = problem.against.empty() ? 1 : quantity(part.answer, other);
     const double value = quantity(part.answer, asked) / divisor;
-    result.parts.push_back({part, value, shown(part, value)});
-  }
-  return result;
-}
-
-void to_json(Json& json, const Answered& question) {
-  Json parts = Json::array();
-  for (const auto& [part, value, shown] : question.parts) {
-    parts.push_back({{"ask", part.ask},
+    parts.push_back({{"ask", filled_in(part.ask, places)},
                      {"choices", part.choices},
                      {"unit", part.unit},
                      {"within", part.within},
                      {"value", value},
-                     {"shown", shown},
+                     {"shown", shown(part, value)},
                      {"why", part.why}});
     if (!part.choices.empty()) parts.back()["right"] = right_choice(part, value);
   }
-  json = {{"name", question.name}, {"text", question.text}, {"parts", parts}};
-}
-
-std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t seed) {
-  std::mt19937_64 generator(seed ^ checksum(lesson));
-  std::vector<Answered> list;
-  for (const Problem& problem : read_course(lesson).problems) {
-    std::map<std::string, double> numbers;
-    for (const DrawnRange& range : problem.draw) numbers[range.name] = drawn(range, generator);
-    list.push_back(answered(problem, numbers));
-  }
-  return list;
+  return {{"name", problem.name}, {"text", filled_in(problem.text, places)}, {"parts", parts}};
 }
 
 Json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed) {
-  return {{"lesson", lesson}, {"title", title}, {"seed", seed}, {"problems", drawn_problems(lesson, seed)}};
+  std::mt19937_64 generator(seed ^ checksum(lesson));
+  Json problems = Json::array();
+  for (const Problem& problem : read_course(lesson).problems) {
+    std::map<std::string, double> numbers;
+    for (const DrawnRange& range : problem.draw) numbers[range.name] = drawn(range, generator);
+    problems.push_back(answered(problem, numbers));
+  }
+  return {{"lesson", lesson}, {"title", title}, {"seed", seed}, {"problems", problems}};
 }
 
 std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder, bool in_course,

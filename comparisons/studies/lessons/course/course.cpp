@@ -6,27 +6,21 @@
 namespace rockstack {
 namespace {
 
-/// Of a file that nobody but the lessons has; what keys mean stands at the members that they fill.
-constexpr InputKey named_key(const char* name) {
-  return {name, "", "", "", "", ""};
-}
+// Of files that nobody but the lessons has; what keys mean stands at the members that they fill.
 
 constexpr KeyTable course_keys{
     "",
     "a lesson as part of a course",
-    {named_key("minutes"), named_key("pattern"), named_key("after"), named_key("aims"),
-     named_key("references"), named_key("predictions"), named_key("problems")}};
+    {{"minutes"}, {"pattern"}, {"after"}, {"aims"}, {"references"}, {"predictions"}, {"problems"}}};
 
 constexpr KeyTable problem_keys{"[[problems]]",
                                 "a question with its scene",
-                                {named_key("name"), named_key("text"), named_key("scene"), named_key("set"),
-                                 named_key("against"), named_key("draw"), named_key("parts")}};
+                                {{"name"}, {"text"}, {"scene"}, {"set"}, {"against"}, {"draw"}, {"parts"}}};
 
 constexpr KeyTable part_keys{
     "parts",
     "one thing that is asked",
-    {named_key("ask"), named_key("answer"), named_key("choices"), named_key("bounds"), named_key("unit"),
-     named_key("digits"), named_key("within"), named_key("why")}};
+    {{"ask"}, {"answer"}, {"choices"}, {"bounds"}, {"unit"}, {"digits"}, {"within"}, {"why"}}};
 
 std::vector<std::string> texts(const Node& table, const char* key) {
   const Node* node = find(table, key);
