@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <system_error>
-
 #include "analytic/scene/input/document.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 
@@ -30,21 +28,6 @@ ComparedScene scene_of(const Json& json, const fs::path& results) {
   if (const fs::path ground = results / "ground" / (scene.name + ".csv"); fs::exists(ground))
     scene.ground_motion = ground;
   return scene;
-}
-
-PaperStatement statement_of(const Json& json) {
-  const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
-  return {text("source"), text("claim"), text("verdict"), text("criterion"), text("computed")};
-}
-
-void read_runs(const Json& rows, const fs::path& results, Comparison& comparison) {
-  const auto files = std::make_shared<KeptFiles>();
-  for (RunMetrics& row : rows.get<std::vector<RunMetrics>>()) {
-    Run run{std::move(row)};
-    run.folder = results / "runs" / name_in(results, "run", run.run);
-    run.files = files;
-    comparison.runs.push_back(std::move(run));
-  }
 }
 
 /// What a scene's figures are chosen by.
@@ -74,15 +57,18 @@ Comparison comparison_of(const Json& json, const fs::path& results) {
   if (!(comparison.tolerance > 0))
     throw std::invalid_argument(fmt::format("tolerance_rad = {}: must be > 0", comparison.tolerance));
   comparison.left_out = json.at("left_out").get<std::vector<std::string>>();
-  for (const Json& statement : json.at("statements"))
-    comparison.statements.push_back(statement_of(statement));
+  for (const Json& one : json.at("statements"))
+    comparison.statements.push_back(
+        {one.at("source"), one.at("claim"), one.at("verdict"), one.at("criterion"), one.at("computed")});
   comparison.fits = json.at("fits").get<std::vector<SeriesFit>>();
   comparison.distances = json.at("distributions").get<std::vector<DistributionDistance>>();
   comparison.verdict = verdict_from(json.at("verdict"));
   if (comparison.verdict.scenes.size() != comparison.scenes.size())
     throw std::invalid_argument(fmt::format("verdict of {} scenes: must be of {}",
                                             comparison.verdict.scenes.size(), comparison.scenes.size()));
-  read_runs(json.at("rows"), results, comparison);
+  const auto files = std::make_shared<KeptFiles>();
+  for (const RunMetrics& row : json.at("rows").get<std::vector<RunMetrics>>())
+    comparison.runs.push_back({row, results / "runs" / name_in(results, "run", row.run), files});
   note_kinds(comparison);
   return comparison;
 }
@@ -100,19 +86,12 @@ ComparedScene scene_of(const Json& summary, const Run& run) {
   return scene;
 }
 
-/// A motion that was given up is shown up to there.
-Run run_of(const Json& summary, const fs::path& results) {
-  Run run{summary.get<RunMetrics>()};
-  run.status = RunStatus::done;
-  run.folder = results;
-  run.files = std::make_shared<KeptFiles>();
-  return run;
-}
-
 Motion motion_of(const Json& summary, const fs::path& results) {
   Motion motion;
-  motion.comparison.runs = {run_of(summary, results)};
-  motion.comparison.scenes = {scene_of(summary, motion.comparison.runs.front())};
+  Run run{summary.get<RunMetrics>(), results, std::make_shared<KeptFiles>()};
+  run.status = RunStatus::done;  // a motion that was given up is shown up to there
+  motion.comparison.runs = {run};
+  motion.comparison.scenes = {scene_of(summary, run)};
   motion.comparison.title = motion.comparison.scenes.front().title;
   motion.comparison.command = summary.at("command").get<std::string>();
   motion.comparison.environment = facts_of(summary.at("environment"));
@@ -143,10 +122,10 @@ Facts facts_of(const Json& object) {
   return facts;
 }
 
-void KeptFiles::make_room_for(const std::filesystem::path& file) {
+void KeptFiles::make_room_for(const fs::path& file) {
   constexpr std::uintmax_t room = 500'000'000;
   std::error_code none;
-  const std::uintmax_t size = std::filesystem::file_size(file, none);
+  const std::uintmax_t size = fs::file_size(file, none);
   if (none) return;
   if (bytes_ + size > room) {
     kept_.clear();
@@ -207,10 +186,6 @@ bool tells_slips(const Run& run) {
 
 std::string solver_name(const Run& run) {
   return run.exact() || run.solver.empty() ? run.engine : run.engine + ":" + run.solver;
-}
-
-bool has_one_motion(const fs::path& results) {
-  return fs::exists(results / "summary.json") && fs::exists(results / "history.csv");
 }
 
 Motion read_motion(const fs::path& results) {

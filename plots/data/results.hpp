@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -41,8 +40,8 @@ class KeptFiles {
  public:
   /// What `read` makes of a file. A file is always read by the same function.
   template <class Read>
-  auto get(const std::filesystem::path& file, const Read& read) {
-    using Value = std::invoke_result_t<Read, const std::filesystem::path&>;
+  auto get(const fs::path& file, const Read& read) {
+    using Value = std::invoke_result_t<Read, const fs::path&>;
     if (const auto found = kept_.find(file); found != kept_.end())
       return std::static_pointer_cast<const Value>(found->second);
     std::shared_ptr<const Value> value = std::make_shared<const Value>(read(file));
@@ -52,15 +51,15 @@ class KeptFiles {
   }
 
  private:
-  void make_room_for(const std::filesystem::path& file);
+  void make_room_for(const fs::path& file);
 
-  std::map<std::filesystem::path, std::shared_ptr<const void>> kept_;
+  std::map<fs::path, std::shared_ptr<const void>> kept_;
   std::uintmax_t bytes_ = 0;  ///< of the files
 };
 
 /// A row of a comparison, and where its files are.
 struct Run : RunMetrics {
-  std::filesystem::path folder = {};
+  fs::path folder = {};
   std::shared_ptr<KeptFiles> files = {};  ///< what was read of them; null: nothing is kept
 
   bool done() const { return status == RunStatus::done; }
@@ -76,29 +75,24 @@ double value_of(const std::optional<Number>& cell) {
 /// A scene as it was compared.
 struct ComparedScene : RecordedScene {
   std::string name = {};
-  std::string toml = {};                     ///< the scene as text
-  std::string page = {};                     ///< the scene for pages that solve it, JSON; empty: none
-  double predictable_time = std::nan("");    ///< until when histories can be compared, s; NaN: not known
-  std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
-  std::vector<std::string> results = {};     ///< what was computed, by the suite's names
-  std::vector<std::string> readings = {};    ///< what a test has measured, by its columns
-  std::string reading_unit = {};             ///< "rad" or "m"
-  bool both_equations = false;               ///< linear and full equations, side by side
-  bool fitted = false;                       ///< whether errors were fitted over the time steps
-  bool perturbed = false;                    ///< whether there are distributions over perturbed scenes
-  bool slips = false;                        ///< whether a run tells how far blocks have slipped
-  bool split = false;                        ///< whether differences are split into parts
-  bool frictions = false;                    ///< whether the exact solver ran with other friction too
-  bool alone = false;                        ///< one motion by itself: no run stands beside another
+  std::string toml = {};                   ///< the scene as text
+  std::string page = {};                   ///< the scene for pages that solve it, JSON; empty: none
+  double predictable_time = std::nan("");  ///< until when histories can be compared, s; NaN: not known
+  fs::path ground_motion = {};             ///< its file, empty where nothing moves it
+  std::vector<std::string> results = {};   ///< what was computed, by the suite's names
+  std::vector<std::string> readings = {};  ///< what a test has measured, by its columns
+  std::string reading_unit = {};           ///< "rad" or "m"
+  bool both_equations = false;             ///< linear and full equations, side by side
+  bool fitted = false;                     ///< whether errors were fitted over the time steps
+  bool perturbed = false;                  ///< whether there are distributions over perturbed scenes
+  bool slips = false;                      ///< whether a run tells how far blocks have slipped
+  bool split = false;                      ///< whether differences are split into parts
+  bool frictions = false;                  ///< whether the exact solver ran with other friction too
+  bool alone = false;                      ///< one motion by itself: no run stands beside another
 
   bool has(const std::string& result) const;
   /// Until when histories can be compared, s.
   double horizon() const { return std::isnan(predictable_time) ? duration : predictable_time; }
-};
-
-/// A statement of the paper beside what was computed.
-struct PaperStatement {
-  std::string source, claim, verdict, criterion, computed;
 };
 
 /// What `rockstack compare` has written.
@@ -110,8 +104,10 @@ struct Comparison {
   double tolerance = 0;       ///< rad, the difference up to which angles count as agreeing; > 0
   ComparisonVerdict verdict;  ///< what it comes to; of one motion alone nothing
   std::vector<std::string> left_out;
-  std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them
-  std::vector<SeriesFit> fits;             ///< of errors over time steps
+  /// Of the paper beside what was computed: source, claim, verdict, criterion, computed. None where the suite
+  /// does not ask for them.
+  std::vector<std::vector<std::string>> statements;
+  std::vector<SeriesFit> fits;  ///< of errors over time steps
   std::vector<DistributionDistance> distances;
   std::vector<Run> runs;
 };
@@ -123,7 +119,7 @@ JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene);
 std::string heading(const ComparedScene& scene);
 
 /// Reads comparison.json. @throws InputError naming what is missing or malformed.
-Comparison read_comparison(const std::filesystem::path& results);
+Comparison read_comparison(const fs::path& results);
 
 /// What `rockstack solve` or `simulate` has written: a comparison of one scene with one run, whose files lie
 /// in the results folder itself.
@@ -133,11 +129,8 @@ struct Motion {
   Facts summary;        ///< everything that summary.json says besides
 };
 
-/// True where a folder holds one motion.
-bool has_one_motion(const std::filesystem::path& results);
-
 /// Reads summary.json. @throws InputError naming the file that is missing or malformed.
-Motion read_motion(const std::filesystem::path& results);
+Motion read_motion(const fs::path& results);
 
 /// Everything that a run's summary.json says, nested names joined by dots.
 /// @throws InputError naming the file that is missing or malformed.

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
@@ -29,13 +23,6 @@ std::shared_ptr<const History> history_of(const Run& run);
 std::shared_ptr<const std::vector<AlignedImpact>> impacts_of(const Run& run);
 
 std::shared_ptr<const EnergyHistory> energies_of(const Run& run);
-
-/// Between what the middle half of a block's angles lie over a run's replicates, rad; empty where the run has
-/// none, or its files no histories.
-struct Band {
-  std::vector<double> times, lower, upper;
-};
-Band band_of(const Run& run, int block);
 
 /// What perturbed scenes came to; none where there are none.
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run);
@@ -71,15 +58,6 @@ std::vector<ImpactLoss> impact_losses(const Run& run);
 /// A number of each draw of a run, rising; empty where the run has no draws. @throws InputError naming the
 /// file and what is wrong in it.
 std::vector<double> replicates_of(const Run& run, const std::string& quantity);
-
-/// The whole range of a number over draws.
-struct SpreadRange {
-  double least = 0, greatest = 0;
-};
-
-/// The ranges of one number by the names of the runs that have draws. @throws InputError likewise.
-std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& results,
-                                             const std::string& quantity);
 
 /// How many perturbed scenes of a run end one way.
 struct Share {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {

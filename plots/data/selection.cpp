@@ -2,16 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
-
 #include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack::plots {
 namespace {
-
-bool same_solver(const Run& a, const Run& b) {
-  return solver_name(a) == solver_name(b);
-}
 
 /// Where "+numIterations=…" or the like stands in a run's settings, and its length; npos where it does not.
 std::pair<std::size_t, std::size_t> iterations_in(const std::string& settings) {
@@ -51,7 +45,7 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
   for (const Run& run : runs) {
     if (run.exact()) continue;
     const auto is_own = [&](const StepLine& line) {
-      return same_solver(line.front(), run) && settings(line.front()) == settings(run);
+      return solver_name(line.front()) == solver_name(run) && settings(line.front()) == settings(run);
     };
     found_or_added(lines, is_own, {}).push_back(run);
   }
@@ -90,11 +84,9 @@ std::vector<StepLine> shown_lines(const Comparison& comparison, const std::strin
 }
 
 Shown shown_runs(const Comparison& comparison, const std::string& scene) {
-  Shown shown;
-  for (const Run& run : done_runs(comparison, scene))
-    if (run.exact() && shown.exact.empty()) shown.exact.push_back(run);
-  for (const StepLine& line : shown_lines(comparison, scene)) shown.engines.push_back(line.front());
-  return shown;
+  std::vector<Run> exact = done_runs(comparison, scene);
+  exact.resize(!exact.empty() && exact.front().exact() ? 1 : 0);
+  return {exact, each_of(shown_lines(comparison, scene), [](const StepLine& line) { return line.front(); })};
 }
 
 std::vector<double> chosen_steps(const std::vector<Run>& runs) {
@@ -108,10 +100,7 @@ std::vector<double> chosen_steps(const std::vector<Run>& runs) {
 int iterations_of(const Run& run) {
   const auto [begin, length] = iterations_in(run.settings);
   if (begin == std::string::npos) return 0;
-  const char* const number = run.settings.c_str() + run.settings.find('=', begin) + 1;
-  int iterations = 0;
-  std::from_chars(number, run.settings.c_str() + run.settings.size(), iterations);
-  return iterations;
+  return static_cast<int>(std::strtol(run.settings.c_str() + run.settings.find('=', begin) + 1, nullptr, 10));
 }
 
 std::string line_label(const Run& run) {

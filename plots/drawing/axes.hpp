@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "plots/data/results.hpp"
 #include "plots/drawing/layout.hpp"
 

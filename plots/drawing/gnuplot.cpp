@@ -4,11 +4,9 @@
 #include <gnuplot-iostream.h>
 #include <stdlib.h>  // mkdtemp is POSIX, not in <cstdlib>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
-#include <stdexcept>
-#include <utility>
 
 #include "comparisons/measures/results/files.hpp"
 
@@ -57,8 +55,7 @@ std::string complaint(const fs::path& folder) {
   for (char& c : text)
     if (c == '\n' || c == '\t') c = ' ';
   constexpr std::size_t longest = 400;
-  if (text.size() > longest) text.erase(0, text.size() - longest);
-  return text;
+  return text.substr(text.size() - std::min(text.size(), longest));
 }
 
 /// Frames one by one: into one file that loops, and where `film` is set into a picture each.
@@ -108,15 +105,6 @@ void run_gnuplot(const fs::path& folder, const std::string& script, const fs::pa
                                          status.substr(0, status.find('\n')), complaint(folder)));
 }
 
-/// Words in the unseen colour have no fill: gnuplot's SVG knows no transparent ones.
-std::string without_unseen(std::string svg) {
-  const std::string filled = R"*(fill="rgb(1,2,3)")*";
-  const std::string empty = R"(fill="none")";
-  for (std::size_t at = svg.find(filled); at != std::string::npos; at = svg.find(filled, at + empty.size()))
-    svg.replace(at, filled.size(), empty);
-  return svg;
-}
-
 }  // namespace
 
 Scratch::Scratch(const fs::path& within, const std::string& name) {
@@ -131,9 +119,7 @@ Scratch::~Scratch() {
 }
 
 std::string quoted_for_shell(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'";
 }
 
 bool has_program(const std::string& name) {
@@ -160,7 +146,8 @@ void draw(const Drawing& drawing, const fs::path& stem) {
       throw std::runtime_error(
           fmt::format("gnuplot left {} unfinished: {}", stem.string(), complaint(scratch.folder)));
   }
-  pictures.back().second = without_unseen(std::move(pictures.back().second));
+  // Words in the unseen colour have no fill: gnuplot's SVG knows no transparent ones.
+  boost::replace_all(pictures.back().second, R"*(fill="rgb(1,2,3)")*", R"(fill="none")");
   fs::create_directories(stem.parent_path());
   for (const auto& [format, picture] : pictures) write_file(fs::path(stem).concat(format), picture);
 }

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace rockstack::plots {
 namespace {
@@ -115,8 +113,7 @@ constexpr double answer_row = 22;
 /// Room for the question and its answer.
 double question_height(const std::string& question) {
   constexpr double usual = 46;
-  if (question.empty()) return 0;
-  return usual + (answer_lines(question).size() > 1 ? answer_row : 0);
+  return question.empty() ? 0 : usual + (answer_lines(question).size() > 1 ? answer_row : 0);
 }
 
 /// Long words of a small panel in lines.
@@ -135,7 +132,7 @@ std::vector<std::string> lines_of(const std::string& words) {
 }
 
 /// The words above a small panel, each line in a size that stays above it.
-std::string words_above(const Multiple& one) {
+std::string words_above(const Series& one) {
   const std::vector<std::string> lines = lines_of(one.words);
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -150,13 +147,8 @@ std::string words_above(const Multiple& one) {
 
 std::string in_quotes(const std::string& text) {
   std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += R"('."'".')";
-    } else {
-      result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
+  for (const char c : text)
+    result += c == '\'' ? R"('."'".')" : std::string(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
   return result + "'";
 }
 
@@ -169,6 +161,10 @@ std::string data_block(const std::string& name, const Curve& curve) {
   for (std::size_t i = 0; i < curve.size(); ++i)
     text += fmt::format("{:.8g} {:.6g}\n", curve.times[i], curve.values[i]);
   return text + "END\n";
+}
+
+std::string plot_of(const std::string& block, const std::string& style) {
+  return fmt::format("${} using 1:2 {} notitle", block, style);
 }
 
 Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question, double width)
@@ -194,11 +190,6 @@ void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, 
     left += pace;
   }
   below_ += height;
-}
-
-void Sheet::leave_room_beside() {
-  constexpr double beside = 0.07;
-  right_ -= beside;
 }
 
 Drawing Sheet::finish() const {
@@ -242,29 +233,28 @@ std::string without_horizontal_labels() {
 
 Drawing empty_sheet(const std::string& title, const std::string& text) {
   Sheet sheet(title, {});
-  constexpr double height = 120;
-  sheet.panel(height, 0,
+  sheet.panel(120, 0,
               "unset tics\nset xrange [0:1]\nset yrange [0:1]\nset label 2 " + in_quotes(text) +
                   " noenhanced at graph 0.5, graph 0.5 center\n",
               {});
   return sheet.finish();
 }
 
-void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
+void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::vector<std::string>& context,
                    const std::string& settings, const std::string& across, const std::string& up,
                    double left) {
   constexpr std::size_t most_columns = 3;
   const std::size_t columns = std::min(most_columns, series.size());
   constexpr double line = 16, gap = 34, before = 92;
   std::size_t most_lines = 1;
-  for (const Multiple& one : series) most_lines = std::max(most_lines, lines_of(one.words).size());
+  for (const Series& one : series) most_lines = std::max(most_lines, lines_of(one.words).size());
   const double further_lines = line * static_cast<double>(most_lines - 1);
   sheet.leave_room_above(further_lines);
   for (std::size_t from = 0; from < series.size(); from += columns) {
     std::vector<SidePanel> cells;
     for (std::size_t i = from; i < std::min(from + columns, series.size()); ++i) {
       std::vector<std::string> plots = context;
-      plots.insert(plots.end(), series[i].plots.begin(), series[i].plots.end());
+      plots.insert(plots.end(), series[i].alone.begin(), series[i].alone.end());
       std::string words = settings + words_above(series[i]);
       words += i + columns < series.size() ? without_horizontal_labels()
                                            : fmt::format("set xlabel {}\n", in_quotes(across));

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/drawing/thinning.hpp"
 
@@ -18,6 +14,9 @@ std::string plain(double value);
 
 /// Lines of a data block that plot commands call $name.
 std::string data_block(const std::string& name, const Curve& curve);
+
+/// An element of a plot command: the first two columns of a data block.
+std::string plot_of(const std::string& block, const std::string& style);
 
 /// One entry of a legend: a gnuplot style ("with lines …") and its words.
 using Legend = std::vector<std::pair<std::string, std::string>>;
@@ -45,9 +44,8 @@ class Sheet {
         double width = full_width);
 
   double width() const { return width_; }  ///< pixels
-  double right() const {
-    return right_;
-  }  ///< where panels end, a share of the width: as many pixels from the edge in any
+  /// Where panels end, a share of the width: as many pixels from the edge in any.
+  double right() const { return right_; }
 
   /// Adds a panel of that many pixels, `gap` pixels under the last; `settings` are gnuplot commands, each on
   /// a line of its own, `plots` the plot command's elements. An empty list of elements draws the bare frame.
@@ -60,7 +58,7 @@ class Sheet {
   void leave_room_above(double height) { below_ += height; }
 
   /// Leaves room for a second axis along the right edge of all panels that follow.
-  void leave_room_beside();
+  void leave_room_beside() { right_ -= 0.07; }
 
   /// Adds a line of words in a colour, #rrggbb, under the last panel's axis.
   void note(const std::string& text, const std::string& colour = "#000000") {
@@ -87,10 +85,12 @@ class Sheet {
   std::vector<std::pair<std::string, std::string>> notes_;  ///< with their colours
 };
 
-/// One series among small multiples: its words, their colour, and what is drawn of it.
-struct Multiple {
-  std::string words, colour;
-  std::vector<std::string> plots;
+/// What is drawn of a run.
+struct Series {
+  std::string words, colour;              ///< of its own small panel
+  std::vector<std::string> plots = {};    ///< where few share a panel
+  std::vector<std::string> alone = {};    ///< in a panel of its own
+  std::vector<std::string> context = {};  ///< where each has a panel, in all of them
 };
 
 /// How many series one panel bears; more of them have a panel each.
@@ -101,7 +101,7 @@ inline constexpr double multiple_width = 328, multiple_height = 160;
 
 /// Adds a panel for each series, three in a row or as many as there are from `left` on, over `context`, which
 /// all of them show. `settings` are of every panel, `across` and `up` the words of the axes.
-void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
+void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::vector<std::string>& context,
                    const std::string& settings, const std::string& across, const std::string& up,
                    double left = left_edge);
 

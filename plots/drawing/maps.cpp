@@ -26,21 +26,11 @@ Edges edges_of(std::vector<double> values) {
   return edges;
 }
 
-MapCell bounds_of(const std::vector<MapCell>& cells) {
-  MapCell all = cells.front();
-  for (const MapCell& cell : cells)
-    all = {std::min(all.left, cell.left), std::max(all.right, cell.right), std::min(all.low, cell.low),
-           std::max(all.high, cell.high)};
-  return all;
-}
-
 }  // namespace
 
 std::size_t commonest(const std::vector<std::vector<double>>& counts, std::size_t row) {
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < counts.size(); ++k)
-    if (counts[k][row] > counts[best][row]) best = k;
-  return best;
+  const auto of_row = [&](const std::vector<double>& column) { return column[row]; };
+  return static_cast<std::size_t>(std::ranges::max_element(counts, {}, of_row) - counts.begin());
 }
 
 std::vector<MapCell> counted_cells(const std::vector<double>& across, const std::vector<double>& up,
@@ -61,9 +51,13 @@ std::vector<MapCell> counted_cells(const std::vector<double>& across, const std:
 
 CellMap cell_map(const std::string& name, const std::vector<MapCell>& cells,
                  const std::vector<MapKind>& kinds, const std::string& border) {
-  CellMap map{{}, {}, std::vector<bool>(kinds.size()), bounds_of(cells)};
+  CellMap map{{}, {}, std::vector<bool>(kinds.size()), cells.front()};
+  MapCell& all = map.bounds;
+  for (const MapCell& cell : cells)
+    all = {std::min(all.left, cell.left), std::max(all.right, cell.right), std::min(all.low, cell.low),
+           std::max(all.high, cell.high)};
   // Cells without a frame reach into the next by a pixel or so, or the white behind them shines through.
-  const double overlap = border.empty() ? 1.5e-3 * (map.bounds.right - map.bounds.left) : 0;
+  const double overlap = border.empty() ? 1.5e-3 * (all.right - all.left) : 0;
   const std::string frame = border.empty() ? "noborder" : fmt::format("border lc rgb '{}'", border);
   std::vector<std::string> lines(kinds.size());
   for (const MapCell& cell : cells)

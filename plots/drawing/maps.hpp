@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {

@@ -57,14 +57,11 @@ RowWords row_words(const std::vector<std::string>& rows, double width) {
 
 /// The title of a column and the lines under it with the sizes of their fonts, in a panel of so many pixels.
 std::vector<std::pair<std::string, int>> title_lines(const RowColumn& column, double width) {
-  constexpr double small_letter = 6.6;
-  if (column.title.empty()) return {};
   std::vector<std::pair<std::string, int>> lines;
-  for (const std::string& line : lines_of(column.title, static_cast<std::size_t>(width / letter)))
-    lines.emplace_back(line, 13);
-  if (column.subtitle.empty()) return lines;
-  for (const std::string& line : lines_of(column.subtitle, static_cast<std::size_t>(width / small_letter)))
-    lines.emplace_back(line, 10);
+  for (const auto& [words, each, size] : {std::tuple{column.title, letter, 13}, {column.subtitle, 6.6, 10}})
+    if (!words.empty())
+      for (const std::string& line : lines_of(words, static_cast<std::size_t>(width / each)))
+        lines.emplace_back(line, size);
   return lines;
 }
 

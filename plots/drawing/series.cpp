@@ -13,17 +13,6 @@ void append(const std::vector<std::string>& from, std::vector<std::string>& to) 
   to.insert(to.end(), from.begin(), from.end());
 }
 
-std::string plot_of(const std::string& block, const std::string& style) {
-  return fmt::format("${} using 1:2 {} notitle", block, style);
-}
-
-std::string words_of_axes(const SeriesPanel& panel, double width) {
-  const std::string across =
-      panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across)) : without_horizontal_labels();
-  return across + fmt::format("set ylabel {} noenhanced offset 0.5\n",
-                              in_quotes(width < full_width ? panel.short_up : panel.up));
-}
-
 /// A rectangle in pixels that is taken by a mark, a word or a piece of a line.
 struct Box {
   double left, right, low, high;
@@ -84,14 +73,6 @@ std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const Labelled
   return std::nullopt;
 }
 
-std::string command(const LabelledPanel& panel, const LabelledMark& mark, const LabelPlace& place) {
-  const bool right = place.side > 0;
-  return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
-                     mark.word, plain((right ? place.box.left : place.box.right) / panel.width),
-                     plain((place.box.low + place.box.high) / 2 / panel.height), right ? "left" : "right",
-                     mark.colour);
-}
-
 }  // namespace
 
 bool are_many(const std::vector<Run>& runs) {
@@ -117,25 +98,28 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
   if (!many) {
     for (const Series& one : series) append(one.plots, plots);
     append(panel.over, plots);
+    const double width = sheet.width();
     sheet.row(panel.height, panel.space,
-              {{"set format x '%g'\n" + panel.axes(panel_width - (full_width - sheet.width()), panel.height) +
-                    words_of_axes(panel, sheet.width()) + panel.few,
+              {{"set format x '%g'\n" + panel.axes(panel_width - (full_width - width), panel.height) +
+                    (panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across))
+                                    : without_horizontal_labels()) +
+                    fmt::format("set ylabel {} noenhanced offset 0.5\n",
+                                in_quotes(width < full_width ? panel.short_up : panel.up)) +
+                    panel.few,
                 plots}},
-              1, panel.left * full_width / sheet.width());
+              1, panel.left * full_width / width);
     return;
   }
-  std::vector<Multiple> multiples;
-  for (const Series& one : series) {
-    append(one.context, plots);
-    if (!one.alone.empty()) multiples.push_back({one.words, one.colour, one.alone});
-  }
-  add_multiples(sheet, multiples, plots, panel.axes(multiple_width, multiple_height) + panel.many,
-                panel.across, panel.short_up, panel.left);
+  std::vector<Series> shown = series;
+  std::erase_if(shown, [](const Series& one) { return one.alone.empty(); });
+  for (const Series& one : series) append(one.context, plots);
+  add_multiples(sheet, shown, plots, panel.axes(multiple_width, multiple_height) + panel.many, panel.across,
+                panel.short_up, panel.left);
 }
 
 Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look) {
   const std::string colour = style_of(run).colour;
-  Series series{line_label(run), colour, {plot_of(block, curve_style(run, order))}, {}, {}};
+  Series series{line_label(run), colour, {plot_of(block, curve_style(run, order))}};
   if (run.exact()) {
     series.context = {plot_of(block, exact_context)};
     return series;
@@ -193,8 +177,12 @@ std::string placed_labels(const LabelledPanel& panel) {
       std::optional<LabelPlace> place = free_corner(panel, mark, taken, crossed);
       if (!place) place = free_corner(panel, mark, taken, {});
       if (!place) continue;
-      taken.push_back(place->box);
-      text += command(panel, mark, *place);
+      const auto& [box, side] = *place;
+      taken.push_back(box);
+      text += fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
+                          mark.word, plain((side > 0 ? box.left : box.right) / panel.width),
+                          plain((box.low + box.high) / 2 / panel.height), side > 0 ? "left" : "right",
+                          mark.colour);
     }
   return text;
 }

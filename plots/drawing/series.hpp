@@ -1,24 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "plots/drawing/axes.hpp"
-#include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 
 namespace rockstack::plots {
 
 // Curves and marks of runs over the same axes: few of them share a panel, many have a small one each.
-
-/// What is drawn of a run.
-struct Series {
-  std::string words, colour;         ///< of its own small panel
-  std::vector<std::string> plots;    ///< where few share a panel
-  std::vector<std::string> alone;    ///< in a panel of its own; nothing: it has none
-  std::vector<std::string> context;  ///< where each has a panel, in all of them
-};
 
 /// The axes that series share.
 struct SeriesPanel {

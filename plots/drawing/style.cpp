@@ -79,16 +79,14 @@ NamedStyle of_friction(const std::string& solver) {
       ->style;
 }
 
-NamedStyle of_solver(const std::string& solver) {
-  const auto found = std::ranges::find(named, solver, &NamedStyle::solver);
-  return found != named.end() ? *found : named.at(1 + number_of(solver) % (named.size() - 2));
-}
-
 }  // namespace
 
 Style style_of(const Run& run) {
   const std::string solver = solver_name(run);
-  const NamedStyle own = has_own_friction(run) ? of_friction(solver) : of_solver(solver);
+  const auto found = std::ranges::find(named, solver, &NamedStyle::solver);
+  const NamedStyle own = has_own_friction(run)  ? of_friction(solver)
+                         : found != named.end() ? *found
+                                                : named.at(1 + number_of(solver) % (named.size() - 2));
   Style style{std::string(own.colour), own.mark + 1, std::string(own.dash)};
   if (run.settings == "default") {
     style.mark = own.mark;

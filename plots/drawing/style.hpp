@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {

@@ -2,8 +2,6 @@
 
 #include <cassert>
 
-#include "comparisons/measures/statistics/samples.hpp"
-
 namespace rockstack::plots {
 namespace {
 
@@ -65,10 +63,6 @@ double distance(const Place& point, const Place& from, const Place& to) {
 }
 
 }  // namespace
-
-double Curve::largest() const {
-  return largest_magnitude(values);
-}
 
 Curve thin(const Curve& curve, std::size_t bins) {
   assert(bins >= 1 && curve.times.size() == curve.values.size());

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack::plots {
 
@@ -13,7 +12,7 @@ struct Curve {
   std::size_t size() const { return times.size(); }
   void add(double time, double value) { times.push_back(time), values.push_back(value); }
   /// The largest magnitude; 0 of no values.
-  double largest() const;
+  double largest() const { return largest_magnitude(values); }
 };
 
 /// The same curve in fewer points: time is cut into `bins` equal bins and each keeps its smallest and its

@@ -22,8 +22,8 @@ Drawing SceneSubject::nothing(const std::string& reason) const {
 Shown SceneSubject::shown(const std::vector<std::string>& files) const {
   Shown shown = shown_runs(comparison, scene.name);
   std::erase_if(shown.engines, [&](const Run& run) {
-    return !std::ranges::all_of(
-        files, [&](const std::string& file) { return std::filesystem::exists(run.folder / file); });
+    return !std::ranges::all_of(files,
+                                [&](const std::string& file) { return fs::exists(run.folder / file); });
   });
   return shown;
 }

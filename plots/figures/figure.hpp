@@ -2,19 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <limits>
-#include <map>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
-#include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
 #include "plots/drawing/series.hpp"
 
 namespace rockstack::plots {
@@ -55,7 +45,7 @@ struct ComparisonSubject {
 /// What a figure of a folder that is no comparison is drawn of.
 struct FolderSubject {
   const Figure& figure;
-  const std::filesystem::path& folder;
+  const fs::path& folder;
   double width = full_width;  ///< pixels
 
   /// A sheet with a title, the figure's question and the answer, or of a narrow one the legend alone.
@@ -106,24 +96,23 @@ std::vector<const Figure*> figures_of(const ComparedScene& scene);
 const Figure* figure_in(const std::string& stem);
 
 /// Where a figure of a scene lies, without .png, .svg or .pdf.
-std::filesystem::path figure_stem(const std::filesystem::path& results, const ComparedScene& scene,
-                                  const Figure& figure);
+fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure);
 
 /// Draws all figures of a comparison, or of one motion, as results/figures/<scene>.<figure>.png, .svg and
 /// .pdf.
 /// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot fails.
-void draw_figures(const std::filesystem::path& results, const Comparison& comparison);
+void draw_figures(const fs::path& results, const Comparison& comparison);
 
 /// Draws the figures of what is neither, whose files are there, as results/figures/<figure>.png, .svg and
 /// .pdf. @throws likewise.
-void draw_figures(const std::filesystem::path& results);
+void draw_figures(const fs::path& results);
 
 /// Draws the motion of every scene of a results folder that a player could show, as
 /// results/figures/<scene>.motion.gif, and as .mp4 where ffmpeg is there: exact and engines side by side, 25
 /// frames a second. Returns the files.
 /// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot or
 /// ffmpeg fails.
-std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& results);
+std::vector<fs::path> draw_animations(const fs::path& results);
 
 // What figures are drawn with besides the skeletons of plots/drawing.
 
@@ -162,9 +151,6 @@ class Plots {
 /// Words beside whole numbers from `first` on, "set ytics (…)" without what stands around them; they count
 /// down where `step` is −1.
 std::string word_tics(const std::vector<std::string>& words, int first = 0, int step = 1);
-
-/// What a test has measured.
-inline constexpr auto reading_style = "with points pt 7 ps 0.5*mark lc rgb '#C2187A'";
 
 /// The settings of the panel over time that has the numbers of those above it.
 inline constexpr auto time_numbers = "set format x '%g'\nset xlabel 'time (s)'\n";

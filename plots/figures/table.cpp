@@ -53,7 +53,7 @@ std::vector<Figure> all_figures() {
   return list;
 }
 
-void draw_all(const Figure& figure, const Drawings& drawings, const std::filesystem::path& results) {
+void draw_all(const Figure& figure, const Drawings& drawings, const fs::path& results) {
   for (const auto& [part, drawing] : drawings)
     draw(drawing, results / "figures" / (part.empty() ? figure.name : figure.name + "." + part));
 }
@@ -81,12 +81,11 @@ const Figure* figure_in(const std::string& stem) {
   return nullptr;
 }
 
-std::filesystem::path figure_stem(const std::filesystem::path& results, const ComparedScene& scene,
-                                  const Figure& figure) {
+fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure) {
   return results / "figures" / (scene.alone ? figure.name : scene.name + "." + figure.name);
 }
 
-void draw_figures(const std::filesystem::path& results, const Comparison& comparison) {
+void draw_figures(const fs::path& results, const Comparison& comparison) {
   for (const ComparedScene& scene : comparison.scenes)
     for (const Figure* figure : figures_of(scene))
       draw(std::get<OfScene>(figure->of).draw({*figure, comparison, scene}),
@@ -96,10 +95,10 @@ void draw_figures(const std::filesystem::path& results, const Comparison& compar
       draw_all(figure, of->draw({figure, comparison}), results);
 }
 
-void draw_figures(const std::filesystem::path& results) {
+void draw_figures(const fs::path& results) {
   for (const Figure& figure : figures()) {
     const auto* of = std::get_if<OfFolder>(&figure.of);
-    if (of == nullptr || !std::filesystem::exists(results / of->needs)) continue;
+    if (of == nullptr || !fs::exists(results / of->needs)) continue;
     Drawings drawings = of->draw({figure, results});
     if (of->narrow) drawings[narrow_part] = of->draw({figure, results, narrow_width}).at("");
     draw_all(figure, drawings, results);

@@ -1,18 +1,9 @@
 #pragma once
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <set>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "plots/data/results.hpp"
-#include "plots/data/selection.hpp"
 #include "plots/figures/figure.hpp"
 #include "rockstack_plots_texts.hpp"
 
@@ -90,20 +81,20 @@ std::string heading(std::string column, const std::string& kind = "");
 /// A figure results/figures/STEM.svg that has been drawn, with its question and how to read it; every id in
 /// it begins with `prefix`, and `label` is for those who do not see it.
 /// @throws InputError naming the file that is missing.
-std::string drawn_figure(const std::filesystem::path& results, const std::string& stem,
-                         const std::string& prefix, const std::string& label);
+std::string drawn_figure(const fs::path& results, const std::string& stem, const std::string& prefix,
+                         const std::string& label);
 
 /// Files of a folder with one of these endings, sorted; none where there is no folder.
-std::set<std::string> names_in(const std::filesystem::path& folder, const std::set<std::string>& endings);
+std::set<std::string> names_in(const fs::path& folder, const std::set<std::string>& endings);
 
 /// All figures that have been drawn without those that are `known`, each under its title.
-std::string drawn_figures(const std::filesystem::path& results, const std::set<std::string>& known = {});
+std::string drawn_figures(const fs::path& results, const std::set<std::string>& known = {});
 
 /// The figure of a scene, likewise.
-std::string scene_figure(const std::filesystem::path& results, const Comparison& comparison,
-                         std::size_t scene, const Figure& figure);
+std::string scene_figure(const fs::path& results, const Comparison& comparison, std::size_t scene,
+                         const Figure& figure);
 
 /// Links to the tables and descriptions of a folder, CSV and JSON, that stand beside its page.
-std::string file_links(const std::filesystem::path& results);
+std::string file_links(const fs::path& results);
 
 }  // namespace rockstack::plots

@@ -33,8 +33,8 @@ template <class Name>
 std::string share_rows(const Cells& columns, const std::vector<LawCell>& cells, const Name& name) {
   const auto percent = [](double share) { return fmt::format("{:.2f}", share); };
   std::string rows;
-  for (const LawShare& share :
-       shares_by(cells, [&](const LawCell& cell) { return fmt::format("{};{}", cell.blocks, name(cell)); }))
+  for (const LawShare& share : together_by<LawShare>(
+           cells, [&](const LawCell& cell) { return fmt::format("{};{}", cell.blocks, name(cell)); }))
     rows += table_row(columns,
                       followed_by(parts_of(share.of),
                                   {whole(share.impacts), whole(share.differ), percent(share.differ_percent()),
@@ -90,7 +90,7 @@ Cells with_tally(Cells names, const LawTally& tally) {
 
 std::string solvers_table(const std::vector<LawRun>& runs) {
   const Cells columns = followed_by({"solver", "time step (s)"}, tally_columns);
-  const auto tallies = tallies_by(runs, [](const LawRun& one) {
+  const auto tallies = together_by<LawTally>(runs, [](const LawRun& one) {
     return fmt::format("{};{}", line_label(one.run), value_of(one.run.dt));
   });
   return table(columns, text_of_each(tallies, [&](const LawTally& tally) {
@@ -106,7 +106,7 @@ std::string states_table(const std::vector<LawRun>& runs, const Json& states) {
   const Cells columns =
       followed_by({"state", "height over width of the top block", "its mass over that below"}, tally_columns);
   std::map<std::string, LawTally> tallies;
-  for (LawTally& tally : tallies_by(runs, [](const LawRun& one) { return one.run.scene; }))
+  for (LawTally& tally : together_by<LawTally>(runs, [](const LawRun& one) { return one.run.scene; }))
     tallies.emplace(tally.of, std::move(tally));
   return table(columns, text_of_each(states, [&](const Json& state) {
                  const std::string name = text_at(state, "name");

@@ -33,9 +33,8 @@ std::string impacts_table(const Comparison& comparison, const std::string& scene
 std::string statements_section(const Comparison& comparison) {
   if (comparison.statements.empty()) return "";
   const std::vector<std::string> columns{"Figure", "The paper says", "Verdict", "It holds if", "Computed"};
-  const std::string rows = text_of_each(comparison.statements, [&](const PaperStatement& one) {
-    return table_row(columns, {one.source, one.claim, one.verdict, one.criterion, one.computed});
-  });
+  const std::string rows =
+      text_of_each(comparison.statements, [&](const auto& cells) { return table_row(columns, cells); });
   return section("What the paper says, and what was computed",
                  element("div", table(columns, rows), " class=\"statements\""), " id=\"statements\"");
 }
@@ -95,7 +94,7 @@ std::string contents_list(const Comparison& comparison) {
   return element("ul", items);
 }
 
-std::vector<std::string> counts_of(const Comparison& comparison) {
+std::string whole_summary(const Comparison& comparison) {
   const auto failed = static_cast<std::size_t>(
       std::ranges::count_if(comparison.runs, [](const Run& run) { return !run.done(); }));
   std::vector<std::string> sentences{
@@ -103,11 +102,7 @@ std::vector<std::string> counts_of(const Comparison& comparison) {
                   counted(comparison.scenes.size(), "scene"), failed == 0 ? "none" : std::to_string(failed))};
   if (!comparison.left_out.empty())
     sentences.push_back(fmt::format("This build leaves out {}.", joined(comparison.left_out)));
-  return sentences;
-}
-
-std::string whole_summary(const Comparison& comparison) {
-  std::string text = sentence_list(counts_of(comparison));
+  std::string text = sentence_list(sentences);
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
     text += element("h3", link("#" + scene_anchor(i), escaped(scene.title))) +

@@ -27,26 +27,21 @@ constexpr std::array wanted{"rms_test_difference",
 
 /// Columns in the order of the page; the first `shown` of them without the switch.
 struct Order {
-  std::vector<std::size_t> columns;
+  std::vector<const Column*> columns;
   std::size_t shown = 0;
 };
 
-std::string text_of(const Run& run, std::size_t column) {
-  return cell_text(columns()[column].cell(run));
-}
-
 Order order_of(const Comparison& comparison) {
-  Order order{{0}};
+  Order order{{&columns().front()}};
   for (const char* name : wanted) {
-    const auto found = std::ranges::find(columns(), name, &Column::name);
-    const auto column = static_cast<std::size_t>(found - columns().begin());
-    const auto has_value = [&](const Run& run) { return !text_of(run, column).empty(); };
+    const Column& column = column_named(name);
+    const auto has_value = [&](const Run& run) { return !cell_text(column.cell(run)).empty(); };
     if (order.columns.size() < shown_columns && std::ranges::any_of(comparison.runs, has_value))
-      order.columns.push_back(column);
+      order.columns.push_back(&column);
   }
   order.shown = order.columns.size();
-  for (std::size_t i = 0; i < columns().size(); ++i)
-    if (std::ranges::find(order.columns, i) == order.columns.end()) order.columns.push_back(i);
+  for (const Column& column : columns())
+    if (std::ranges::find(order.columns, &column) == order.columns.end()) order.columns.push_back(&column);
   return order;
 }
 
@@ -60,26 +55,11 @@ std::string run_row(const Comparison& comparison, const Order& order, std::size_
   if (!run.done()) name += " " + escaped(rockstack::name(run.status));
   std::string cells = element("th", name, fmt::format(" scope=\"row\" data-value=\"{}\"", escaped(run.run)));
   for (std::size_t i = 1; i < order.columns.size(); ++i) {
-    const std::size_t column = order.columns[i];
-    cells += table_cell(columns()[column].name, text_of(run, column), i < order.shown ? "" : "more");
+    const Column& column = *order.columns[i];
+    cells += table_cell(column.name, cell_text(column.cell(run)), i < order.shown ? "" : "more");
   }
   const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
   return element("tr", cells, kind) + "\n";
-}
-
-/// Links to those files of a folder that are there.
-std::string links(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names)
-    if (fs::exists(folder / name)) text += (text.empty() ? "" : ", ") + link(escaped(prefix + name), name);
-  return text;
-}
-
-/// What the environment says of a run's engine; empty where it says nothing.
-std::string version_of(const Comparison& comparison, const Run& run) {
-  for (const auto& [name, text] : comparison.environment)
-    if (name == run.engine || (run.exact() && name == "rockstack")) return fmt::format("{} {}", name, text);
-  return "";
 }
 
 /// What a run's summary says beside its scene and the columns of the table, its parameters above all.
@@ -97,11 +77,16 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
   const Run& run = comparison.runs[index];
   std::string text;
   if (!run.done()) text += element("p", fmt::format("Failed: {}", escaped(run.reason)));
-  if (const std::string version = version_of(comparison, run); !version.empty())
-    text += element("p", escaped("Version: " + version));
-  const std::string files = links(run.folder, fmt::format("runs/{}/", run.run),
-                                  {"history.csv", "readings.csv", "difference.csv", "events.csv",
-                                   "impacts.csv", "parts.csv", "draws.csv", "summary.json"});
+  const auto version = std::ranges::find_if(comparison.environment, [&](const auto& fact) {
+    return fact.first == run.engine || (run.exact() && fact.first == "rockstack");
+  });
+  if (version != comparison.environment.end())
+    text += element("p", escaped(fmt::format("Version: {} {}", version->first, version->second)));
+  std::string files;
+  for (const char* name : {"history.csv", "readings.csv", "difference.csv", "events.csv", "impacts.csv",
+                           "parts.csv", "draws.csv", "summary.json"})
+    if (fs::exists(run.folder / name))
+      files += (files.empty() ? "" : ", ") + link(escaped(fmt::format("runs/{}/{}", run.run, name)), name);
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
   if (fs::exists(run.folder / "summary.json")) text += definition_list(beside_columns(run));
   return details(escaped(run.run), text, fmt::format(" id=\"{}\"", run_anchor(index)));
@@ -140,7 +125,7 @@ std::string runs_table(const Comparison& comparison) {
   const Order order = order_of(comparison);
   std::string headings, rows;
   for (std::size_t i = 0; i < order.columns.size(); ++i)
-    headings += heading(columns()[order.columns[i]].name, i < order.shown ? "" : "more");
+    headings += heading(order.columns[i]->name, i < order.shown ? "" : "more");
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) rows += run_row(comparison, order, i);
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows),
                  " class=\"rows\"");

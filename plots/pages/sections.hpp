@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plots/data/law_results.hpp"
 #include "plots/pages/html.hpp"
 

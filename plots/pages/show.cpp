@@ -47,7 +47,7 @@ void show(const fs::path& results) {
   if (kind_of(results) != nullptr) {
     draw_figures(results);
     write_study_page(results);
-  } else if (has_one_motion(results)) {
+  } else if (fs::exists(results / "summary.json") && fs::exists(results / "history.csv")) {
     const Motion motion = read_motion(results);
     draw_figures(results, motion.comparison);
     draw_figures(results);

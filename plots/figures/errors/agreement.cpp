@@ -30,14 +30,6 @@ bool is_shown(const Run& run) {
   return is_engine(run) && !is_variant(run);
 }
 
-/// The solver of each engine that the verdict ranks first, or where it ranks none, that of its first run.
-std::map<std::string, std::string> first_solvers(const Comparison& comparison) {
-  std::map<std::string, std::string> first;
-  for (const RankedSet& set : comparison.verdict.ranking) first.try_emplace(set.engine, set.solver);
-  for (const Run& run : comparison.runs) first.try_emplace(run.engine, run.solver);
-  return first;
-}
-
 /// Of engines alone, those of the set that the verdict ranks first before all others.
 std::vector<Run> best_first(const Comparison& comparison) {
   const auto place = [&](const Run& run) {
@@ -53,18 +45,20 @@ std::vector<Run> best_first(const Comparison& comparison) {
 
 /// Where all sets are more than a page shows, those of each engine's first solver.
 CommonAxes frame_of(const Comparison& comparison) {
-  CommonAxes frame, first;
-  const std::map<std::string, std::string> solvers = first_solvers(comparison);
+  CommonAxes frame;
+  std::vector<std::string> first;
+  std::map<std::string, std::string> solvers;  // of each engine that which is ranked first, or runs first
+  for (const RankedSet& set : comparison.verdict.ranking) solvers.try_emplace(set.engine, set.solver);
+  for (const Run& run : comparison.runs) solvers.try_emplace(run.engine, run.solver);
   const std::vector<Run> runs = best_first(comparison);
   for (const Run& run : runs) {
-    found_or_added(
-        frame.sets, [&](const std::string& set) { return set == line_label(run); }, line_label(run));
-    if (solvers.at(run.engine) == run.solver)
-      found_or_added(
-          first.sets, [&](const std::string& set) { return set == line_label(run); }, line_label(run));
+    const std::string label = line_label(run);
+    const auto is_own = [&](const std::string& set) { return set == label; };
+    found_or_added(frame.sets, is_own, label);
+    if (solvers.at(run.engine) == run.solver) found_or_added(first, is_own, label);
   }
   if (frame.sets.size() > most_rows) {
-    frame.sets = first.sets;
+    frame.sets = first;
     frame.note = "of each engine the solver that comes nearest over all scenes";
     if (frame.sets.size() > most_rows)
       frame.note += fmt::format(", the first {} of {} sets", most_rows, frame.sets.size());
@@ -138,13 +132,6 @@ Reach size_axis(const Comparison& comparison) {
   return {std::max(axis.low, comparison.tolerance * decades_below), axis.high};
 }
 
-void add_size(Plots& plots, const Place& place, double least) {
-  if (!place.run->done() || !place.run->error) return;
-  plots.add({{std::max(largest_of(*place.run), least), place.height}},
-            {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.mark,
-                         style_of(*place.run).mark)});
-}
-
 /// A scene's axis ends behind its horizon, or with the motion where rows that agree so long do so to the end.
 TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
   constexpr double beyond = 1.15;
@@ -171,18 +158,21 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
             {fmt::format("using 1:2:(0):3 with vectors nohead {}", tolerance_style)});
     const TimeAxis axis = axis_of(comparison, scene);
     for (const Place& place : places_of(comparison, scene, frame)) {
+      const Run& run = *place.run;
       add_times(until, place, scale_of(comparison, scene), axis.end);
-      add_size(off, place, sizes.low);
+      if (run.done() && run.error)
+        off.add({{std::max(largest_of(run), sizes.low), place.height}},
+                {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.mark,
+                             style_of(run).mark)});
     }
     times.push_back({"agrees until (s)", until.list(), scene.name, scene.title, [axis](double width) {
                        return time_range(axis) + linear_tics("x", 0, axis.end, width);
                      }});
     largest.push_back({"off by (rad, or share)", off.list()});
   }
-  constexpr double between = 90;
-  sheet.leave_room_above(from == 0 ? 0 : between);
+  sheet.leave_room_above(from == 0 ? 0 : 90);
   add_rows(sheet, {frame.sets, 0, 1}, times);
-  sheet.leave_room_above(between);
+  sheet.leave_room_above(90);
   add_rows(sheet, {frame.sets, sizes.low, sizes.high}, largest);
 }
 
@@ -198,11 +188,11 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   if (any([](const Run& run) { return run.draws.value_or(1) > 1; }))
     legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
-  for (const ComparedScene& scene : comparison.scenes) {
-    const TimeAxis axis = axis_of(comparison, scene);
-    explain_shade(axis, legend);
-    if (axis.is_shaded()) break;
-  }
+  for (const ComparedScene& scene : comparison.scenes)
+    if (const TimeAxis axis = axis_of(comparison, scene); axis.is_shaded()) {
+      explain_shade(axis, legend);
+      break;
+    }
   if (any([](const Run& run) { return !run.done(); })) legend.emplace_back(failure_style, "failed");
   return legend;
 }
@@ -235,9 +225,8 @@ Drawing drawn(Sheet sheet, const Comparison& comparison, const CommonAxes& frame
 Drawings agreement(const ComparisonSubject& subject) {
   const Comparison& comparison = subject.comparison;
   const CommonAxes frame = frame_of(comparison);
-  const bool any =
-      std::ranges::any_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; });
-  if (!any) return {};
+  if (std::ranges::none_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; }))
+    return {};
   const Legend legend = legend_of(comparison, frame);
   const std::string question = subject.figure.question + " " + answer(comparison);
   const bool player = std::ranges::any_of(

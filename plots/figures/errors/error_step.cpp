@@ -32,11 +32,6 @@ std::string fit_label(const StepFit& fit) {
                      fit.order.high, model_error);
 }
 
-/// An engine may have no error at all in a replicate, which no logarithm shows.
-double drawable(double error) {
-  return std::max(error, least_error);
-}
-
 std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::string& scene,
                                    const Errors& errors) {
   std::vector<ErrorLine> lines;
@@ -45,11 +40,11 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
     for (const Run& run : runs) {
       const double error = std::abs(value_of(run.*errors.of));
       if (!(error > 0) || !std::isfinite(error)) continue;
-      const auto quartile = [&](std::optional<double> RunMetrics::*of) {
-        return drawable(of == nullptr ? error : (run.*of).value_or(error));
+      // An engine may have no error at all in a replicate, which no logarithm shows.
+      const auto shown = [&](std::optional<double> RunMetrics::*of) {
+        return std::max(of == nullptr ? error : (run.*of).value_or(error), least_error);
       };
-      line.errors.push_back(
-          {value_of(run.dt), drawable(error), quartile(errors.lower), quartile(errors.upper)});
+      line.errors.push_back({value_of(run.dt), shown(nullptr), shown(errors.lower), shown(errors.upper)});
     }
     if (!line.errors.empty()) lines.push_back(line);
   }
@@ -76,17 +71,16 @@ std::string ranges(const std::vector<ErrorLine>& lines, double width, double hei
       across.add(error[0]);
       up.add(error[2]), up.add(error[3]);
     }
-  constexpr double room = 1.6;
-  return logarithmic_axes(across.wider_times(room), up.wider_times(room), width, height);
+  return logarithmic_axes(across.wider_times(1.6), up.wider_times(1.6), width, height);
 }
 
 /// The least error of all, with its step.
 std::string answer(const std::vector<ErrorLine>& lines, const Errors& errors) {
-  double least = 1e300, dt = 0;
+  std::vector<double> least{0, 1e300};
   for (const ErrorLine& line : lines)
     for (const std::vector<double>& error : line.errors)
-      if (error[1] < least) least = error[1], dt = error[0];
-  return fmt::format("At least {:.2g} {}, at {}", least, errors.unit, duration_text(dt));
+      if (error[1] < least[1]) least = error;
+  return fmt::format("At least {:.2g} {}, at {}", least[1], errors.unit, duration_text(least[0]));
 }
 
 /// Marks, quartiles and fitted curve of a series, with the model error that no step takes away.
@@ -94,13 +88,13 @@ std::vector<std::string> plots_of(const ErrorLine& line, std::size_t i, double s
   const Style style = style_of(line.run);
   std::vector<std::string> plots;
   if (line.fits()) {
-    plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
-                                style.colour, style.dash));
+    plots.push_back(plot_of(fmt::format("fitted_{}", i),
+                            fmt::format("with lines lw 2 lc rgb '{}' dt {}", style.colour, style.dash)));
     if (line.fit->model_error.value > 0) plots.push_back(floor_plot(*line.fit, style.colour));
   }
   plots.push_back(fmt::format("$errors_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
                               style.colour));
-  plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark_style(line.run, size)));
+  plots.push_back(plot_of(fmt::format("errors_{}", i), mark_style(line.run, size)));
   return plots;
 }
 
@@ -115,14 +109,11 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
   std::vector<Series> series;
   Numbers all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    series.push_back({lines[i].label,
-                      style_of(lines[i].run).colour,
-                      plots_of(lines[i], i, 1.5),
-                      plots_of(lines[i], i, 1.1),
-                      {}});
-    std::ranges::copy(lines[i].errors, std::back_inserter(all));
-    sheet.data(number_block(fmt::format("errors_{}", i), lines[i].errors));
-    if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(lines[i])));
+    const ErrorLine& line = lines[i];
+    series.push_back({line.label, style_of(line.run).colour, plots_of(line, i, 1.5), plots_of(line, i, 1.1)});
+    std::ranges::copy(line.errors, std::back_inserter(all));
+    sheet.data(number_block(fmt::format("errors_{}", i), line.errors));
+    if (line.fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(line)));
   }
   const auto axes = [&](double width, double height) { return ranges(lines, width, height); };
   SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0};

@@ -11,24 +11,19 @@ struct Cost {
   double lower = 0, upper = 0;  ///< quartiles over replicates; the error itself where there are none
 };
 
-constexpr double panel_up = 520;  ///< height of the one panel of few, pixels
-
 struct CostLine {
   Run run;                  ///< any of the line
   std::string label, unit;  ///< " iterations" where these vary
   const StepFit* fit;       ///< of the errors over time steps; null where there is none
-  std::vector<Cost> costs;
+  std::vector<Cost> costs = {};
 };
 
 std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
   std::vector<CostLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
     const bool varies = varies_iterations(runs);
-    CostLine line{runs.front(),
-                  line_label(runs),
-                  varies ? " iterations" : "",
-                  fit_of(comparison, runs, "rms_angle_difference"),
-                  {}};
+    CostLine line{runs.front(), line_label(runs), varies ? " iterations" : "",
+                  fit_of(comparison, runs, "rms_angle_difference")};
     for (const Run& run : runs) {
       const double error = value_of(run.rms_angle_difference);
       const auto shown = [](double value) { return std::max(value, least_error); };
@@ -146,11 +141,9 @@ std::string labels(const std::vector<CostLine>& lines, const std::vector<Slope>&
   };
   LabelledPanel panel{width, height, {}};
   for (const Slope& slope : slopes) panel.words.push_back(mark(slope.to, slope.words(), ""));
-  for (const CostLine& line : lines) {
-    panel.lines.emplace_back();
-    for (const Cost& cost : line.costs)
-      panel.lines.back().push_back(mark(cost, cost.label, style_of(line.run).colour));
-  }
+  for (const CostLine& line : lines)
+    panel.lines.push_back(each_of(
+        line.costs, [&](const Cost& cost) { return mark(cost, cost.label, style_of(line.run).colour); }));
   return placed_labels(panel);
 }
 
@@ -160,7 +153,7 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_
       fmt::format("$pieces_{} using 1:2:($3-$1):($4-$2) with vectors nohead lw 2 lc rgb '{}' dt {} notitle",
                   i, style.colour, style.dash),
       fmt::format("$line_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i, style.colour),
-      fmt::format("$line_{} using 1:2 {} notitle", i, mark_style(lines[i].run, size))};
+      plot_of(fmt::format("line_{}", i), mark_style(lines[i].run, size))};
 }
 
 /// A series a line; where they are many, one a solver with all of its sets.
@@ -172,7 +165,7 @@ std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
     one.plots = plots_of(lines, i, 1.7);
     one.alone = plots_of(lines, i, 1.1);
     Series& all = found_or_added(list, [&](const Series& other) { return many && other.words == one.words; },
-                                 {one.words, one.colour, one.plots, {}, {}});
+                                 {one.words, one.colour, one.plots});
     all.alone.insert(all.alone.end(), one.alone.begin(), one.alone.end());
   }
   return list;
@@ -254,14 +247,9 @@ Drawing error_time(const SceneSubject& subject) {
   const auto axes = [&](double width, double up) {
     return logarithmic_axes(frame.across, frame.up, width, up);
   };
-  const double height = subject.height(panel_up, panel_up);
-  SeriesPanel panel{many ? "stepping time a second (s)" : "stepping time for one second of motion (s)",
-                    "RMS angle difference (rad)",
-                    "RMS (rad)",
-                    true,
-                    axes,
-                    height,
-                    0};
+  const double height = subject.height(520, 520);
+  const char* across = many ? "stepping time a second (s)" : "stepping time for one second of motion (s)";
+  SeriesPanel panel{across, "RMS angle difference (rad)", "RMS (rad)", true, axes, height, 0};
   panel.under = many ? std::vector{context_marks("all")} : floors(lines);
   panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, subject.panel(), height);
   panel.many = guides + exact_line(exact, false);

@@ -7,7 +7,7 @@ namespace {
 /// The runs of one solver with one step length: one mark in the figure.
 struct Marks {
   Run run;
-  std::vector<std::pair<double, double>> at;  ///< from law paper, from law consistent
+  Numbers at = {};  ///< from law paper, from law consistent
 };
 
 std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
@@ -15,8 +15,8 @@ std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
   for (const LawRun& one : runs) {
     if (!(one.from_paper > 0 && one.from_consistent > 0)) continue;
     const std::string label = run_label(one.run);
-    found_or_added(list, [&](const Marks& m) { return run_label(m.run) == label; }, {one.run, {}})
-        .at.emplace_back(one.from_paper, one.from_consistent);
+    found_or_added(list, [&](const Marks& m) { return run_label(m.run) == label; }, {one.run})
+        .at.push_back({one.from_paper, one.from_consistent});
   }
   return list;
 }
@@ -43,38 +43,27 @@ Reach reach_of(const std::vector<double>& values) {
 
 struct LawFrame {
   Reach across, up;
-  int beyond = 0;  ///< marks outside of it, which are drawn on its edge
+
+  /// A mark, or of one that lies beyond the frame, the nearest place on its edge.
+  std::vector<double> inside(const std::vector<double>& mark) const {
+    return {std::clamp(mark[0], across.low, across.high), std::clamp(mark[1], up.low, up.high)};
+  }
 };
 
 LawFrame frame_of(const std::vector<Marks>& list) {
   std::vector<double> across, up;
   for (const Marks& marks : list)
-    for (const auto& [paper, consistent] : marks.at) across.push_back(paper), up.push_back(consistent);
-  LawFrame frame{reach_of(across), reach_of(up), 0};
-  const auto outside = [](const Reach& reach, double value) {
-    return value < reach.low || value > reach.high;
-  };
-  for (std::size_t i = 0; i < across.size(); ++i)
-    frame.beyond += outside(frame.across, across[i]) || outside(frame.up, up[i]) ? 1 : 0;
-  return frame;
-}
-
-Numbers numbers_of(const Marks& marks, const LawFrame& frame) {
-  Numbers numbers;
-  for (const auto& [paper, consistent] : marks.at)
-    numbers.push_back({std::clamp(paper, frame.across.low, frame.across.high),
-                       std::clamp(consistent, frame.up.low, frame.up.high)});
-  return numbers;
+    for (const std::vector<double>& mark : marks.at) {
+      across.push_back(mark[0]);
+      up.push_back(mark[1]);
+    }
+  return {reach_of(across), reach_of(up)};
 }
 
 std::string answer(const LawResults& results) {
-  int consistent = 0, paper = 0, all = 0;
-  for (const LawRun& run : results.runs) {
-    all += run.follows.empty() ? 0 : 1;
-    consistent += run.follows == "consistent" ? 1 : 0;
-    paper += run.follows == "paper" ? 1 : 0;
-  }
-  return fmt::format("Of {} runs {} end as law consistent says, {} as law paper", all, consistent, paper);
+  const auto count = [&](const char* law) { return std::ranges::count(results.runs, law, &LawRun::follows); };
+  return fmt::format("Of {} runs {} end as law consistent says, {} as law paper",
+                     std::ssize(results.runs) - count(""), count("consistent"), count("paper"));
 }
 
 constexpr auto border_style = "with lines lw 2 dt (8,8) lc rgb '#606060'";
@@ -87,13 +76,13 @@ std::vector<Series> series_of(const std::vector<Marks>& list, Legend& legend) {
     const Run& run = list[i].run;
     const std::string label = line_label(run);
     const bool short_step = run.dt <= shortest.at(label);
-    const std::string style = mark_style(run, short_step ? 1.3 : 0.8), marks = fmt::format("$marks_{}", i);
+    const std::string style = mark_style(run, short_step ? 1.3 : 0.8), marks = fmt::format("marks_{}", i);
     Series& own = found_or_added(series, [&](const Series& one) { return one.words == label; },
-                                 {label, style_of(run).colour, {}, {}, {}});
-    own.plots.push_back(fmt::format("{} using 1:2 {} notitle", marks, style));
+                                 {label, style_of(run).colour});
+    own.plots.push_back(plot_of(marks, style));
     own.alone.push_back(own.plots.back());
     own.context.push_back(
-        fmt::format("{} using 1:2 with points pt 7 ps 0.4*mark lc rgb '{}' notitle", marks, context_colour));
+        plot_of(marks, fmt::format("with points pt 7 ps 0.4*mark lc rgb '{}'", context_colour)));
     if (short_step) legend.emplace_back(style, label);
   }
   return series;
@@ -114,23 +103,22 @@ Drawings law_engines(const FolderSubject& subject) {
   if (many) legend.clear();
   legend.emplace_back(border_style, "as far from either law");
   Sheet sheet = subject.figure.sheet(title, legend, answer(results));
-  for (std::size_t i = 0; i < list.size(); ++i)
-    sheet.data(number_block(fmt::format("marks_{}", i), numbers_of(list[i], frame)));
+  std::ptrdiff_t beyond = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Numbers marks = each_of(list[i].at, [&](const auto& mark) { return frame.inside(mark); });
+    sheet.data(number_block(fmt::format("marks_{}", i), marks));
+    beyond += std::ranges::count_if(list[i].at, [&](const auto& mark) { return frame.inside(mark) != mark; });
+  }
   const auto axes = [&](double width, double height) {
     return "set samples 200\n" + logarithmic_axes(frame.across, frame.up, width, height);
   };
-  SeriesPanel panel{many ? "from law paper" : "from law paper, over the largest rate before",
-                    "from law consistent",
-                    "from consistent",
-                    true,
-                    axes,
-                    640,
-                    0,
-                    {fmt::format("x {} notitle", border_style)}};
+  const char* across = many ? "from law paper" : "from law paper, over the largest rate before";
+  SeriesPanel panel{across, "from law consistent", "from consistent", true, axes, 640, 0};
+  panel.under = {fmt::format("x {} notitle", border_style)};
   add_series(sheet, panel, series, many);
   if (many) sheet.note("distances of velocities, over the largest rate before the impact");
   sheet.note("small marks: longer steps");
-  if (frame.beyond > 0) sheet.note(fmt::format("marks on the edge: {} that lie beyond it", frame.beyond));
+  if (beyond > 0) sheet.note(fmt::format("marks on the edge: {} that lie beyond it", beyond));
   return {{"", sheet.finish()}};
 }
 

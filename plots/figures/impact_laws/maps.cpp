@@ -4,22 +4,18 @@
 namespace rockstack::plots {
 namespace {
 
-/// One map: a kind's cells and which of their counts is shown.
+/// One map: a kind's cells, which of their counts is shown, and how much that is of all impacts.
 struct LawMap {
   std::string heading, kind;
   std::vector<LawCell> cells;
   double LawCell::*count;
+  double percent;
 };
 
 double sum(const std::vector<LawCell>& cells, double LawCell::*count) {
   double total = 0;
   for (const LawCell& cell : cells) total += cell.*count;
   return total;
-}
-
-/// Of all impacts of the kind, percent.
-double share_of(const LawMap& map) {
-  return 100 * sum(map.cells, map.count) / sum(map.cells, &LawCell::impacts);
 }
 
 constexpr double least_share = 0.01;  ///< of a kind's impacts that a map is drawn for
@@ -33,13 +29,13 @@ std::vector<LawMap> maps_of(const std::vector<LawCell>& cells) {
   }
   std::vector<LawMap> maps;
   for (const auto& [heading, count] :
-       {std::pair{"laws differ", &LawCell::differ}, std::pair{"no pattern consistent", &LawCell::none}}) {
+       {std::pair{"laws differ", &LawCell::differ}, {"no pattern consistent", &LawCell::none}})
     for (const std::string& kind : kinds) {
       const auto& own = by_kind[kind];
-      if (sum(own, count) >= least_share * sum(own, &LawCell::impacts) && sum(own, count) > 0)
-        maps.push_back({heading, kind, by_kind[kind], count});
+      const double shown = sum(own, count), all = sum(own, &LawCell::impacts);
+      if (shown >= least_share * all && shown > 0)
+        maps.push_back({heading, kind, own, count, 100 * shown / all});
     }
-  }
   return maps;
 }
 
@@ -107,9 +103,9 @@ std::string settings_of(const std::vector<LawCell>& cells) {
 std::string answer_of(const std::vector<LawMap>& maps) {
   const LawMap* most = nullptr;
   for (const LawMap& map : maps)
-    if (map.count == &LawCell::differ && (most == nullptr || share_of(map) > share_of(*most))) most = &map;
+    if (map.count == &LawCell::differ && (most == nullptr || map.percent > most->percent)) most = &map;
   return most == nullptr ? "After no kind of impact"
-                         : fmt::format("Most after {}: {:.1f} % of its states", most->kind, share_of(*most));
+                         : fmt::format("Most after {}: {:.1f} % of its states", most->kind, most->percent);
 }
 
 }  // namespace
@@ -129,16 +125,14 @@ Drawings law_maps(const FolderSubject& subject) {
     }
     Sheet sheet = subject.figure.sheet(fmt::format("Which pattern follows an impact of {} blocks", blocks),
                                        shade_legend(), answer_of(maps));
-    constexpr double under_legend = 12;
-    sheet.leave_room_above(under_legend);
-    std::vector<Multiple> panels;
+    sheet.leave_room_above(12);
+    std::vector<Series> panels;
     for (const LawMap& map : maps) {
       const std::string name = fmt::format("map_{}", panels.size());
       sheet.data(number_block(name, numbers_of(map)));
-      panels.push_back(
-          {fmt::format("{}, {}: {:.1f} %", map.kind, map.heading, share_of(map)),
-           "#000000",
-           {fmt::format("${} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle", name)}});
+      panels.push_back({fmt::format("{}, {}: {:.1f} %", map.kind, map.heading, map.percent), "#000000"});
+      panels.back().alone = {
+          fmt::format("${} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle", name)};
     }
     add_multiples(sheet, panels, {}, settings_of(cells), "height / width of the top block", "mass ratio");
     drawings[part] = sheet.finish();

@@ -27,7 +27,7 @@ Departure read_departure(const Run& run, int blocks, std::size_t bins, bool toge
   names.insert(names.begin(), "time");
   std::vector<std::vector<double>> columns = read_columns(run.folder / "difference.csv", names);
   if (together) columns = {columns[0], largest_of(columns)};
-  Departure departure{.run = run, .sizes = {}, .agreement_times = replicates_of(run, "agreement_time")};
+  Departure departure{run, {}, replicates_of(run, "agreement_time")};
   if (departure.agreement_times.empty()) departure.agreement_times = {value_of(run.agreement_time)};
   constexpr double nothing = 1e-30;  // under every axis: a curve that is nearer leaves the panel
   for (std::size_t k = 1; k < columns.size(); ++k)
@@ -60,8 +60,8 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
   const std::size_t panels = departures.front().sizes.size();
   const double usual = panel_height(static_cast<int>(panels)),
                height = subject.height(usual, (static_cast<double>(panels) + 1.1) * usual);
+  const std::vector<Run> runs = each_of(departures, &Departure::run);
   for (std::size_t k = 0; k < panels; ++k) {
-    const std::vector<Run> runs = each_of(departures, &Departure::run);
     const auto sizes = each_of(departures, [&](const Departure& one) { return one.sizes[k]; });
     const std::string words = together ? (subject.on_slide ? "|Δθ| (rad)" : "largest |Δθ| (rad)")
                                        : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
@@ -88,9 +88,9 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
   for (const Departure& one : departures) {
     const double row = rows - static_cast<double>(names.size());
     const auto mark = [&](double time) { return std::vector{std::min(time, axis.end), row}; };
-    const Numbers marks = each_of(one.agreement_times, mark);
-    plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'",
-                                  style_of(one.run).colour)});
+    plots.add(
+        each_of(one.agreement_times, mark),
+        {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'", style_of(one.run).colour)});
     const double agrees = value_of(one.run.agreement_time);
     plots.add({mark(agrees)}, {"using 1:2 " + mark_style(one.run, 1.6)});
     if (agrees >= horizon) plots.add({mark(agrees)}, {"using 1:2:('≥') with labels right offset -1.2,0"});

@@ -21,13 +21,13 @@ std::string number_settings(double last, double most) {
 /// The impacts of an engine by the number of the exact ones, from 1.
 struct Verdicts {
   Run run;
-  std::vector<double> numbers, lateness;  ///< of matched impacts; s, positive where the engine is late
-  std::vector<double> missed;             ///< exact impacts that it does not have
-  std::vector<double> extra;  ///< its own, between the numbers of the exact impacts before and after
+  std::vector<double> numbers = {}, lateness = {};  ///< matched; s, positive where the engine is late
+  std::vector<double> missed = {};                  ///< exact impacts that it does not have
+  std::vector<double> extra = {};  ///< its own, between the numbers of the exact impacts before and after
 };
 
 Verdicts verdicts_on(const Run& run) {
-  Verdicts verdicts{run, {}, {}, {}, {}};
+  Verdicts verdicts{run};
   const auto list = impacts_of(run);
   for (const AlignedImpact& one : *list) {
     if (one.exact && one.engine) {
@@ -71,9 +71,8 @@ void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) 
   double row = 2 * runs;
   for (const Verdicts& one : all) {
     for (const auto& numbers_at : {std::pair{&one.missed, row}, {&one.extra, row - runs}}) {
-      const Numbers marks = each_of(*numbers_at.first, [&](double number) {
-        return std::vector{number, numbers_at.second};
-      });
+      const auto mark = [&](double number) { return std::vector{number, numbers_at.second}; };
+      const Numbers marks = each_of(*numbers_at.first, mark);
       if (!marks.empty()) plots.add(marks, {"using 1:2 " + mark_style(one.run, 1.1)});
     }
     --row;
@@ -114,13 +113,12 @@ std::string answer(const std::vector<Verdicts>& all) {
                      count(&Verdicts::missed), count(&Verdicts::extra));
 }
 
-/// What there is to say where no impact is matched.
+/// What there is to say where no impact is matched. Precondition: there are runs.
 std::string without_matches(const std::vector<Verdicts>& all) {
-  std::size_t missed = 0, extra = 0;
-  for (const Verdicts& verdicts : all) {
-    missed = std::max(missed, verdicts.missed.size());
-    extra = std::max(extra, verdicts.extra.size());
-  }
+  const std::size_t missed =
+      std::ranges::max(each_of(all, [](const Verdicts& one) { return one.missed.size(); }));
+  const std::size_t extra =
+      std::ranges::max(each_of(all, [](const Verdicts& one) { return one.extra.size(); }));
   if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
   return fmt::format("No impact is in both: the exact motion has {}, an engine at most {}.", missed, extra);
 }
@@ -143,8 +141,8 @@ void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last
     return number_settings(last, width > multiple_width ? most_numbers : 8) +
            fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics(up));
   };
-  SeriesPanel panel{number_words, "engine − exact impact time (s)", "late (s)", false, axes, height, 0,
-                    {zero_line}};
+  SeriesPanel panel{number_words, "engine − exact impact time (s)", "late (s)", false, axes, height, 0};
+  panel.under = {zero_line};
   add_series(sheet, panel, series, all.size() > most_series);
 }
 
@@ -156,13 +154,6 @@ struct Losses {
   Run run;
   std::vector<ImpactLoss> impacts;
 };
-
-double largest_loss(const std::vector<Losses>& all) {
-  double largest = 0;
-  for (const Losses& one : all)
-    for (const ImpactLoss& loss : one.impacts) largest = std::max(largest, loss.exact);
-  return largest;
-}
 
 /// The difference over what the exact impact loses, in percent.
 struct Excess {
@@ -213,7 +204,9 @@ Drawing impact_energy(const SceneSubject& subject) {
     return Losses{run, impact_losses(run)};
   });
   std::erase_if(all, [](const Losses& one) { return one.impacts.empty(); });
-  const double largest = largest_loss(all);
+  double largest = 0;
+  for (const Losses& one : all)
+    for (const ImpactLoss& loss : one.impacts) largest = std::max(largest, loss.exact);
   if (!(largest > 0)) return subject.nothing("No impact that loses energy and that an engine has too.");
   const auto count = [](const Losses& one) { return one.impacts.size(); };
   const auto most = std::ranges::max_element(all, {}, count) - all.begin();
@@ -223,22 +216,20 @@ Drawing impact_energy(const SceneSubject& subject) {
   for (const ImpactLoss& loss : all[static_cast<std::size_t>(most)].impacts)
     exact.add(loss.number, loss.exact);
   const double last = exact.times.empty() ? 1 : exact.times.back();
-  std::vector<Run> runs;
   std::vector<Series> series;
   std::string data = data_block("exact", exact);
   double widest = 1e-3;
   Reach medians;
   for (const Losses& one : all) {
-    const Excess excess = excess_of(one, aside(runs.size(), all.size()));
-    const std::string name = fmt::format("excess_{}", runs.size());
+    const Excess excess = excess_of(one, aside(series.size(), all.size()));
+    const std::string name = fmt::format("excess_{}", series.size());
     data += data_block(name, excess.curve);
     widest = std::max(widest, excess.largest);
     medians.add(excess.median);
-    runs.push_back(one.run);
     series.push_back(mark_series(one.run, name, 1.6));
   }
   const auto percent = [](double value) { return fmt::format("{:.2g}", value); };
-  Sheet sheet = subject.sheet(mark_legend(runs, 1.6),
+  Sheet sheet = subject.sheet(mark_legend(each_of(all, &Losses::run), 1.6),
                               fmt::format("Off by {} % at an engine's median",
                                           span_text(percent(medians.low), percent(medians.high))));
   sheet.data(data);
@@ -251,8 +242,8 @@ Drawing impact_energy(const SceneSubject& subject) {
                "$exact using 1:2 with points pt 7 ps 1.1*mark lc rgb '#000000' notitle"});
   const double edge = 1.08 * std::min(widest, most_percent);
   const auto axes = [&](double, double up) { return numbers(last) + linear_range("y", -edge, edge, up); };
-  SeriesPanel panel{number_words, "engine loses more (%)", "loses more (%)", true, axes, 330, 16,
-                    {zero_line}};
+  SeriesPanel panel{number_words, "engine loses more (%)", "loses more (%)", true, axes, 330};
+  panel.under = {zero_line};
   add_series(sheet, panel, series, all.size() > most_series);
   return sheet.finish();
 }

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double tall = 460;  // pixels
 constexpr auto other_colour = "#808080";
-const std::string other_style = "with points lw 2 pt 2 ps 1.1*mark lc rgb '#808080'";
+constexpr auto other_style = "with points lw 2 pt 2 ps 1.1*mark lc rgb '#808080'";
 constexpr auto ring = "with points pt 6 lw 2.5 lc rgb '#000000'";
 constexpr auto limit_style = "with lines lw 2 dt (8,6) lc rgb '#404040'";
 
@@ -35,10 +35,6 @@ TrialLines lines_of(const Json& advice) {
   return lines;
 }
 
-bool holds(const std::vector<TrialMark>& line) {
-  return std::ranges::any_of(line, &TrialMark::passes);
-}
-
 double nearest(const std::vector<TrialMark>& line) {
   return std::ranges::min(line, {}, &TrialMark::error).error;
 }
@@ -46,6 +42,7 @@ double nearest(const std::vector<TrialMark>& line) {
 /// The solvers that are told apart: those that hold at some step, or where none does, those that come nearest
 /// up to a factor of two. All others are drawn alike.
 std::vector<bool> told_of(const TrialLines& lines) {
+  const auto holds = [](const auto& line) { return std::ranges::any_of(line, &TrialMark::passes); };
   const bool any = std::ranges::any_of(lines, holds);
   const double least = nearest(std::ranges::min(lines, {}, nearest));
   return each_of(lines, [&](const std::vector<TrialMark>& line) {
@@ -71,9 +68,9 @@ std::string answer_of(const TrialLines& lines, double error) {
 Drawings advice(const FolderSubject& subject) {
   const Json json = read_json(subject.folder / "advice.json");
   const TrialLines lines = lines_of(json);
-  const std::string title = json.at("title").get<std::string>();
+  const std::string title = json.at("title");
   if (lines.empty()) return {{"", empty_sheet(title, "No trial was done.")}};
-  const double error = json.at("error").get<double>();
+  const double error = json.at("error");
   Reach across, up{error, error};
   for (const auto& line : lines)
     for (const TrialMark& mark : line) across.add(mark.time), up.add(mark.error);

@@ -22,8 +22,8 @@ void add_scales(SweepFacts& facts, const Json& scene) {
 std::vector<double> values_of(const Json& sweep, const std::string& key) {
   for (const Json& variation : sweep.at("vary")) {
     const auto keys = variation.at("keys").get<std::vector<std::string>>();
-    const bool named = std::ranges::find(keys, key) != keys.end();
-    if (named && variation.contains("values")) return variation.at("values").get<std::vector<double>>();
+    if (std::ranges::find(keys, key) != keys.end() && variation.contains("values"))
+      return variation.at("values").get<std::vector<double>>();
   }
   return {};
 }
@@ -53,17 +53,6 @@ std::optional<StruckBlock> struck_block(const Json& sweep) {
   };
   if (!std::ranges::equal(across, up, in_step)) return std::nullopt;
   return struck;
-}
-
-SweepFacts facts_in(const Json& json) {
-  const Json& summary = json.at("summary");
-  const std::string intensity = summary.at("intensity").get<std::string>();
-  SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0, {}};
-  if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
-    add_scales(facts, json.value("scene", Json::object()));
-  if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
-    facts.struck = struck_block(json);
-  return facts;
 }
 
 /// From one acceleration to another, up to the largest friction.
@@ -111,8 +100,17 @@ std::string initiation_boundaries(const StruckBlock& block, double largest_accel
   return text;
 }
 
-SweepFacts sweep_facts(const std::filesystem::path& results) {
-  return read_json(results / "sweep.json", facts_in);
+SweepFacts sweep_facts(const fs::path& results) {
+  return read_json(results / "sweep.json", [](const Json& json) {
+    const Json& summary = json.at("summary");
+    const std::string intensity = summary.at("intensity").get<std::string>();
+    SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0, {}};
+    if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
+      add_scales(facts, json.value("scene", Json::object()));
+    if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
+      facts.struck = struck_block(json);
+    return facts;
+  });
 }
 
 std::string axis_title(const std::string& key) {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
+#include "plots/data/results.hpp"
 
 namespace rockstack::plots {
 
@@ -35,7 +33,7 @@ struct SweepFacts {
 };
 
 /// From sweep.json. @throws InputError naming the file that is missing or malformed.
-SweepFacts sweep_facts(const std::filesystem::path& results);
+SweepFacts sweep_facts(const fs::path& results);
 
 /// The title of an axis along which a scene's key varies, with its unit where the key has one.
 std::string axis_title(const std::string& key);

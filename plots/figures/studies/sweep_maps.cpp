@@ -46,7 +46,7 @@ const std::vector<MapKind> mode_kinds{{"rest", "#FFFFFF", "rest"},
                                       {"failed", "#808080", "could not be solved"}};
 
 /// The columns of every kind; without a column of that name, as of ends that no motion begins with, zeros.
-std::vector<std::vector<double>> mode_counts(const std::filesystem::path& file, const std::string& prefix) {
+std::vector<std::vector<double>> mode_counts(const fs::path& file, const std::string& prefix) {
   const Table table = read_table(file);
   std::vector<std::vector<double>> list;
   for (const MapKind& kind : mode_kinds) {
@@ -74,7 +74,7 @@ std::string answer_of(const std::vector<std::vector<double>>& counts) {
 
 Drawings overturning(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
-  const std::filesystem::path file = subject.folder / "overturning.csv";
+  const fs::path file = subject.folder / "overturning.csv";
   const auto places = read_columns(file, {"frequency", "intensity"});
   const auto counts =
       read_columns(file, each_of(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
@@ -100,7 +100,7 @@ Drawings overturning(const FolderSubject& subject) {
 
 Drawings modes(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
-  const std::filesystem::path file = subject.folder / "modes.csv";
+  const fs::path file = subject.folder / "modes.csv";
   const auto places = read_columns(file, {"intensity", "friction"});
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
   CellMap onset =
@@ -119,8 +119,7 @@ Drawings modes(const FolderSubject& subject) {
   }
   Sheet sheet = subject.figure.sheet(facts.title, legend, answer_of(motions));
   sheet.data(onset.data + whole.data);
-  constexpr double titles = 18;
-  sheet.leave_room_above(titles);
+  sheet.leave_room_above(18);
   const std::string axes =
       map_axes(onset) + fmt::format("set xlabel {} noenhanced\n", in_quotes(facts.intensity));
   sheet.row(

@@ -7,7 +7,7 @@ namespace rockstack::plots {
 namespace {
 
 /// The first figure of a lesson's slides, or its first motions, where its folder is beside the page.
-std::string picture_of(const std::filesystem::path& results, const std::string& lesson) {
+std::string picture_of(const fs::path& results, const std::string& lesson) {
   for (const auto& [folder, ending] : {std::pair{"figures/slides", ".png"}, {"figures", ".histories.png"}})
     for (const std::string& name : names_in(results / lesson / folder, {".png"}))
       if (name.ends_with(ending))
@@ -16,7 +16,7 @@ std::string picture_of(const std::filesystem::path& results, const std::string& 
   return "";
 }
 
-std::string entry(const std::filesystem::path& results, const Json& lesson) {
+std::string entry(const fs::path& results, const Json& lesson) {
   std::string aims, after;
   for (const Json& aim : lesson.at("aims")) aims += element("li", aim.get<std::string>()) + "\n";
   for (const Json& one : lesson.at("after"))
@@ -29,7 +29,7 @@ std::string entry(const std::filesystem::path& results, const Json& lesson) {
       picture_of(results, lesson.at("name")), escaped_at(lesson, "pattern"));
 }
 
-std::string course_page(const std::filesystem::path& results, const Json& course) {
+std::string course_page(const fs::path& results, const Json& course) {
   std::string lessons;
   double minutes = 0;
   for (const Json& lesson : course.at("lessons")) {
@@ -89,7 +89,7 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 
 }  // namespace
 
-void write_course(const std::filesystem::path& results) {
+void write_course(const fs::path& results) {
   read_json(results / "course.json",
             [&](const Json& course) { write_file(results / "index.html", course_page(results, course)); });
   const std::string player =
@@ -101,7 +101,7 @@ void write_course(const std::filesystem::path& results) {
                element("main", std::string(glossary_html)) + element("div", player, " hidden")));
 }
 
-SheetPages write_sheet(const std::filesystem::path& answers) {
+SheetPages write_sheet(const fs::path& answers) {
   return read_json(answers, [&](const Json& sheet) {
     const auto place = [&](const char* kind) {
       return answers.parent_path() /

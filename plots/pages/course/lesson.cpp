@@ -76,14 +76,6 @@ std::string prediction_section(const Json& question, Values numbers) {
       filled_in(text_at(part, "why"), numbers));
 }
 
-/// A figure drawn for a slide.
-std::string slide_figure(const fs::path& results, const Comparison& comparison, const ComparedScene& scene,
-                         const Figure& figure) {
-  const fs::path stem = fs::path("slides") / figure_stem("", scene, figure).filename();
-  draw(std::get<OfScene>(figure.of).draw({figure, comparison, scene, true}), results / "figures" / stem);
-  return drawn_figure(results, stem, figure.name + "-", figure.title + ": " + scene.title);
-}
-
 /// Names with a colon are parts of a page; numbers have none. A figure is drawn for slides where `slides`
 /// asks for it.
 void add_parts(const fs::path& results, const Comparison& comparison, const Json& start,
@@ -93,10 +85,14 @@ void add_parts(const fs::path& results, const Comparison& comparison, const Json
     if (has_motion(comparison, scene)) values["player:" + scene.name] = player_section(comparison, i, start);
     for (const Figure* figure : figures_of(scene)) {
       const std::string place = fmt::format("figure:{}.{}", scene.name, figure->name);
-      if (slides.empty())
+      if (slides.empty()) {
         values[place] = scene_figure(results, comparison, i, *figure);
-      else if (slides.find("{{" + place + "}}") != std::string::npos)
-        values[place] = slide_figure(results, comparison, scene, *figure);
+      } else if (slides.find("{{" + place + "}}") != std::string::npos) {
+        const fs::path stem = fs::path("slides") / figure_stem("", scene, *figure).filename();
+        draw(std::get<OfScene>(figure->of).draw({*figure, comparison, scene, true}),
+             results / "figures" / stem);
+        values[place] = drawn_figure(results, stem, figure->name + "-", figure->title + ": " + scene.title);
+      }
     }
   }
 }
@@ -124,10 +120,6 @@ bool is_in_course(const Json& lesson) {
   return lesson.contains("neighbours");
 }
 
-std::string page_beside(const Json& lesson) {
-  return "../" + escaped_at(lesson, "name") + "/lesson.html";
-}
-
 /// To what the words mean, and to the course and the lessons beside this one, where they are.
 std::string navigation(const Json& lesson) {
   std::string links = link("report.html#words", "What the words mean");
@@ -144,7 +136,7 @@ std::string navigation(const Json& lesson) {
 std::string titles_after(const Json& lesson) {
   const auto title = [&](const Json& one) {
     const std::string words = "“" + escaped_at(one, "title") + "”";
-    return is_in_course(lesson) ? link(page_beside(one), words) : words;
+    return is_in_course(lesson) ? link("../" + escaped_at(one, "name") + "/lesson.html", words) : words;
   };
   const Json& before = lesson.at("after");
   return before.empty() ? "" : " · after " + text_of_each(before, title, ", ");
@@ -167,14 +159,6 @@ Values lesson_values(const fs::path& results, const Comparison& comparison, cons
           {"environment", definition_list(comparison.environment)}};
 }
 
-/// Those written for them, and after them the questions, which end a lesson's text.
-std::string slides_text(const fs::path& results, const Comparison& comparison, const Json& lesson) {
-  const std::string text = text_at(lesson, "text");
-  const std::string slides =
-      text_at(lesson, "slides") + text.substr(std::min(text.rfind("<section>"), text.size()));
-  return filled_in(slides, values_of(results, comparison, lesson, slides));
-}
-
 std::string page_of(const std::string& title, Values values, const char* kind, std::string_view content,
                     std::string_view css, std::string_view script) {
   values["css"] = css;
@@ -184,12 +168,16 @@ std::string page_of(const std::string& title, Values values, const char* kind, s
 
 }  // namespace
 
-void write_lesson(const std::filesystem::path& results, const Comparison& comparison) {
+void write_lesson(const fs::path& results, const Comparison& comparison) {
   read_json(results / "lesson.json", [&](const Json& lesson) {
     Values values = lesson_values(results, comparison, lesson);
     const std::string title = text_at(lesson, "title");
     const std::string page = page_of(title, values, "lesson", lesson_html, "", lesson_js);
-    values["text"] = slides_text(results, comparison, lesson);
+    // Slides are those written for them, and after them the questions, which end a lesson's text.
+    const std::string text = text_at(lesson, "text");
+    const std::string shown =
+        text_at(lesson, "slides") + text.substr(std::min(text.rfind("<section>"), text.size()));
+    values["text"] = filled_in(shown, values_of(results, comparison, lesson, shown));
     const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
     write_file(results / "lesson.html", page);
     write_file(results / "slides.html", slides);
