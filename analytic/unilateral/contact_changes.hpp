@@ -1,9 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
-#include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/first_change.hpp"
 

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <functional>
 
 #include "analytic/scene/branching.hpp"
 #include "analytic/unilateral/contact/expansion.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 #include "analytic/unilateral/springs/spring_contacts.hpp"
-#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
 

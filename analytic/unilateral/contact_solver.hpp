@@ -1,9 +1,7 @@
 #pragma once
 
 #include "analytic/scene/solve_options.hpp"
-#include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact/initial_contacts.hpp"
-#include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"
 #include "analytic/unilateral/series/mode_step.hpp"
@@ -20,7 +18,7 @@ template <class Real>
 class ContactSolver {
  public:
   /// Keeps references to all. Of double, double_does() asks for more than other number types need.
-  /// @throws std::domain_error as require_digits().
+  /// @throws std::domain_error where contact forces or sizes keep fewer than six digits.
   ContactSolver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
         stack_(contact_model_of<Real>(scene)),
@@ -35,7 +33,9 @@ class ContactSolver {
         recorder_(scene, stack_, options),
         cancelled_(options.cancelled),
         branching_(branching) {
-    if constexpr (!std::is_same_v<Real, double>) require_digits(stack_);
+    if (!std::is_same_v<Real, double> && !keeps_digits(stack_, 6))
+      throw std::domain_error(
+          "block masses or sizes are too far apart: rounding would leave contact forces fewer than six digits");
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/series/guards.hpp"
 
 namespace rockstack {

@@ -69,8 +69,8 @@ struct Tableau {
       const Real second = table(j, at) / table(j, column);
       if (abs(first - second) > rounding * (abs(first) + abs(second) + Real(first_of_all ? 1e-3 : 1)))
         return first < second;
-      if (first_of_all && is_artificial(i)) return true;
-      if (first_of_all && is_artificial(j)) return false;
+      if (first_of_all && basis[i] == artificial()) return true;
+      if (first_of_all && basis[j] == artificial()) return false;
     }
     return false;
   }
@@ -85,8 +85,6 @@ struct Tableau {
     }
     return result;
   }
-
-  bool is_artificial(std::size_t row) const { return basis[row] == artificial(); }
 };
 
 /// Lemke's method from one covering vector, of a problem whose entries are of the size of one.

@@ -17,9 +17,7 @@ struct ContactKinematics {
 template <class Real>
 Point<Real> turned(const Point<Real>& vector, const Real& angle) {
   if (angle == 0) return vector;  // as all of the ground
-  const Real cosine = cos(angle);
-  const Real sine = sin(angle);
-  return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
+  return turned<Real>(vector.x(), vector.y(), cos(angle), sin(angle));
 }
 
 template <class Real>

@@ -121,13 +121,13 @@ struct CornerOnFace {
   int upward = 1;  ///< 1 for the top face of the lower body, −1 for the bottom face of the upper one
 };
 
-/// A spring and a dashpot at each corner of an interface, or a bed along it, or rigid faces. SI units.
+/// A spring and a dashpot at each corner of an interface, or a bed along it, or rigid faces; its friction.
 template <class Real>
 struct SpringLaw {
-  Real stiffness = std::numeric_limits<Real>::infinity();  ///< N/m, across the face; infinite: rigid
-  Real damping = 0;                                        ///< N·s/m, likewise
-  Real tangential = 1;  ///< stiffness and damping along the face over those across it
-  bool bed = false;     ///< stiffness and damping are those of a whole bed
+  Real stiffness, damping;                        ///< across the face, N/m, infinite: rigid; N·s/m
+  Real tangential_stiffness, tangential_damping;  ///< along it
+  Real friction;
+  bool bed;  ///< stiffness and damping are those of a whole bed
 
   bool soft() const { return stiffness < std::numeric_limits<Real>::infinity(); }
 };
@@ -172,9 +172,7 @@ struct ContactModel {
     return sum;
   }
   /// √(H/g), s.
-  Real fall_time(const Real& gravity) const {
-    return sqrt(height() / gravity);
-  }
+  Real fall_time(const Real& gravity) const { return sqrt(height() / gravity); }
   Real half_width(int body) const {
     return body < 0 ? std::numeric_limits<Real>::infinity() : Real(blocks[body].half_width);
   }
@@ -211,13 +209,17 @@ ContactModel<Real> contact_model_of(const Scene& scene) {
   };
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     constexpr double rigid = std::numeric_limits<double>::infinity();
-    SpringLaw<Real> law{of(springs.stiffness, k, rigid), of(springs.damping, k, 0), Real(springs.tangential)};
+    Real stiffness = of(springs.stiffness, k, rigid), damping = of(springs.damping, k, 0);
     const Real bed = of(springs.bed_stiffness, k, rigid);
-    if (bed < std::numeric_limits<Real>::infinity()) {
+    const bool is_bed = bed < std::numeric_limits<Real>::infinity();
+    if (is_bed) {
       const Real width = 2 * Real(interface_half_width(scene, k));
-      law = {width * bed, width * of(springs.bed_damping, k, 0), law.tangential, true};
+      stiffness = width * bed;
+      damping = width * of(springs.bed_damping, k, 0);
     }
-    stack.springs.push_back(law);
+    const Real along(springs.tangential);
+    stack.springs.push_back(
+        {stiffness, damping, stiffness * along, damping * along, stack.friction[k], is_bed});
   }
   return stack;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analytic/unilateral/contact/complementarity.hpp"
-#include "analytic/unilateral/contact/likely_mode.hpp"
+#include "analytic/unilateral/contact/contact_laws.hpp"
 
 namespace rockstack {
 
@@ -183,9 +183,6 @@ std::optional<Joints<Real>> mode_on_faces(const TouchingContacts<Real>& contacts
   return other;
 }
 
-template <class Real>
-std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints);
-
 /// The mode that obeys all laws of contact among those in which what touches may stay, part or pivot, and
 /// what sticks may slide; of velocities everything may stick. Where several do, the one in which all that
 /// sticks goes on to stick comes first, then the one that Lemke's method finds, then, where rounding leads
@@ -204,7 +201,8 @@ std::optional<Joints<Real>> find_mode(const TouchingContacts<Real>& contacts, Jo
   }
   auto first = mode_on_faces(contacts, joints);
   const bool goes_on = question.level != ContactLevel::impacts;  // else the slip passes the corner
-  if (first && goes_on && unsettle(*first, joints)) return find_mode(question, joints);
+  if (first && goes_on && unsettle(*first, joints))
+    return find_mode(TouchingContacts<Real>(question, joints), joints);
   if (pairs.empty() || !first) return first;
   auto mode = first;
   int changing = first_to_change(contacts, pairs, *mode);

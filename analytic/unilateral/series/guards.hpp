@@ -2,7 +2,6 @@
 
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/contact/contact_laws.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
 namespace rockstack {

@@ -41,10 +41,10 @@ class HeldJoint {
 
   HeldJoint() {}  // of a list that has room for it
 
-  /// `face` and `body` have their order 0.
+  /// Bodies have their order 0.
   void start(const ContactModel<Real>& stack, const Joint<Real>& joint, std::size_t interface,
-             const GrowingPoint<Real>& point) {
-    point_ = point;
+             const ModeSeries<Real>& series) {
+    point_ = {stack, series, stack.held_point(static_cast<int>(interface), joint)};
     interface_ = interface;
     flat_ = joint.touch == Contact::closed;
     slip_ = joint.slip;

@@ -40,7 +40,7 @@ class SeriesMaker {
       turn<Real>(body, 1, rate.angle * length);
     }
     for (HeldJoint<Real>& joint : held_) joint.begin();
-    known_.begin([this](int body) { return body_of(body); }, length);
+    known_.begin(series_);
   }
 
   /// The share of the step by whose end the first pivot has come back. `rate`: see landing(). The series has
@@ -128,21 +128,14 @@ class SeriesMaker {
   }
 
  private:
-  const BodySeries<Real>* body_of(int body) const {
-    return body < 0 ? &ground_series<Real> : &series_.bodies[body];
-  }
-
   void hold() {
     std::size_t count = 0;
     for (const Joint<Real>& joint : joints_) count += joint.touches();
     held_.resize(count);
     std::size_t at = 0;
-    for (int k = 0; k < stack_.size(); ++k) {
-      const Joint<Real>& joint = joints_[k];
-      if (!joint.touches()) continue;
-      const CornerOnFace<Real> corner = stack_.held_point(k, joint);
-      held_[at].start(stack_, joint, static_cast<std::size_t>(k),
-                      {stack_, corner, body_of(corner.face), body_of(corner.body)});
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      if (!joints_[k].touches()) continue;
+      held_[at].start(stack_, joints_[k], k, series_);
       held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
     }
     system_ =

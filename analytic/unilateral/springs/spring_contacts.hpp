@@ -3,7 +3,6 @@
 #include "analytic/scene/spring_checks.hpp"
 #include "analytic/unilateral/springs/spring_energy.hpp"
 #include "analytic/unilateral/springs/spring_guards.hpp"
-#include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "analytic/unilateral/springs/static_equilibrium.hpp"
 
 namespace rockstack {
@@ -69,7 +68,7 @@ class SpringContacts {
   /// Changes a point as its guard says; not where another guard at the same time has changed it.
   void apply(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
     SpringPoint<Real>& point = points_[guard.point];
-    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
     if (guard.change >= SpringChange::bed_depth) return apply_to_bed(guard, bodies);
     if (point.press != pressed_before(guard.change)) return;
     const bool moves = point.slide != 0 || law.friction == 0;
@@ -176,7 +175,7 @@ class SpringContacts {
   void apply_to_bed(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
     SpringPoint<Real>& point = points_[guard.point];
     BedState& bed = point.bed;
-    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
     const auto rows = bed_rows(stack_, point, bodies);
     const GrowingBed<Real> now = bed_at(law, point, rows, vector_of(bodies.rate));
     const Real held = elastic_energy(stack_, point, bodies);

@@ -31,7 +31,7 @@ template <class Real>
 Real elastic_energy_of_bed(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
                            const Bodies<Real>& bodies) {
   const auto rows = bed_rows(stack, point, bodies);
-  return elastic_energy_of_bed<Real>(law_of(stack, point.interface).stiffness, {-rows[0].gap, -rows[1].gap});
+  return elastic_energy_of_bed<Real>(stack.springs[point.interface].stiffness, {-rows[0].gap, -rows[1].gap});
 }
 
 /// What a point's springs hold, J. A spring that is left behind keeps what its depth stands for, and loses it
@@ -40,7 +40,7 @@ template <class Real>
 Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
                     const Bodies<Real>& bodies) {
   if (point.press == Press::off && !point.is_bed()) return 0;
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
   Real energy = point.is_bed() ? elastic_energy_of_bed(stack, point, bodies)
                                : Real(law.stiffness * rows.gap * rows.gap / 2);
@@ -65,7 +65,7 @@ Real work_on_bed(const GrowingSpring<Real>& spring, const Real& s) {
 template <class Real>
 void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& series, const Real& s,
                 BasicSpringEnergy<Real>& lost) {
-  const PointLaw<Real>& law = spring.law;
+  const SpringLaw<Real>& law = spring.law;
   const auto dissipated = [&](const Real& damping, const Polynomial<Real>& place) -> Real {
     if (damping == 0) return 0;
     const Polynomial<Real> rate = derivative(place);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "analytic/unilateral/springs/spring_series.hpp"
 
@@ -56,11 +55,8 @@ struct FirstSpringChange {
 
   /// A fall from flight: beyond an end of the face, and no longer above it. m.
   void consider_fall(std::size_t point, const Polynomial<Real>& inside, const Polynomial<Real>& height) {
-    for (const auto& [series, other] : {std::pair(inside, height), std::pair(height, inside)}) {
-      SpringGuard<Real> guard{series, SpringChange::fall, point};
-      guard.other = other;
-      consider(std::move(guard), 0);
-    }
+    for (const auto& [series, other] : {std::pair(inside, height), std::pair(height, inside)})
+      consider({.series = series, .change = SpringChange::fall, .point = point, .other = other}, 0);
   }
 
   /// One that ends at `crossing`, if at all.
@@ -97,7 +93,7 @@ class SpringGuards {
   void add_pushing(const GrowingSpring<Real>& spring) {
     const std::size_t i = spring.index;
     const SpringPoint<Real>& start = spring.start;
-    const PointLaw<Real>& law = spring.law;
+    const SpringLaw<Real>& law = spring.law;
     if (!start.is_bed())
       found_.consider({spring.force.normal, SpringChange::part, i}, series_.unit() * rounding_.normal(law));
     if (law.friction == 0) return add_ends(spring, spring.slip);
@@ -109,7 +105,7 @@ class SpringGuards {
   }
 
   void add_sliding(const GrowingSpring<Real>& spring) {
-    const PointLaw<Real>& law = spring.law;
+    const SpringLaw<Real>& law = spring.law;
     const Polynomial<Real>& normal = spring.force.normal;
     // What parts has no force left along the face either: it does not slide just before.
     const std::optional<Real> parts = spring.start.is_bed() ? std::nullopt : first_crossing(normal);
@@ -160,10 +156,9 @@ class SpringGuards {
 
   void add_bed(std::size_t i) {
     const SpringPoint<Real>& point = points_[i];
-    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
     const auto corners = bed_corners(stack_, point);
-    std::array<Polynomial<Real>, 2> depth;
-    std::array<Polynomial<Real>, 2> pressure;
+    std::array<Polynomial<Real>, 2> depth, pressure;
     for (std::size_t end = 0; end < 2; ++end) {
       const BedEnd& sign = point.bed.ends[end];
       const CornerOnFace<Real>& corner = corners[end];
@@ -192,10 +187,8 @@ class SpringGuards {
                      const Real& rounding, const std::array<Polynomial<Real>, 2>& quantity) {
     const auto& ends = points_[i].bed.ends;
     const int way = ends[end].*above ? 1 : -1;
-    SpringGuard<Real> guard{times(way, quantity[end]), change, i, way};
-    guard.end = end;
     const bool alike = ends[end].*above == ends[1 - end].*above;
-    found_.consider(std::move(guard),
+    found_.consider({times(way, quantity[end]), change, i, way, end},
                     alike ? rounding : std::min<Real>(rounding, abs(quantity[1 - end][0]) / 8));
   }
 
@@ -217,7 +210,7 @@ class SpringGuards {
     const SpringPoint<Real>& point = points_[i];
     const CornerOnFace<Real> corner = corner_of(stack_, point);
     const Polynomial<Real> depth = depth_of(corner, corner_series(stack_, motion_, corner));
-    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
     found_.consider({depth, SpringChange::leave, i}, rounding_.place);
     const Polynomial<Real> force =
         combined(law.stiffness, depth, law.damping / motion_.length, derivative(depth));
@@ -232,8 +225,7 @@ class SpringGuards {
       candidate.corner_below = below;
       const CornerOnFace<Real> corner = corner_of(stack_, candidate);
       const FaceSeries<Real> place = corner_series(stack_, motion_, corner);
-      SpringGuard<Real> guard{times(-1, depth_of(corner, place)), SpringChange::touch, i};
-      guard.below = below;
+      SpringGuard<Real> guard{times(-1, depth_of(corner, place)), SpringChange::touch, i, 0, 0, below};
       if (corner.face >= 0) {
         const Real end = stack_.half_width(corner.face);
         guard.within = line(end, -1, place.along);

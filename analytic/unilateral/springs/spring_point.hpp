@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/unilateral/contact/contact_kinematics.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/winkler_bed.hpp"
 
 namespace rockstack {
@@ -52,21 +51,6 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   return kinematics_of(stack, bodies, corner_of(stack, point));
 }
 
-/// The law of a point, with its friction.
-template <class Real>
-struct PointLaw {
-  Real stiffness, damping;                        ///< across the face, N/m and N·s/m
-  Real tangential_stiffness, tangential_damping;  ///< along it
-  Real friction;
-};
-
-template <class Real>
-PointLaw<Real> law_of(const ContactModel<Real>& stack, int interface) {
-  const SpringLaw<Real>& law = stack.springs[interface];
-  return {law.stiffness, law.damping, law.stiffness * law.tangential, law.damping * law.tangential,
-          stack.friction[interface]};
-}
-
 /// The ends of a bed, left and right, against the face of the other block.
 template <class Real>
 std::array<CornerOnFace<Real>, 2> bed_corners(const ContactModel<Real>& stack,
@@ -84,7 +68,7 @@ std::array<ContactKinematics<Real>, 2> bed_rows(const ContactModel<Real>& stack,
 
 /// A bed at one instant.
 template <class Real>
-GrowingBed<Real> bed_at(const PointLaw<Real>& law, const SpringPoint<Real>& point,
+GrowingBed<Real> bed_at(const SpringLaw<Real>& law, const SpringPoint<Real>& point,
                         const std::array<ContactKinematics<Real>, 2>& rows, const FreeVector<Real>& rates) {
   GrowingBed<Real> bed;
   bed.stretch = stretch_of(point.bed);
@@ -108,7 +92,7 @@ template <class Real>
 PointForce<Real> force_of(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
                           const Bodies<Real>& bodies, const ContactKinematics<Real>& rows) {
   if (!point.pushes()) return {0, 0};
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   const FreeVector<Real> rates = vector_of(bodies.rate);
   PointForce<Real> force{-(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates)), 0};
   if (point.is_bed()) {
@@ -151,7 +135,7 @@ Real fastest_rate(const ContactModel<Real>& stack, const SpringPoints<Real>& poi
   Real relaxing = 0;
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
-    const PointLaw<Real> law = law_of(stack, point.interface);
+    const SpringLaw<Real>& law = stack.springs[point.interface];
     const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
     Real across = stack.effect(rows.gap_row, rows.gap_row);
     if (point.is_bed()) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 
 namespace rockstack {
@@ -43,15 +42,15 @@ struct SpringRounding {
   }
 
   /// Of a normal force, N.
-  Real normal(const PointLaw<Real>& law) const { return law.stiffness * place + law.damping * speed; }
+  Real normal(const SpringLaw<Real>& law) const { return law.stiffness * place + law.damping * speed; }
 
   /// Of what a point's friction has left, N.
-  Real strength(const PointLaw<Real>& law) const {
+  Real strength(const SpringLaw<Real>& law) const {
     return law.friction * normal(law) + law.tangential_stiffness * place + law.tangential_damping * speed;
   }
 
   /// Of a slider's rate, m/s: (k_t τ + c_t τ̇ − μN)/c_t of the slip, or without dashpots τ̇ − μkδ̇/k_t.
-  Real slider_rate(const PointLaw<Real>& law) const {
+  Real slider_rate(const SpringLaw<Real>& law) const {
     if (law.tangential_damping > 0) return strength(law) / law.tangential_damping;
     return speed * (1 + law.friction * law.stiffness / law.tangential_stiffness);
   }
@@ -111,7 +110,7 @@ void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& b
     point.slide = 0;
     return;
   }
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   if (law.friction == 0) return;
   const Real freed = (before.gap - after.gap) * (before.gap + after.gap);
   const Real square = stretch * stretch + law.stiffness / law.tangential_stiffness * freed;
@@ -122,7 +121,7 @@ void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& b
 /// holds it, or stands still where it holds already. Returns what that rubs, J.
 template <class Real>
 Real slip_at_once(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   if (!point.pushes() || point.slide == 0 || law.tangential_damping > 0) return 0;
   const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
   const Real stretch = rows.slip - point.slider;

@@ -13,7 +13,7 @@ using SquareMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 /// Signs of a bed's ends by where bodies are and go.
 template <class Real>
 void note_signs(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack, point, bodies), vector_of(bodies.rate));
   for (std::size_t end = 0; end < 2; ++end)
     point.bed.ends[end] = {bed.depth[end][0] > 0, bed.pressure[end][0] > 0};
@@ -122,7 +122,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     using Row = Eigen::Matrix<Real, 1, Eigen::Dynamic>;
     SquareMatrix<Real> stiffness = SquareMatrix<Real>::Zero(size, size);
     for (const SpringPoint<Real>& point : standing) {
-      const PointLaw<Real> law = law_of(stack, point.interface);
+      const SpringLaw<Real>& law = stack.springs[point.interface];
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
       const Row across = rows.gap_row * motions;
       const Row along = rows.slip_row * motions;
@@ -151,7 +151,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     before = largest;
   }
   for (const SpringPoint<Real>& point : standing) {
-    const PointLaw<Real> law = law_of(stack, point.interface);
+    const SpringLaw<Real>& law = stack.springs[point.interface];
     const PointForce<Real> force = force_of(stack, point, bodies, kinematics_of(stack, bodies, point));
     if (!(force.normal > 0) || abs(force.tangential) > law.friction * force.normal) return std::nullopt;
   }
@@ -177,7 +177,7 @@ template <class Real>
 GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Real& weight,
                          const std::vector<SpringPoint<Real>*>& ends) {
   const SpringPoint<Real>& first = *ends.front();
-  const PointLaw<Real> law = law_of(stack, first.interface);
+  const SpringLaw<Real>& law = stack.springs[first.interface];
   if (first.is_bed()) {
     const auto rows = bed_rows(stack, first, bodies);
     const Real lower = std::min(rows[0].gap, rows[1].gap);
@@ -198,7 +198,7 @@ GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bo
 template <class Real>
 void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, std::size_t interface,
                        Bodies<Real>& bodies, SpringPoints<Real>& points) {
-  const PointLaw<Real> law = law_of(stack, interface);
+  const SpringLaw<Real>& law = stack.springs[interface];
   std::vector<SpringPoint<Real>*> ends;
   for (SpringPoint<Real>& point : points)
     if (point.interface == static_cast<int>(interface)) ends.push_back(&point);
