@@ -37,6 +37,10 @@ struct Setting {
       choices.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(choices.size()) - 1;
   bool whole = !choices.empty();  ///< only whole numbers
   SettingRole role = SettingRole::own;
+
+  bool allows(double value) const {
+    return value >= least && value <= most && (!whole || value == std::floor(value));
+  }
 };
 
 /// A setting that is off, 0 or false, or on, 1 or true.

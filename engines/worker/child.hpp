@@ -43,9 +43,8 @@ class FileDescriptor {
   explicit FileDescriptor(int number);
   FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   FileDescriptor& operator=(FileDescriptor&&) = delete;
-  ~FileDescriptor() { close(); }
+  ~FileDescriptor();
   int get() const { return number_; }
-  void close();
 
  private:
   int number_;
@@ -64,6 +63,9 @@ std::string content(const FileDescriptor& file);
 struct Ends {
   FileDescriptor ours, theirs;
 };
+
+/// What does not fit into the pipe is lost: a worker that talks without end must not be held up.
+Ends make_pipe();
 
 /// What the operating system's scheduler has given to the threads of a session that are there, s.
 struct Scheduled {
@@ -102,7 +104,8 @@ class Allowance {
 class Child {
  public:
   /// Starts it with these files as standard input and descriptor 3, under the limits of memory and reply.
-  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits);
+  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits,
+        Ends complaints = make_pipe());
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -127,8 +130,6 @@ class Child {
   ProcessEnd finish(const Allowance& time);
 
  private:
-  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits, Ends ends);
-
   std::string program_;
   FileDescriptor failure_;
   FileDescriptor complaints_;

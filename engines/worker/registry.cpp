@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <deque>
 #include <mutex>
 #include <sstream>
 #include <system_error>
@@ -54,14 +53,12 @@ std::vector<fs::path> found_workers() {
 }
 
 /// Engines of a program that is named by its path; asked once, and kept where they are.
-const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
-  static std::map<fs::path, std::deque<WorkerEngine>> asked;
+const std::vector<WorkerEngine>& engines_at(const fs::path& program) {
+  static std::map<fs::path, std::vector<WorkerEngine>> asked;
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   const auto found = asked.find(program);
-  if (found != asked.end()) return found->second;
-  std::vector<WorkerEngine> list = engines_of(program);
-  return asked[program] = {list.begin(), list.end()};
+  return found != asked.end() ? found->second : asked[program] = engines_of(program);
 }
 
 /// Those that this program was built with, by the names of their workers.
@@ -70,7 +67,7 @@ const std::vector<std::string>& built() {
   return names;
 }
 
-const std::deque<WorkerEngine>& built_engines(const std::string& name) {
+const std::vector<WorkerEngine>& built_engines(const std::string& name) {
   return engines_at(find_worker(prefix + name));
 }
 

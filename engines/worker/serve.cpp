@@ -40,7 +40,7 @@ void warm_up(const Engine& engine, const RunRequest& request, std::size_t steps,
 }
 
 RunReply answer_run(const Engine& engine, const RunRequest& request) {
-  RunReply reply{"done", {}, {}, {}, 0};
+  RunReply reply{"done"};
   try {
     reply.trajectory = run(engine, request.setup, request.parameters, request.bodies);
     const std::size_t steps = reply.trajectory.angles.size() / request.setup.blocks.size() - 1;
@@ -48,11 +48,11 @@ RunReply answer_run(const Engine& engine, const RunRequest& request) {
     reply.seconds =
         time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(request.repeats));
   } catch (const NotFinite& failure) {
-    reply = {"not finite", failure.what(), {}, {}, 0};
+    reply = {"not finite", failure.what()};
   } catch (const std::bad_alloc&) {
-    reply = {"memory limit", "the engine asked for more memory than there is", {}, {}, 0};
+    reply = {"memory limit", "the engine asked for more memory than there is"};
   } catch (const std::exception& failure) {
-    reply = {"failed", failure.what(), {}, {}, 0};
+    reply = {"failed", failure.what()};
   }
   reply.peak_memory = peak_memory();
   return reply;
