@@ -91,7 +91,8 @@ class ShakenSimulation : public Simulation {
   std::size_t steps() const { return steps_; }
 
  private:
-  /// Puts a ground that really moves where the step under way starts.
+  /// Puts a ground that really moves where the step under way starts. Most engines find contacts there; its
+  /// velocity carries it on.
   virtual void place_ground(const GroundStep& /*ground*/) {}
   virtual void set_gravity(const BodyAcceleration& acceleration) = 0;
   virtual void advance() = 0;

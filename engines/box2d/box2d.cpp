@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "analytic/scene/lists.hpp"
 #include "engines/engine.hpp"
 
 namespace rockstack {
@@ -126,11 +127,7 @@ class Box2DSimulation final : public ShakenSimulation {
 
   bool watch_contacts() override { return contacts_.watched = true; }
 
-  std::vector<ContactPoint> contacts() const override {
-    std::vector<ContactPoint> points;
-    for (const Touch& touch : contacts_.touches) points.push_back(touch.point);
-    return points;
-  }
+  std::vector<ContactPoint> contacts() const override { return each_of(contacts_.touches, &Touch::point); }
 
  private:
   void advance() override {
@@ -149,7 +146,6 @@ class Box2DSimulation final : public ShakenSimulation {
     add(definition, 2 * reach, 2 * reach, unit_.to(0, -reach));
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     bodies_.front()->SetTransform(unit_.to(step.x, step.y), 0);
     bodies_.front()->SetLinearVelocity(unit_.to(step.velocity_x, step.velocity_y));

@@ -89,10 +89,6 @@ Surface surface_of(double mass_factor, const Parameters& parameters) {
           parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
 }
 
-btVector3 half_extents(const Placement& placement) {
-  return vector(0.5 * placement.width, 0.5 * placement.height, 0.5 * placement.depth);
-}
-
 double angle_of(const btRigidBody& body) {
   const btMatrix3x3& turn = body.getWorldTransform().getBasis();
   return std::atan2(-turn[1][0], turn[0][0]);
@@ -131,9 +127,11 @@ class BulletSimulation final : public ShakenSimulation {
       const double reach = ground_reach(setup.blocks);
       add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
     }
-    for (std::size_t k = 0; k < setup.blocks.size(); ++k)
-      add_block(setup.blocks[k], std::min(setup.friction[k], friction_clamp),
-                shape(half_extents(setup.blocks[k]), breaking_factor));
+    for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+      const Placement& block = setup.blocks[k];
+      const btVector3 half = vector(0.5 * block.width, 0.5 * block.height, 0.5 * block.depth);
+      add_block(block, std::min(setup.friction[k], friction_clamp), shape(half, breaking_factor));
+    }
   }
 
   BodyState body(std::size_t k) const override {
@@ -231,7 +229,6 @@ class BulletSimulation final : public ShakenSimulation {
     world_.setInternalTickCallback(give_velocity, this, true);
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     bodies_.front()->getWorldTransform().setOrigin(ground_start_ + vector(step.x, step.y, 0));
     ground_velocity_ = vector(step.velocity_x, step.velocity_y, 0);
@@ -267,7 +264,7 @@ class BulletSimulation final : public ShakenSimulation {
     return body;
   }
 
-  double mass_factor_;  ///< of every mass; no angle depends on it
+  double mass_factor_;
   std::vector<double> angles_;
   btVector3 ground_start_{0, 0, 0};
   btVector3 ground_velocity_{0, 0, 0};

@@ -73,8 +73,6 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
-Housner::Housner() : slenderness(std::atan(0.2)), frequency(std::sqrt(3 * 9.81 / (4 * std::hypot(0.2, 1)))) {}
-
 double Housner::speed_at_ground(double angle) const {
   return frequency * std::sqrt(2 * (std::cos(slenderness - angle) - std::cos(slenderness)));
 }

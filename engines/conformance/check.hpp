@@ -73,9 +73,8 @@ double largest(const std::vector<double>& values);
 
 /// The constants of Housner 1963 for slender_block().
 struct Housner {
-  Housner();
-  double slenderness;  ///< rad
-  double frequency;    ///< p, 1/s
+  double slenderness = std::atan(0.2);                                ///< rad
+  double frequency = std::sqrt(3 * 9.81 / (4 * std::hypot(0.2, 1)));  ///< p, 1/s
   /// Angular velocity at which a block released at `angle` meets the ground, rad/s.
   double speed_at_ground(double angle) const;
 };

@@ -20,6 +20,7 @@
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
 
+#include "analytic/scene/lists.hpp"
 #include "engines/engine.hpp"
 
 namespace rockstack {
@@ -84,9 +85,7 @@ class DartSimulation final : public ShakenSimulation {
   }
 
   std::vector<ContactPoint> contacts() const override {
-    std::vector<ContactPoint> points;
-    for (const Touch& touch : touches_) points.push_back(point_of(touch));
-    return points;
+    return each_of(touches_, [this](const Touch& touch) { return point_of(touch); });
   }
 
  private:
@@ -146,7 +145,6 @@ class DartSimulation final : public ShakenSimulation {
     blocks_.push_back(body);
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     const auto skeleton = ground_->getSkeleton();
     const Eigen::Vector3d velocity{step.velocity_x, step.velocity_y, 0};

@@ -147,23 +147,11 @@ std::string stack_text(const Setup& setup, const Parameters& parameters) {
                      ground(setup, parameters), blocks, pairs(setup, parameters));
 }
 
-/// A file in memory, as the library reads its models from files alone.
-class TextFile {
- public:
-  explicit TextFile(const std::string& text) {
-    mj_defaultVFS(files_.get());
-    mj_makeEmptyFileVFS(files_.get(), name, static_cast<int>(text.size()));
-    std::memcpy(files_->filedata[0], text.data(), text.size());
+struct DeleteFiles {
+  void operator()(mjVFS* files) const {
+    mj_deleteVFS(files);
+    delete files;
   }
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
-  ~TextFile() { mj_deleteVFS(files_.get()); }
-
-  static constexpr const char* name = "stack.xml";
-  const mjVFS* files() const { return files_.get(); }
-
- private:
-  std::unique_ptr<mjVFS> files_ = std::make_unique<mjVFS>();
 };
 
 }  // namespace
@@ -177,9 +165,15 @@ void DeleteModel::operator()(mjModel_* model) const {
 }
 
 MujocoModel compile_stack(const Setup& setup, const Parameters& parameters) {
-  const TextFile file(stack_text(setup, parameters));
+  // The library reads its models from files alone: this one is in memory.
+  constexpr const char* name = "stack.xml";
+  const std::string text = stack_text(setup, parameters);
+  const std::unique_ptr<mjVFS, DeleteFiles> files(new mjVFS{});
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), name, static_cast<int>(text.size()));
+  std::memcpy(files->filedata[0], text.data(), text.size());
   std::array<char, 1000> error{};
-  MujocoModel model(mj_loadXML(TextFile::name, file.files(), error.data(), static_cast<int>(error.size())));
+  MujocoModel model(mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size())));
   mj_freeLastXML();
   if (!model) throw std::runtime_error(fmt::format("mujoco: {}", error.data()));
   if (!setup.ground.empty()) model->stat.meaninertia = mean_inertia(setup, mass_factor(setup, parameters));

@@ -26,14 +26,6 @@ double way_along(const double* normal, const double* point, const Pose& from, co
          normal[1] * (to.y + sine * x + cosine * y - point[1]);
 }
 
-/// MuJoCo would end the process.
-void throw_error(const char* message) {
-  throw std::runtime_error("mujoco: " + std::string(message));
-}
-
-/// MuJoCo would write a file into the working folder; its data count warnings as well.
-void keep_silent(const char*) {}
-
 class MujocoSimulation final : public ShakenSimulation {
  public:
   MujocoSimulation(MujocoSolver solver, const Setup& setup, const Parameters& parameters)
@@ -95,7 +87,9 @@ class MujocoSimulation final : public ShakenSimulation {
   void advance() override {
     if (watches_contacts()) before_ = poses();
     mj_step(model_.get(), data_.get());
-    require_state();
+    // MuJoCo begins anew where a coordinate is not a number or above 10¹⁰: that is no motion of this stack.
+    for (const mjtWarning lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
+      if (data_->warning[lost].number > 0) throw std::runtime_error("mujoco: the motion is not finite");
   }
 
   void set_gravity(const BodyAcceleration& acceleration) override {
@@ -110,18 +104,11 @@ class MujocoSimulation final : public ShakenSimulation {
     std::copy(velocity.begin(), velocity.end(), data_->qvel + first(k));
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     data_->qpos[0] = step.x;
     data_->qpos[1] = step.y;
     data_->qvel[0] = step.velocity_x;
     data_->qvel[1] = step.velocity_y;
-  }
-
-  /// MuJoCo begins anew where a coordinate is not a number or above 10¹⁰: that is no motion of this stack.
-  void require_state() const {
-    for (const mjtWarning lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
-      if (data_->warning[lost].number > 0) throw std::runtime_error("mujoco: the motion is not finite");
   }
 
   /// Of the ground, then the blocks.
@@ -156,10 +143,8 @@ class MujocoSimulation final : public ShakenSimulation {
     return point;
   }
 
-  /// Each row of a contact pushes by f = (−b v − k d r − a)/R: r is its gap, v and a are its rate and
-  /// acceleration, d the impedance, k and b follow from solref, R = (1 − d)/d Â from the bodies' masses
-  /// (MuJoCo's documentation, Computation: "Constraint model"). So where nothing accelerates it is a spring
-  /// of k d/R and a dashpot of b/R. A pyramidal cone has four rows that share the normal force.
+  /// Where nothing accelerates, each row of a contact is a spring of k d/R and a dashpot of b/R (mujoco.cpp).
+  /// A pyramidal cone has four rows that share the normal force.
   void soften(ContactPoint& point, const mjContact& contact) const {
     const bool pyramid = model_->opt.cone == mjCONE_PYRAMIDAL && contact.dim > 1;
     const double rows = pyramid ? 2 * (contact.dim - 1) : 1;
@@ -180,8 +165,9 @@ class MujocoSimulation final : public ShakenSimulation {
 
 std::unique_ptr<Simulation> start_mujoco(MujocoSolver solver, const Setup& setup,
                                          const Parameters& parameters) {
-  mju_user_error = throw_error;
-  mju_user_warning = keep_silent;
+  // MuJoCo would end the process, or write a file into the working folder; its data count warnings as well.
+  mju_user_error = [](const char* message) { throw std::runtime_error("mujoco: " + std::string(message)); };
+  mju_user_warning = [](const char*) {};
   return std::make_unique<MujocoSimulation>(solver, setup, parameters);
 }
 

@@ -19,9 +19,9 @@ struct Destroy {
 
 /// A contact of the step under way, where they are watched.
 struct Touch {
-  dContactGeom geom{};
-  dBodyID first = nullptr, second = nullptr;  ///< the normal points from the second to the first
-  dVector3 on_first{}, on_second{};           ///< the point in their axes
+  dContactGeom geom;
+  dBodyID first, second;             ///< the normal points from the second to the first
+  dVector3 on_first{}, on_second{};  ///< the point in their axes
   dJointFeedback feedback{};
 };
 
@@ -72,7 +72,10 @@ class OdeSimulation final : public ShakenSimulation {
     set_gravity(setup.gravity);
     set_surface(setup, parameters);
     plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
-    if (moves_ground()) add_moving_ground();
+    if (moves_ground()) {  // a plane has no body of its own in ODE: its contacts are those of this one
+      ground_ = dBodyCreate(world_.get());
+      dBodySetKinematic(ground_);
+    }
     for (const Placement& placement : setup.blocks)
       add_block(placement, parameters.at("finiteRotationMode") != 0);
   }
@@ -94,10 +97,6 @@ class OdeSimulation final : public ShakenSimulation {
   }
 
  private:
-  static void touch(void* data, dGeomID one, dGeomID other) {
-    static_cast<OdeSimulation*>(data)->add_contacts(one, other);
-  }
-
   void add_contacts(dGeomID one, dGeomID other) {
     const dBodyID first = body_of(one), second = body_of(other);
     const int count =
@@ -116,10 +115,7 @@ class OdeSimulation final : public ShakenSimulation {
   }
 
   void watch(dJointID joint, const dContactGeom& geom, dBodyID first, dBodyID second) {
-    Touch& touch = touches_.emplace_back();
-    touch.geom = geom;
-    touch.first = first;
-    touch.second = second;
+    Touch& touch = touches_.emplace_back(Touch{geom, first, second});
     const dReal* place = geom.pos;
     if (first != nullptr) dBodyGetPosRelPoint(first, place[0], place[1], place[2], touch.on_first);
     if (second != nullptr) dBodyGetPosRelPoint(second, place[0], place[1], place[2], touch.on_second);
@@ -195,15 +191,8 @@ class OdeSimulation final : public ShakenSimulation {
     surface.soft_cfm = 1 / impulse;
   }
 
-  /// A plane has no body of its own in ODE: contacts with it are those of a kinematic body that moves along.
-  void add_moving_ground() {
-    ground_ = dBodyCreate(world_.get());
-    dBodySetKinematic(ground_);
-  }
-
   dBodyID body_of(dGeomID geometry) const { return geometry == plane_ ? ground_ : dGeomGetBody(geometry); }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     dBodySetPosition(ground_, step.x, step.y, 0);
     dBodySetLinearVel(ground_, step.velocity_x, step.velocity_y, 0);
@@ -215,7 +204,9 @@ class OdeSimulation final : public ShakenSimulation {
     const std::size_t before = ode_messages();
     dJointGroupEmpty(group_.get());
     touches_.clear();
-    dSpaceCollide(space_.get(), this, &OdeSimulation::touch);
+    dSpaceCollide(space_.get(), this, [](void* self, dGeomID one, dGeomID other) {
+      static_cast<OdeSimulation*>(self)->add_contacts(one, other);
+    });
     if (solve(world_.get(), dt()) == 0) throw std::runtime_error("ode: a step ran out of memory");
     warnings_ += ode_messages() - before;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -263,8 +254,7 @@ class OdeSimulation final : public ShakenSimulation {
   std::size_t warnings_ = 0;
   std::vector<double> angles_;
   std::vector<dContact> contacts_;
-  std::vector<double>
-      friction_limits_;  ///< of each interface: coefficients, or N in the library's own masses
+  std::vector<double> friction_limits_;  ///< of interfaces: coefficients, or N in the library's own masses
   bool realign_;
   double mass_factor_;          ///< of every mass; no angle depends on it
   double stiffness_, damping_;  ///< of each contact point, in those masses
