@@ -37,6 +37,8 @@ struct Check {
   Judge* judge;
 };
 
+inline constexpr double usual_step = 1e-3;  ///< of most checks, s
+
 Scene at_rest(std::vector<Block> blocks, double duration);
 
 /// Samples `value` from t = 0 on, m/s².
@@ -58,7 +60,7 @@ struct ObservedMotion {
   }
 };
 
-ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt);
+ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt = usual_step);
 
 /// The same, shaken by a body force.
 Adapter by_force(Adapter adapter);
