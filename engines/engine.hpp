@@ -43,6 +43,10 @@ struct Setting {
   }
 };
 
+/// N/m or N s/m, far beyond what a step resolves, and finite, as quotients of stiffness and damping are
+/// taken.
+inline constexpr double stiffest = 1e18;
+
 /// A setting that is off, 0 or false, or on, 1 or true.
 Setting switch_setting(std::string name, double standard, double tuned);
 

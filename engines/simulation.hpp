@@ -79,8 +79,12 @@ class ShakenSimulation : public Simulation {
   bool watch_contacts() override { return watched_ = true; }
 
  protected:
-  explicit ShakenSimulation(const Setup& setup)
-      : dt_(setup.dt), ground_(setup.ground), accelerations_(setup.accelerations) {}
+  /// `mass_factor`: by what the adapter multiplies every mass; no angle depends on it.
+  explicit ShakenSimulation(const Setup& setup, double mass_factor = 1)
+      : mass_factor_(mass_factor),
+        dt_(setup.dt),
+        ground_(setup.ground),
+        accelerations_(setup.accelerations) {}
 
   double dt() const { return dt_; }
   bool watches_contacts() const { return watched_; }
@@ -89,6 +93,8 @@ class ShakenSimulation : public Simulation {
   /// The ground in the next step; null where it rests or the scene is over.
   const GroundStep* next_ground() const { return steps_ < ground_.size() ? &ground_[steps_] : nullptr; }
   std::size_t steps() const { return steps_; }
+
+  const double mass_factor_;
 
  private:
   /// Puts a ground that really moves where the step under way starts. Most engines find contacts there; its

@@ -26,9 +26,6 @@ constexpr bool single_precision = sizeof(btScalar) == sizeof(float);
 /// SOLVER_USE_WARMSTARTING | SOLVER_SIMD
 constexpr int usual_mode = 4 | 256;
 
-/// N/m and N s/m: what the library gives a body that has no stiffness of its own.
-constexpr double stiffest = 1e18;
-
 /// What the tuned set changes.
 struct Tuned {
   double iterations = 50, erp2 = 0.2, cfm = 0;
@@ -58,7 +55,6 @@ Tuned tuned_for(BulletSolver solver) {
 
 std::vector<Setting> settings_of(BulletSolver solver) {
   const Tuned tuned = tuned_for(solver);
-  constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{
       count_setting("numIterations", 10, tuned.iterations),
       {.name = "erp2", .standard = 0.2, .tuned = tuned.erp2, .most = 1},
@@ -69,7 +65,7 @@ std::vector<Setting> settings_of(BulletSolver solver) {
        .unit = "m",
        .standard = -0.04F,
        .tuned = 0,
-       .least = -endless},
+       .least = -std::numeric_limits<double>::infinity()},
       {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
       {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
       {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},

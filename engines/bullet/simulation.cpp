@@ -111,8 +111,7 @@ double stiffness_of(const btContactSolverInfo& info, const Softness& softness, d
 class BulletSimulation final : public ShakenSimulation {
  public:
   BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         surface_(surface_of(mass_factor_, parameters)),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
@@ -172,20 +171,18 @@ class BulletSimulation final : public ShakenSimulation {
     const btManifoldPoint& found = manifold.getContactPoint(i);
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const int number_a = a.getUserIndex(), number_b = b.getUserIndex();
-    ContactPoint point;
-    point.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1);
-    point.along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x();
-    point.gap_before = found.getDistance();
-    point.gap =
-        found.m_normalWorldOnB.dot(place_of(a, found.m_localPointA) - place_of(b, found.m_localPointB));
-    point.normal = found.getAppliedImpulse() / mass_factor_;
-    point.tangential =
-        std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_;
     const Softness softness = softness_of(found);
-    const btContactSolverInfo& info = world_.getSolverInfo();
-    point.stiffness = stiffness_of(info, softness, dt(), point.gap_before) / mass_factor_;
-    point.damping = contact_damping(softness.erp, softness.cfm) / mass_factor_;
-    return point;
+    const double stiffness = stiffness_of(world_.getSolverInfo(), softness, dt(), found.getDistance());
+    return {.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1),
+            .along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x(),
+            .gap_before = found.getDistance(),
+            .gap = found.m_normalWorldOnB.dot(place_of(a, found.m_localPointA) -
+                                              place_of(b, found.m_localPointB)),
+            .normal = found.getAppliedImpulse() / mass_factor_,
+            .tangential =
+                std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_,
+            .stiffness = stiffness / mass_factor_,
+            .damping = contact_damping(softness.erp, softness.cfm) / mass_factor_};
   }
 
   /// A point with a spring of its own has its own erp and cfm; solvers of complementarity problems take its
@@ -264,10 +261,8 @@ class BulletSimulation final : public ShakenSimulation {
     return body;
   }
 
-  double mass_factor_;
   std::vector<double> angles_;
-  btVector3 ground_start_{0, 0, 0};
-  btVector3 ground_velocity_{0, 0, 0};
+  btVector3 ground_start_{0, 0, 0}, ground_velocity_{0, 0, 0};
   Surface surface_;
   // The world comes last: it is the first to go and still needs the others then.
   btDefaultCollisionConfiguration configuration_;

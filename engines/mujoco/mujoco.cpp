@@ -27,9 +27,7 @@
 namespace rockstack {
 namespace {
 
-/// Of solref, where a negative number is a stiffness or a damping.
-constexpr double stiffest = 1e18;
-
+/// A negative number of solref is a stiffness or a damping.
 std::vector<Setting> settings_of(MujocoSolver solver) {
   const bool pgs = solver == MujocoSolver::pgs;
   return {
@@ -147,33 +145,26 @@ std::string stack_text(const Setup& setup, const Parameters& parameters) {
                      ground(setup, parameters), blocks, pairs(setup, parameters));
 }
 
-struct DeleteFiles {
-  void operator()(mjVFS* files) const {
-    mj_deleteVFS(files);
-    delete files;
-  }
-};
-
 }  // namespace
 
 std::vector<Engine> make_mujoco() {
   return {with(MujocoSolver::newton, "newton"), with(MujocoSolver::cg, "cg"), with(MujocoSolver::pgs, "pgs")};
 }
 
-void DeleteModel::operator()(mjModel_* model) const {
-  mj_deleteModel(model);
-}
-
 MujocoModel compile_stack(const Setup& setup, const Parameters& parameters) {
   // The library reads its models from files alone: this one is in memory.
   constexpr const char* name = "stack.xml";
   const std::string text = stack_text(setup, parameters);
-  const std::unique_ptr<mjVFS, DeleteFiles> files(new mjVFS{});
+  const std::unique_ptr<mjVFS, void (*)(mjVFS*)> files(new mjVFS{}, [](mjVFS* made) {
+    mj_deleteVFS(made);
+    delete made;
+  });
   mj_defaultVFS(files.get());
   mj_makeEmptyFileVFS(files.get(), name, static_cast<int>(text.size()));
   std::memcpy(files->filedata[0], text.data(), text.size());
   std::array<char, 1000> error{};
-  MujocoModel model(mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size())));
+  MujocoModel model(mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size())),
+                    mj_deleteModel);
   mj_freeLastXML();
   if (!model) throw std::runtime_error(fmt::format("mujoco: {}", error.data()));
   if (!setup.ground.empty()) model->stat.meaninertia = mean_inertia(setup, mass_factor(setup, parameters));

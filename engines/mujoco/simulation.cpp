@@ -9,10 +9,6 @@
 namespace rockstack {
 namespace {
 
-struct DeleteData {
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
 /// A body's coordinates, as MuJoCo has them.
 struct Pose {
   double x = 0, y = 0, angle = 0;  ///< m, m, rad anticlockwise
@@ -29,11 +25,10 @@ double way_along(const double* normal, const double* point, const Pose& from, co
 class MujocoSimulation final : public ShakenSimulation {
  public:
   MujocoSimulation(MujocoSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         blocks_(setup.blocks.size()),
-        mass_factor_(mass_factor(setup, parameters)),
         model_(compile_stack(setup, parameters)),
-        data_(mj_makeData(model_.get())) {
+        data_(mj_makeData(model_.get()), mj_deleteData) {
     if (!data_) throw std::runtime_error("mujoco: no memory for a run");
     set_options(solver, setup.dt, parameters);
     set_gravity(setup.gravity);
@@ -155,9 +150,8 @@ class MujocoSimulation final : public ShakenSimulation {
   }
 
   std::size_t blocks_;
-  double mass_factor_;  ///< of every mass in MuJoCo; no angle depends on it
   MujocoModel model_;
-  std::unique_ptr<mjData, DeleteData> data_;
+  std::unique_ptr<mjData, void (*)(mjData*)> data_;
   std::vector<Pose> before_;  ///< of the ground and the blocks where the last step started
 };
 

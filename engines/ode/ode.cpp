@@ -21,10 +21,6 @@
 namespace rockstack {
 namespace {
 
-/// N/m and N s/m: far beyond what a step resolves, and finite, as quotients of stiffness and damping are
-/// taken.
-constexpr double stiffest = 1e18;
-
 std::vector<Setting> settings_of(OdeSolver solver) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{

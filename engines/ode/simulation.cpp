@@ -11,12 +11,6 @@
 namespace rockstack {
 namespace {
 
-struct Destroy {
-  void operator()(dWorldID world) const { dWorldDestroy(world); }
-  void operator()(dSpaceID space) const { dSpaceDestroy(space); }
-  void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
-};
-
 /// A contact of the step under way, where they are watched.
 struct Touch {
   dContactGeom geom;
@@ -54,16 +48,12 @@ double damping_of(const Parameters& parameters, double mass_factor) {
 class OdeSimulation final : public ShakenSimulation {
  public:
   OdeSimulation(OdeSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         solver_(solver),
         contacts_(static_cast<std::size_t>(parameters.at("maxContacts"))),
         realign_(parameters.at("realign") != 0),
-        mass_factor_(mass_factor(setup, parameters)),
         stiffness_(stiffness_of(parameters, mass_factor_, setup.dt)),
-        damping_(damping_of(parameters, mass_factor_)),
-        world_(dWorldCreate()),
-        space_(dSimpleSpaceCreate(nullptr)),
-        group_(dJointGroupCreate(0)) {
+        damping_(damping_of(parameters, mass_factor_)) {
     dWorldSetERP(world_.get(), parameters.at("erp"));
     dWorldSetCFM(world_.get(), parameters.at("cfm"));
     dWorldSetContactSurfaceLayer(world_.get(), parameters.at("contactSurfaceLayer"));
@@ -81,8 +71,7 @@ class OdeSimulation final : public ShakenSimulation {
   }
 
   BodyState body(std::size_t k) const override {
-    const dReal* place = dBodyGetPosition(bodies_[k]);
-    const dReal* velocity = dBodyGetLinearVel(bodies_[k]);
+    const dReal *place = dBodyGetPosition(bodies_[k]), *velocity = dBodyGetLinearVel(bodies_[k]);
     const dReal* turn = dBodyGetRotation(bodies_[k]);
     return {place[0],    place[1],
             velocity[0], velocity[1],
@@ -136,22 +125,19 @@ class OdeSimulation final : public ShakenSimulation {
 
   ContactPoint point_of(const Touch& touch) const {
     const auto first = number_of(touch.first), second = number_of(touch.second);
-    const dReal* normal = touch.geom.normal;
-    const dReal* force = touch.feedback.f1;
+    const dReal *normal = touch.geom.normal, *force = touch.feedback.f1;
     const double push = dCalcVectorDot3(force, normal);
-    ContactPoint point;
-    point.interface = interface_of(touch.first, touch.second);
-    point.along = (first > second ? touch.on_first : touch.on_second)[0];
-    point.gap_before = -touch.geom.depth;
-    point.gap = point.gap_before + height_along(normal, touch.first, touch.on_first, touch.geom.pos) -
-                height_along(normal, touch.second, touch.on_second, touch.geom.pos);
     const double impulse = dt() / mass_factor_;
-    point.normal = impulse * std::abs(push);
-    point.tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
-                                            force[2] - push * normal[2]);
-    point.stiffness = stiffness_ / mass_factor_;
-    point.damping = damping_ / mass_factor_;
-    return point;
+    return {.interface = interface_of(touch.first, touch.second),
+            .along = (first > second ? touch.on_first : touch.on_second)[0],
+            .gap_before = -touch.geom.depth,
+            .gap = -touch.geom.depth + height_along(normal, touch.first, touch.on_first, touch.geom.pos) -
+                   height_along(normal, touch.second, touch.on_second, touch.geom.pos),
+            .normal = impulse * std::abs(push),
+            .tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
+                                               force[2] - push * normal[2]),
+            .stiffness = stiffness_ / mass_factor_,
+            .damping = damping_ / mass_factor_};
   }
 
   void set_iterations(const Parameters& parameters) {
@@ -226,8 +212,7 @@ class OdeSimulation final : public ShakenSimulation {
                        mass_factor_ * placement.inertia_about_x, mass_factor_ * placement.inertia_about_y,
                        mass_factor_ * placement.inertia, 0, 0, 0);
     dBodySetMass(body, &mass);
-    const dGeomID box = dCreateBox(space_.get(), placement.width, placement.height, placement.depth);
-    dGeomSetBody(box, body);
+    dGeomSetBody(dCreateBox(space_.get(), placement.width, placement.height, placement.depth), body);
     dMatrix3 turn;
     dRFromAxisAndAngle(turn, 0, 0, 1, -placement.angle);
     dBodySetRotation(body, turn);
@@ -242,8 +227,7 @@ class OdeSimulation final : public ShakenSimulation {
 
   /// The planar joint holds positions only; the rotation is put back into the plane by hand.
   static void realign(dBodyID body) {
-    const dReal* spin = dBodyGetAngularVel(body);
-    dBodySetAngularVel(body, 0, 0, spin[2]);
+    dBodySetAngularVel(body, 0, 0, dBodyGetAngularVel(body)[2]);
     const dReal* now = dBodyGetQuaternion(body);
     const double length = std::hypot(now[0], now[3]);
     const dQuaternion planar{now[0] / length, 0, 0, now[3] / length};
@@ -256,15 +240,14 @@ class OdeSimulation final : public ShakenSimulation {
   std::vector<dContact> contacts_;
   std::vector<double> friction_limits_;  ///< of interfaces: coefficients, or N in the library's own masses
   bool realign_;
-  double mass_factor_;          ///< of every mass; no angle depends on it
   double stiffness_, damping_;  ///< of each contact point, in those masses
   std::deque<Touch> touches_;   ///< ODE writes into them while it steps
   dGeomID plane_ = nullptr;
   dBodyID ground_ = nullptr;  ///< where it really moves
   std::vector<dBodyID> bodies_;
-  std::unique_ptr<dxWorld, Destroy> world_;
-  std::unique_ptr<dxSpace, Destroy> space_;
-  std::unique_ptr<dxJointGroup, Destroy> group_;
+  std::unique_ptr<dxWorld, void (*)(dWorldID)> world_{dWorldCreate(), dWorldDestroy};
+  std::unique_ptr<dxSpace, void (*)(dSpaceID)> space_{dSimpleSpaceCreate(nullptr), dSpaceDestroy};
+  std::unique_ptr<dxJointGroup, void (*)(dJointGroupID)> group_{dJointGroupCreate(0), dJointGroupDestroy};
 };
 
 }  // namespace

@@ -30,8 +30,7 @@ SimTK::Transform face_at(double y, bool body_above) {
 class SimbodySimulation final : public ShakenSimulation {
  public:
   SimbodySimulation(const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         stiffness_(parameters.at("stiffness")),
         dissipation_(parameters.at("dissipation")),
         gravity_(forces_, matter_, Vec3(setup.gravity.x, setup.gravity.y, 0)) {
@@ -134,7 +133,7 @@ class SimbodySimulation final : public ShakenSimulation {
     return point;
   }
 
-  double mass_factor_, stiffness_, dissipation_;
+  double stiffness_, dissipation_;
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_{system_};
   SimTK::GeneralForceSubsystem forces_{system_};
