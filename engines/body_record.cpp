@@ -16,8 +16,7 @@ struct Face {
 };
 
 Point<double> along(const BlockPose& pose, double across, double up) {
-  const Point<double> arm = turned(across, up, std::cos(pose.angle), std::sin(pose.angle));
-  return {pose.x + arm.x(), pose.y + arm.y()};
+  return Point<double>(pose.x, pose.y) + turned(across, up, std::cos(pose.angle), std::sin(pose.angle));
 }
 
 Face face_of(const Block& block, const BlockPose& pose, double outward) {
@@ -62,7 +61,11 @@ class BodyAccount {
   }
 
   void next() {
-    ground_ = ground_at(samples_);
+    if (samples_ > 0 && !setup_.ground.empty()) {
+      ground_ = setup_.ground[samples_ - 1];
+      ground_.x += setup_.dt * ground_.velocity_x;
+      ground_.y += setup_.dt * ground_.velocity_y;
+    }
     const std::size_t blocks = setup_.blocks.size();
     const auto bodies = std::span(trajectory_.bodies).subspan(samples_ * blocks, blocks);
     last_poses_ = std::move(poses_);
@@ -91,15 +94,6 @@ class BodyAccount {
   const BodyRecord& record() const { return record_; }
 
  private:
-  /// Where the ground is and how fast it has moved over the last step.
-  GroundStep ground_at(std::size_t sample) const {
-    if (sample == 0 || setup_.ground.empty()) return {};
-    GroundStep ground = setup_.ground[sample - 1];
-    ground.x += setup_.dt * ground.velocity_x;
-    ground.y += setup_.dt * ground.velocity_y;
-    return ground;
-  }
-
   void add_energy(std::span<const BodyState> bodies, std::span<const double> velocities) {
     double energy = 0, work = 0, rest_height = 0;
     BodyAcceleration pull;
@@ -149,7 +143,7 @@ class BodyAccount {
   const Scene& scene_;
   const Setup& setup_;
   const Trajectory& trajectory_;
-  GroundStep ground_;
+  GroundStep ground_;  ///< where the ground is, and how fast it has moved over the last step
   std::size_t samples_ = 0;
   std::vector<BlockPose> poses_, last_poses_;  ///< in the ground's frame, one a block
   std::vector<InterfaceState> interfaces_;

@@ -74,11 +74,10 @@ void check_value(const std::string& engine, const std::vector<Setting>& settings
 
 void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given) {
   for (const auto& [name, value] : given) check_value(engine, settings, name, value);
-  for (const Setting& setting : settings) {
-    if (given.count(setting.name) != 0) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: {} is missing: must be {}", engine, setting.name, range_of(setting)));
-  }
+  for (const Setting& setting : settings)
+    if (!given.contains(setting.name))
+      throw std::invalid_argument(
+          fmt::format("{}: {} is missing: must be {}", engine, setting.name, range_of(setting)));
 }
 
 }  // namespace rockstack

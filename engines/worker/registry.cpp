@@ -41,8 +41,7 @@ std::vector<fs::path> found_workers() {
   for (const std::string& folder : split(given)) {
     std::vector<fs::path> here;
     for (const auto& entry : fs::directory_iterator(folder)) {
-      const auto permissions = entry.status().permissions();
-      const bool runs = (permissions & fs::perms::owner_exec) != fs::perms::none;
+      const bool runs = (entry.status().permissions() & fs::perms::owner_exec) != fs::perms::none;
       if (entry.is_regular_file() && runs && entry.path().filename().string().starts_with(prefix))
         here.push_back(fs::absolute(entry.path()));
     }

@@ -14,8 +14,7 @@ namespace {
 
 /// What a worker says in words goes into messages, tables and pages through here.
 std::string heard(const std::string& words) {
-  constexpr std::size_t most = 200;
-  return one_line(words, most);
+  return one_line(words, 200);
 }
 
 std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
