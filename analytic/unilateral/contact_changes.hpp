@@ -166,11 +166,10 @@ bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, in
 template <class Real>
 void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                      const Real& gap, Joints<Real>& joints) {
-  const Real angle = relative_angle(bodies.at, interface);
   for (const bool below : {true, false}) {
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
-      if (side * angle < -flat_angle<Real>()) continue;
+      if (side * relative_angle(bodies.at, interface) < -flat_angle<Real>()) continue;
       const CornerOnFace<Real> corner = stack.corner(interface, side, below);
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner);
       if (abs(rows.gap) <= gap && abs(rows.slip) <= stack.half_width(corner.face) + gap)

@@ -232,8 +232,7 @@ struct Overlap {
 
 template <class Real>
 Overlap<Real> overlap(const ContactModel<Real>& stack, int interface, const Real& offset) {
-  const Real upper = stack.half_width(interface);
-  const Real lower = stack.half_width(interface - 1);
+  const Real upper = stack.half_width(interface), lower = stack.half_width(interface - 1);
   return {std::max<Real>(-upper, -lower - offset), std::min<Real>(upper, lower - offset)};
 }
 

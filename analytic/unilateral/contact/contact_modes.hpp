@@ -157,10 +157,9 @@ std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts,
 template <class Real>
 std::optional<Joints<Real>> nearest_mode(const TouchingContacts<Real>& contacts, const Joints<Real>& joints) {
   const ContactQuestion<Real>& question = contacts.question();
-  constexpr std::size_t most = 100000;
   std::optional<Joints<Real>> nearest;
   Real least = std::numeric_limits<Real>::infinity();
-  for (auto& mode : modes_that_obey(contacts, joints, most)) {
+  for (auto& mode : modes_that_obey(contacts, joints, 100'000)) {
     const FreeVector<Real> change = respond(contacts, mode).motion - question.free;
     const Real size = change.cwiseAbs2().cwiseQuotient(question.stack.inverse_mass).sum();
     if (!(size < least)) continue;

@@ -14,8 +14,7 @@ void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_
     const Real slip = joint.touches() ? slip_velocities[k] : 0;
     joint.slip = (slip > 0) - (slip < 0);
     meet_face(stack, k, joint);
-    const CornerOnFace<Real> point = stack.held_point(k, joint);
-    const Real angle = pose_of(state.bodies.at, point.face).angle;
+    const Real angle = pose_of(state.bodies.at, stack.held_point(k, joint).face).angle;
     carried.x += slip * cos(angle);
     carried.y -= slip * sin(angle);
     state.bodies.rate[k].x += carried.x;

@@ -88,8 +88,7 @@ class GuardCollector {
  private:
   const ForceSeries<Real>& force(int k) const { return series_.forces[k]; }
   Polynomial<Real> slip(int k) const {
-    const CornerOnFace<Real> point = stack_.held_point(k, joints_[k]);
-    return times(point.upward, series_.along[k]);
+    return times(stack_.held_point(k, joints_[k]).upward, series_.along[k]);
   }
   /// Of a pivot.
   Polynomial<Real> opening_angle(int k) const {
@@ -174,9 +173,8 @@ class GuardCollector {
 
   void add_pivot_ends(int k) {
     const Joint<Real>& joint = joints_[k];
-    const CornerOnFace<Real> point = stack_.held_point(k, joint);
     const Polynomial<Real>& along = series_.along[k];
-    const Real end = stack_.half_width(point.face);
+    const Real end = stack_.half_width(stack_.held_point(k, joint).face);
     // A pair of corners that slides along its face comes to a halt before it can be back.
     if (!is_corner_pair(stack_, k, joint) || slides_off(joint))
       push_if_needed(line(end, -joint.side(), along), Change::corner, k);

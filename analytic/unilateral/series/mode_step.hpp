@@ -83,8 +83,7 @@ class SeriesMaker {
   /// The largest coefficient of order m, positions over a length, angles and directions as they are.
   Real size_of(std::size_t m, const Real& unit) const {
     using std::max;
-    Real place = known_.size_of(m);
-    Real turn = 0;
+    Real place = known_.size_of(m), turn = 0;
     for (const BodySeries<Real>& body : series_.bodies) {
       place = max<Real>(place, max<Real>(abs(body.centre[m].x()), abs(body.centre[m].y())));
       turn =

@@ -176,8 +176,7 @@ class SpringContacts {
     SpringPoint<Real>& point = points_[guard.point];
     BedState& bed = point.bed;
     const SpringLaw<Real>& law = stack_.springs[point.interface];
-    const auto rows = bed_rows(stack_, point, bodies);
-    const GrowingBed<Real> now = bed_at(law, point, rows, vector_of(bodies.rate));
+    const GrowingBed<Real> now = bed_at(stack_, point, bodies);
     const Real held = elastic_energy(stack_, point, bodies);
     const bool above = guard.way > 0;
     const SpringRounding<Real> rounding(stack_, bodies);

@@ -126,8 +126,12 @@ class SpringGuards {
   void add_ends(const GrowingSpring<Real>& spring, const Polynomial<Real>& slider) {
     const CornerOnFace<Real>& corner = spring.point.corner;
     if (corner.face < 0) return;
-    if (spring.start.is_bed()) return add_bed_falling(spring.index, corner, slider);
     const Real end = stack_.half_width(corner.face);
+    if (spring.start.is_bed()) {  // it holds as long as its middle is over the other face
+      for (const int way : {-1, 1})
+        found_.consider({line(end, way, slider), SpringChange::fall, spring.index}, 0);
+      return;
+    }
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
     if (way >= 0)
@@ -148,20 +152,13 @@ class SpringGuards {
     return point;
   }
 
-  /// A bed holds as long as its middle is over the other face.
-  void add_bed_falling(std::size_t i, const CornerOnFace<Real>& middle, const Polynomial<Real>& along) {
-    const Real end = stack_.half_width(middle.face);
-    for (const int way : {-1, 1}) found_.consider({line(end, way, along), SpringChange::fall, i}, 0);
-  }
-
   void add_bed(std::size_t i) {
     const SpringPoint<Real>& point = points_[i];
     const SpringLaw<Real>& law = stack_.springs[point.interface];
-    const auto corners = bed_corners(stack_, point);
     std::array<Polynomial<Real>, 2> depth, pressure;
     for (std::size_t end = 0; end < 2; ++end) {
       const BedEnd& sign = point.bed.ends[end];
-      const CornerOnFace<Real>& corner = corners[end];
+      const CornerOnFace<Real> corner = bed_corner(stack_, point, end);
       depth[end] = depth_of(corner, corner_series(stack_, motion_, corner));
       if (sign.at_face) depth[end][0] = 0;
       pressure[end] =

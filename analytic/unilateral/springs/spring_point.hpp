@@ -51,25 +51,27 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   return kinematics_of(stack, bodies, corner_of(stack, point));
 }
 
-/// The ends of a bed, left and right, against the face of the other block.
+/// An end of a bed, 0 left or 1 right, against the face of the other block.
 template <class Real>
-std::array<CornerOnFace<Real>, 2> bed_corners(const ContactModel<Real>& stack,
-                                              const SpringPoint<Real>& point) {
-  const auto at = [&](int side) { return stack.corner(point.interface, side, point.corner_below); };
-  return {at(-1), at(1)};
+CornerOnFace<Real> bed_corner(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                              std::size_t end) {
+  return stack.corner(point.interface, end == 0 ? -1 : 1, point.corner_below);
 }
 
 template <class Real>
 std::array<ContactKinematics<Real>, 2> bed_rows(const ContactModel<Real>& stack,
                                                 const SpringPoint<Real>& point, const Bodies<Real>& bodies) {
-  const auto corners = bed_corners(stack, point);
-  return {kinematics_of(stack, bodies, corners[0]), kinematics_of(stack, bodies, corners[1])};
+  return {kinematics_of(stack, bodies, bed_corner(stack, point, 0)),
+          kinematics_of(stack, bodies, bed_corner(stack, point, 1))};
 }
 
 /// A bed at one instant.
 template <class Real>
-GrowingBed<Real> bed_at(const SpringLaw<Real>& law, const SpringPoint<Real>& point,
-                        const std::array<ContactKinematics<Real>, 2>& rows, const FreeVector<Real>& rates) {
+GrowingBed<Real> bed_at(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                        const Bodies<Real>& bodies) {
+  const SpringLaw<Real>& law = stack.springs[point.interface];
+  const auto rows = bed_rows(stack, point, bodies);
+  const FreeVector<Real> rates = vector_of(bodies.rate);
   GrowingBed<Real> bed;
   bed.stretch = stretch_of(point.bed);
   for (std::size_t end = 0; end < 2; ++end) {
@@ -96,7 +98,7 @@ PointForce<Real> force_of(const ContactModel<Real>& stack, const SpringPoint<Rea
   const FreeVector<Real> rates = vector_of(bodies.rate);
   PointForce<Real> force{-(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates)), 0};
   if (point.is_bed()) {
-    const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack, point, bodies), rates);
+    const GrowingBed<Real> bed = bed_at(stack, point, bodies);
     force = {bed.normal[0], 0, bed.couple[0]};
   }
   if (point.slide != 0) {
@@ -130,9 +132,7 @@ FreeVector<Real> forces_of(const ContactModel<Real>& stack, const SpringPoints<R
 template <class Real>
 Real fastest_rate(const ContactModel<Real>& stack, const SpringPoints<Real>& points,
                   const Bodies<Real>& bodies) {
-  Real square = 0;
-  Real damped = 0;
-  Real relaxing = 0;
+  Real square = 0, damped = 0, relaxing = 0;
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
     const SpringLaw<Real>& law = stack.springs[point.interface];

@@ -135,9 +135,8 @@ class SpringSeries {
   void begin_bed(const ModeSeries<Real>& motion, const SpringPoint<Real>& point,
                  GrowingSpring<Real>& spring) const {
     spring.bed.stretch = stretch_of(point.bed);
-    const auto corners = bed_corners(stack_, point);
     for (std::size_t end = 0; end < 2; ++end) {
-      const CornerOnFace<Real>& corner = corners[end];
+      const CornerOnFace<Real> corner = bed_corner(stack_, point, end);
       spring.ends.push_back({GrowingPoint<Real>(stack_, motion, corner), {}});
       const Real gap = kinematics_of(stack_, bodies_, corner).gap;
       put(spring.bed.depth[end], 0, point.bed.ends[end].at_face ? Real(0) : Real(-gap));
@@ -185,8 +184,7 @@ class SpringSeries {
   const ContactModel<Real>& stack_;
   const SpringPoints<Real>& points_;
   const Bodies<Real>& bodies_;
-  Real length_ = 0;
-  Real unit_ = 0;
+  Real length_ = 0, unit_ = 0;
   std::vector<GrowingSpring<Real>> growing_;
 };
 

@@ -13,11 +13,10 @@ using SquareMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 /// Signs of a bed's ends by where bodies are and go.
 template <class Real>
 void note_signs(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
-  const SpringLaw<Real>& law = stack.springs[point.interface];
-  const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack, point, bodies), vector_of(bodies.rate));
+  const GrowingBed<Real> bed = bed_at(stack, point, bodies);
   for (std::size_t end = 0; end < 2; ++end)
     point.bed.ends[end] = {bed.depth[end][0] > 0, bed.pressure[end][0] > 0};
-  point.bed.crossed = law.damping > 0 && bed.crosses();
+  point.bed.crossed = stack.springs[point.interface].damping > 0 && bed.crosses();
   point.press = stretch_of(point.bed).presses ? Press::pushing : Press::off;
 }
 
@@ -124,8 +123,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     for (const SpringPoint<Real>& point : standing) {
       const SpringLaw<Real>& law = stack.springs[point.interface];
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
-      const Row across = rows.gap_row * motions;
-      const Row along = rows.slip_row * motions;
+      const Row across = rows.gap_row * motions, along = rows.slip_row * motions;
       stiffness += law.tangential_stiffness * along.transpose() * along;
       if (!point.is_bed()) {
         stiffness += law.stiffness * across.transpose() * across;
