@@ -13,8 +13,7 @@
 
 namespace rockstack {
 
-/// Every number that shapes an engine run, by the engine's own name for it; written into the results as it
-/// is.
+/// Every number that shapes an engine run, by the engine's own name; written into the results as it is.
 using Parameters = std::map<std::string, double>;
 
 /// What of a scene a setting is given the value of.
@@ -43,8 +42,7 @@ struct Setting {
   }
 };
 
-/// N/m or N s/m, far beyond what a step resolves, and finite, as quotients of stiffness and damping are
-/// taken.
+/// N/m or N s/m: far beyond what a step resolves, and finite, as stiffness and damping are divided.
 inline constexpr double stiffest = 1e18;
 
 /// A setting that is off, 0 or false, or on, 1 or true.
@@ -60,16 +58,14 @@ Setting shaking_setting();
 /// The number of a choice's name. @throws std::invalid_argument naming the choices.
 double choice_value(const std::string& engine, const Setting& setting, const std::string& choice);
 
-/// By what an adapter multiplies every mass, on which no angle depends: 1, or with the setting unitMass
-/// what gives the stack that mass, kg, so that cfm, contact forces and limits of impulses mean the same for
-/// grams and tonnes.
+/// By what an adapter multiplies every mass, on which no angle depends: 1, or with the setting unitMass what
+/// gives the stack that mass, kg: cfm, forces and limits of impulses mean the same for grams and tonnes.
 double mass_factor(const Setup& setup, const Parameters& parameters);
 
 /// Of a set: &Setting::standard or &Setting::tuned.
 Parameters values_of(const std::vector<Setting>& settings, double Setting::*set);
 
-/// The setting of that name. @throws std::invalid_argument naming the engine, the setting and those that
-/// there are.
+/// The setting of that name. @throws std::invalid_argument naming the engine, the setting and all there are.
 const Setting& find_setting(const std::string& engine, const std::vector<Setting>& settings,
                             const std::string& name);
 
@@ -88,8 +84,7 @@ struct Capabilities {
   double largest_friction = std::numeric_limits<double>::infinity();
   bool single_precision = false;
   bool planar = false;  ///< by nature; else constraints or corrections hold its bodies in the plane
-  /// By how many steps places are ahead under a constant force: ½ for semi-implicit Euler, 0 for an
-  /// integrator of higher order.
+  /// How many steps places are ahead under a constant force: ½ for semi-implicit Euler, 0 of higher order.
   double lead = 0.5;
   double tuned_lead = lead;  ///< with the tuned set, where the number of substeps is a setting
 };

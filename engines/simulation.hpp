@@ -65,9 +65,8 @@ class Simulation {
   virtual std::size_t warnings() const { return 0; }
 };
 
-/// What adapters share: each step is told how the ground moves. Where the setup has ground motion, it is
-/// either that of a ground that really moves or a body force; once the scene is over nothing changes any
-/// more.
+/// What adapters share: each step is told how the ground moves. Ground motion in a setup is either that of a
+/// ground that really moves or a body force; once the scene is over nothing changes any more.
 class ShakenSimulation : public Simulation {
  public:
   void step() final {
@@ -97,8 +96,7 @@ class ShakenSimulation : public Simulation {
   const double mass_factor_;
 
  private:
-  /// Puts a ground that really moves where the step under way starts. Most engines find contacts there; its
-  /// velocity carries it on.
+  /// Puts a ground that really moves where the step under way starts, where most engines find contacts.
   virtual void place_ground(const GroundStep& /*ground*/) {}
   virtual void set_gravity(const BodyAcceleration& acceleration) = 0;
   virtual void advance() = 0;

@@ -139,8 +139,7 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
   return impact;
 }
 
-/// What a change at a soft interface is called; nothing where histories do not tell it. `passes`: a slider
-/// has come to the end of a face.
+/// What a change at a soft interface is called, if histories tell it. `passes`: a slider is at a face's end.
 template <class Real>
 std::optional<EventKind> change_of(const Joint<Real>& before, const Joint<Real>& after, bool passes) {
   const auto ends = [](const Joint<Real>& joint) {
@@ -175,8 +174,7 @@ EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
                  : EventKind::stick;
 }
 
-/// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|. Of one interface alone, one mode
-/// obeys without that.
+/// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|. Else an interface has one mode.
 template <class Real>
 bool couples(const TouchingContacts<Real>& contacts, const TouchingInterface<Real>& contact) {
   for (std::size_t i = 0; i < contact.points(); ++i) {
@@ -233,8 +231,7 @@ std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, co
                                              [&](const auto& contact) { return couples(contacts, contact); });
   const std::size_t most_tried = most > 1 ? 10'000 : 200;
   if (!sought) return std::move(others).take();
-  // Of each force as large as it is: obeys() asks the largest one, which may be that of a block a million
-  // times as heavy.
+  // Each force by its own size: obeys() takes the largest, which may be that of a much heavier block.
   const auto in_cones = [&](const Joints<Real>& other) {
     const ShortVector<ContactForce<Real>> forces = respond(contacts, other).forces;
     return std::all_of(interfaces.begin(), interfaces.end(), [&](const auto& contact) {

@@ -125,8 +125,7 @@ BasicEvent<Real> event_of(const ContactEvent<Real>& event) {
           event.consistency};
 }
 
-/// The motion as other laws tell theirs, with slips, gaps, places and reactions of its samples. Reactions are
-/// to the rounding of double.
+/// The motion as other laws tell theirs, with slips, gaps, places, and reactions to the rounding of double.
 template <class Real>
 BasicHistory<Real> history_of(const Scene& scene, const ContactHistory<Real>& motion) {
   const ContactModel<Real> stack = contact_model_of<Real>(scene);

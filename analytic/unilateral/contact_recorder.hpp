@@ -103,8 +103,7 @@ class ContactRecorder {
   }
 
   /// What acts over a step up to `end` of its length: the least normal force, which is zero where blocks
-  /// part, and the largest ratio of tangential to normal force. No interface pulls or bears more than its
-  /// friction. `start` in s.
+  /// part, and the largest ratio of tangential to normal force, no more than the friction. `start` in s.
   void note_forces(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end,
                    const Real& start) {
     for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -178,8 +177,7 @@ class ContactRecorder {
     }
   }
 
-  /// The gap is greatest at the end, where a corner is highest over its face, or where the faces are
-  /// parallel.
+  /// The gap is greatest at the end, where a corner is highest over its face, or where faces are parallel.
   void note_lift(int interface, const ModeSeries<Real>& series, const Real& end_s) {
     Real& lift = history_.lifts[interface];
     const auto note_at = [&](const Real& s) {

@@ -12,8 +12,7 @@ namespace rockstack {
 ///
 /// An event leaves a force, a gap or a speed at zero to rounding, so that what follows is decided by how it
 /// goes on: by the laws of contact as they stand a look-ahead time later (6.7 √ε √(H/g), 10⁻⁷ √(H/g) in
-/// double) on the motion that just ended. Of what starts at zero by such a decision, guards are looked at
-/// from then on.
+/// double) on the motion that just ended. Guards that such a decision starts at zero are watched from then.
 template <class Real>
 class ContactSolver {
  public:
@@ -89,8 +88,7 @@ class ContactSolver {
     }
   }
 
-  /// Forces are singular, as where one grows without bound. The motion passes that time, rounding, by a
-  /// vanishing step of Moreau's.
+  /// Forces are singular, as where one grows without bound. A vanishing step of Moreau's passes that time.
   void jam() {
     note_stall();
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.remaining());

@@ -2,8 +2,7 @@
 //
 // Box2D's tolerances are lengths fixed when it is compiled, in units that are meant to be metres:
 // b2_linearSlop, b2_polygonRadius, b2_maxTranslation. lengthUnit says how many metres that unit is, by which
-// no angle changes but for these lengths. polygonRadius is the skin, in that unit; the library takes it from
-// each shape.
+// no angle changes but for these lengths. polygonRadius is the skin, in that unit, as each shape has it.
 
 #include <box2d/box2d.h>
 
@@ -50,8 +49,7 @@ class Contacts : public b2ContactListener {
  public:
   Contacts(const std::vector<double>& friction, LengthUnit unit) : friction_(friction), unit_(unit) {}
 
-  /// A pair's friction is that of the interface under its upper body; the library would take the root of the
-  /// product.
+  /// A pair's friction is that of the interface under its upper body, not the root of the product.
   void PreSolve(b2Contact* pair, const b2Manifold* /*before*/) override {
     const std::size_t a = number_of(*pair->GetFixtureA()), b = number_of(*pair->GetFixtureB());
     const std::size_t interface = std::max(a, b) - 1;

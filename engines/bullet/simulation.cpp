@@ -16,8 +16,7 @@ btVector3 vector(double x, double y, double z) {
   return {scalar(x), scalar(y), scalar(z)};
 }
 
-/// A shape that carries its own contact breaking threshold, so that no global of the library has to be
-/// written.
+/// A shape that carries its own contact breaking threshold: no global of the library has to be written.
 template <class Shape>
 class Threshold : public Shape {
  public:
@@ -99,8 +98,7 @@ struct Softness {
   double erp, cfm;
 };
 
-/// Of each contact point, N/m in the library's own masses: a spring where overlap is corrected through
-/// velocities, and all of it.
+/// N/m in the library's own masses; a spring where all overlap is corrected, and through velocities.
 double stiffness_of(const btContactSolverInfo& info, const Softness& softness, double dt,
                     double penetration) {
   const bool split = info.m_splitImpulse != 0 && penetration <= info.m_splitImpulsePenetrationThreshold;

@@ -78,8 +78,7 @@ double Housner::speed_at_ground(double angle) const {
 }
 
 double quarter_period(const Housner& block, double start) {
-  // Simpson's rule with θ = start − u², which takes the root singularity away; 200 pieces leave less than
-  // 1e-9 s.
+  // Simpson's rule with θ = start − u², which takes the root's singularity away; 200 pieces err by < 1e-9 s.
   const auto integrand = [&](double u) {
     const double lean = block.slenderness - start;
     // (cos(lean) − cos(lean + u²)) / u², by the product of sines, with its limit at u = 0

@@ -28,8 +28,7 @@ struct Judgement {
   bool holds() const { return value <= limit; }
 };
 
-/// A law that every engine must follow, as a function, so that an adapter broken on purpose can be held to it
-/// as well.
+/// A law that every engine must follow; a function, so that adapters broken on purpose can be held to it too.
 using Judge = Judgement(const Adapter& adapter);
 
 struct Check {
@@ -84,8 +83,7 @@ struct Housner {
 /// Time from release at `start` to the ground: the energy integral of the full equation, s.
 double quarter_period(const Housner& block, double start);
 
-/// Time of the lowest block's first zero crossing, on the straight line between samples; not a number where
-/// it never comes.
+/// Time of the lowest block's first zero crossing, linear between samples; not a number where none comes.
 double first_ground_impact(const History& history);
 
 /// All of them: promises, smooth motion, contact, and planar motion of one block and of pairs.

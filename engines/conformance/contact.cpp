@@ -1,5 +1,4 @@
-// Blocks that stand, that are pushed, and that rock and hit the ground; and two, which show what one cannot:
-// masses.
+// Blocks that stand, are pushed, rock and hit the ground; and two, which show what one cannot: masses.
 
 #include "engines/conformance/check.hpp"
 
@@ -65,8 +64,7 @@ Judgement stack_keeps_its_height(const Adapter& adapter) {
 }
 
 /// A squat block under 0.8 g, which its width carries twice over, does not move along the ground: the
-/// friction asked for is far beyond 0.8. What it may creep is what an iterative solver leaves of each step's
-/// push.
+/// friction asked for is far beyond 0.8. It may creep by what an iterative solver leaves of each step's push.
 Judgement pushed_block_does_not_slide(const Adapter& adapter) {
   Scene scene = at_rest({make_block(1, 0.5, 2500)}, 0.5);
   scene.horizontal = constant(0.8 * scene.gravity);
@@ -129,8 +127,7 @@ Judgement impact_loses_housners_share(const Adapter& adapter) {
 }
 
 /// The ground falls away for 0.2 s at 2 m/s² more than gravity, then stays; the block comes down flat. A
-/// rocking block's impact does not show a bounce: its hops end at the same pivot with the same angular
-/// momentum.
+/// rocking block's impact shows no bounce: its hops end at the same pivot with the same angular momentum.
 Judgement flat_landing_does_not_bounce(const Adapter& adapter) {
   Scene scene = at_rest({make_block(1, 0.5, 2500)}, 1);
   scene.vertical.interval = 0.2;

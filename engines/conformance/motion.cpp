@@ -1,6 +1,5 @@
 // What a worker promises about how it is called; what an adapter tells its engine about bodies and forces,
-// seen in the engine's own scheme; blocks that slide on each other and on the ground, each interface with a
-// coefficient of its own.
+// in the engine's own scheme; blocks that slide on each other and the ground, with a coefficient each.
 
 #include "engines/conformance/check.hpp"
 
@@ -68,8 +67,7 @@ Judgement history_ends_where_a_block_topples(const Adapter& adapter) {
 }
 
 /// vₙ = n a dt, yₙ = y₀ + a dt² (n²/2 + lead × n); semi-implicit Euler has n(n + 1)/2. The ground falls away
-/// at 2 m/s² more than gravity, so that in its frame the block rises at that acceleration and nothing touches
-/// it.
+/// at 2 m/s² more than gravity: in its frame the block rises at that acceleration, and nothing touches it.
 Judgement free_fall_is_the_schemes(const Adapter& adapter) {
   const double dt = 1e-2;
   Scene scene = at_rest({make_block(0.4, 2, 2500)}, 1);
@@ -150,8 +148,7 @@ Judgement motion_stays_in_the_plane(const Adapter& adapter) {
 }
 
 /// The scheme takes μgh off the velocity in each step before it moves the block: from v it goes h[(K − 1) v −
-/// μgh (K − 1) K/2], K = ⌈v/(μgh)⌉. A contact that is found a step late adds vh; another half for what
-/// moves it meanwhile.
+/// μgh (K − 1) K/2], K = ⌈v/(μgh)⌉. A contact found a step late adds vh; half of it is for its motion then.
 Judgement sliding_block_stops(const Adapter& adapter) {
   const double speed = 0.5, friction = 0.4;
   const Scene scene = sliding({friction}, 0.3);
@@ -177,8 +174,7 @@ Judgement each_interface_has_its_friction(const Adapter& adapter) {
           "deviation of a slip, m"};
 }
 
-/// A block that sinks by g dt² on one side before it is held slides on down that slope, one of two such the
-/// more.
+/// A block sinks by g dt² on one side before it is held, and slides on down that slope; one of two the more.
 Judgement without_friction_blocks_slide_on(const Adapter& adapter) {
   const Scene scene = sliding({0, 0}, 0.3);
   const std::vector<double> slips = final_slips(adapter, scene);

@@ -75,8 +75,7 @@ Engine with(MujocoSolver solver, const char* name) {
           std::bind_front(start_mujoco, solver)};
 }
 
-/// kg on each of a moving ground's coordinates, on which gravity does not act: whatever presses on it, it
-/// goes on as it was told.
+/// kg on each of a moving ground's coordinates, without gravity: whatever presses on it, it goes as told.
 constexpr double unmoved = 1e30;
 
 /// Of the blocks' coordinates, kg and kg m². Solvers measure their tolerance against it, so that with a

@@ -117,8 +117,7 @@ class MujocoSimulation final : public ShakenSimulation {
     return list;
   }
 
-  /// A contact of the last step. Geoms are numbered as poses are; MuJoCo's normal points from the first to
-  /// the second.
+  /// A contact of the last step. Geoms are numbered as poses are; the normal points from first to second.
   ContactPoint point_of(int i, const std::vector<Pose>& now) const {
     const mjContact& contact = data_->contact[i];
     const auto one = static_cast<std::size_t>(contact.geom1), other = static_cast<std::size_t>(contact.geom2);

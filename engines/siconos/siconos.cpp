@@ -11,8 +11,7 @@
 
 namespace rockstack {
 
-/// A scene inside Siconos (simulation.cpp, which is C++17: Siconos's headers are no C++20). Precondition:
-/// `parameters` are checked.
+/// A scene inside Siconos (simulation.cpp, C++17 as its headers are). Precondition: checked `parameters`.
 std::unique_ptr<Simulation> start_siconos(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_siconos() {

@@ -88,8 +88,7 @@ class SimbodySimulation final : public ShakenSimulation {
   }
 
   /// At each interface the block with the narrower face is a brick and the other body a half space. Surfaces
-  /// that share a clique never touch: so no brick meets a brick, and a half space meets that of its interface
-  /// alone.
+  /// that share a clique never touch: no brick meets a brick, a half space that of its interface alone.
   void add_contacts(const Setup& setup, std::vector<SimTK::Body>& bodies) {
     const std::size_t count = setup.blocks.size();
     std::vector<SimTK::ContactCliqueId> cliques;

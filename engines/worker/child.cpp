@@ -174,8 +174,7 @@ bool Allowance::lasts(std::chrono::microseconds wait) {
   return !unwanted_ && (clock_ < limit_ || used() < limit_);
 }
 
-/// The clock's time but for that in which the session waited for processors that others had; no less than
-/// that in which it had them.
+/// The clock's time less what the session waited for processors; no less than the time it had them.
 double Allowance::used() const {
   const Scheduled sum = scheduled(session_);
   const double waited = std::max(0.0, sum.waited - before_.waited);

@@ -13,8 +13,7 @@
 namespace rockstack {
 
 /// What a worker may take. The memory limit is one on what it may write to and shares with nobody
-/// (RLIMIT_DATA), not on the addresses that it reserves; a program with address sanitizer runs without it,
-/// because that claims terabytes.
+/// (RLIMIT_DATA), not on the addresses it reserves; address sanitizer, which claims terabytes, has none.
 struct Limits {
   /// While this process runs, s: by the clock, also where the worker sleeps or is stopped, less what it
   /// waited for processors that others had; may be infinite.
@@ -118,8 +117,7 @@ class Child {
 
   bool has_ended() const;
 
-  /// Waits until it has ended, or its time is over.
-  /// @return whether it has.
+  /// Waits until it has ended, or its time is over. @return whether it has.
   bool wait_for_end(Allowance& time, std::chrono::milliseconds tick) const;
 
   /// What waits of its standard error, 64 KiB at most.

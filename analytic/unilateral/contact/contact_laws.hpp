@@ -5,8 +5,7 @@
 namespace rockstack {
 
 // Points push or part, 0 ≤ λ_N ⟂ gap' ≥ 0, and rub by Coulomb's law, |λ_T| ≤ μ λ_N, λ_T = −μ λ_N sgn slip'
-// where they slide (Moreau 1988; Stewart & Trinkle 1996). Both ends of a flat contact slide alike, so that
-// they share λ_T.
+// where they slide (Moreau 1988; Stewart & Trinkle 1996). Both ends of a flat contact share λ_T.
 
 /// What the joint of one interface can become.
 template <class Real>
@@ -120,8 +119,7 @@ void meet_face(const ContactModel<Real>& stack, int interface, Joint<Real>& join
     joint.corner_below = corner_is_below(stack, interface, joint.offset, joint.side(), joint.slip);
 }
 
-/// The pairs of corners that are not settled and do not slide, by their interfaces; of velocities those
-/// that do as well.
+/// Pairs of corners, by interfaces, that are not settled and do not slide; of velocities those that do too.
 template <class Real>
 ShortVector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>& joints, ContactLevel level) {
   ShortVector<int> pairs;
@@ -224,8 +222,7 @@ Joints<Real> likely_mode(const TouchingContacts<Real>& contacts, Joints<Real> jo
 }
 
 /// True where all laws hold in a mode in which all that touches sticks, by more than rounding, and pairs of
-/// corners stay on their faces. There is one such mode then: its equations are those of a least kinetic
-/// energy.
+/// corners stay on their faces. There is one such mode then: its equations are those of a least energy.
 template <class Real>
 bool surely_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
                   const ShortVector<int>& pairs) {

@@ -236,8 +236,7 @@ Overlap<Real> overlap(const ContactModel<Real>& stack, int interface, const Real
   return {std::max<Real>(-upper, -lower - offset), std::min<Real>(upper, lower - offset)};
 }
 
-/// How far the end of the lower face is beyond that of the upper one, m; zero where roundings alone part
-/// them.
+/// How far the lower face ends beyond the upper one, m; zero where roundings alone part the ends.
 template <class Real>
 Real overhang(const ContactModel<Real>& stack, int interface, const Real& offset, int side) {
   const Real upper = stack.half_width(interface);

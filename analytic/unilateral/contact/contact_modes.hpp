@@ -235,8 +235,7 @@ class OtherModes {
         same_(Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>()) {}
 
   bool full() const { return modes_.size() == most_; }
-  /// Where a force has just left its cone, motions are yet alike, and which of `pairs` stick tells them
-  /// apart.
+  /// Where a force has just left its cone, motions are yet alike: which of `pairs` stick tells them apart.
   void add(const Joints<Real>& other, const ShortVector<int>& pairs = {}) {
     if (motions_.empty()) motions_.push_back(respond(question_, mode_).motion);
     const FreeVector<Real> motion = respond(question_, other).motion;

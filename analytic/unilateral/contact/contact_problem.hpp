@@ -100,8 +100,7 @@ ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<R
 
 /// No interface's angular acceleration is larger where all joints stick. Of all accelerations that obey them,
 /// forces change the free ones least, in the metric of kinetic energy (Gauss's principle), and one that obeys
-/// turns no block: then a block's centre follows the one below but for the centripetal accelerations of both
-/// arms of their contact.
+/// turns no block: then a block's centre follows the one below but for both arms' centripetal accelerations.
 template <class Real>
 Real most_turning(const ContactModel<Real>& stack, const Poses<Real>& rates, const FreeVector<Real>& free) {
   Real path = 0, turning = 0, change = 0, least = std::numeric_limits<Real>::infinity();

@@ -27,8 +27,7 @@ struct Guard {
   int interface = 0;   ///< from 0; of topple the block
   int side = 0;        ///< of landing: which corner, −1 or 1
   bool below = false;  ///< of landing: a corner of the block below
-  /// Of landing and strike: how far the corner is inside the face's end on its side, m; and on the other
-  /// side.
+  /// Of landing and strike: how far the corner is inside the face's end on its side, and on the other, m.
   Polynomial<Real> within = {}, within_other = {};
   Real rounding = 0;            ///< of these distances, m
   Polynomial<Real> other = {};  ///< of fall from flight: what is negative beside it

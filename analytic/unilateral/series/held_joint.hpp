@@ -99,8 +99,7 @@ class HeldJoint {
     rows_[2].left = point_.corner.upward * left.y();
   }
 
-  /// Adds coefficient n of the force as far as lower ones tell it. What is at one place has no lever that
-  /// changes.
+  /// Adds coefficient n of the force as far as lower ones tell it. The lever of one place does not change.
   void add_force(const ForceSeries<Real>& force, std::size_t n, ChainVector<Real>& forces) const {
     point_.add_force(force, sticks() ? 0 : n, n, forces);
   }

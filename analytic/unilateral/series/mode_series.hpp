@@ -62,8 +62,7 @@ inline const BodySeries<Real> ground_series = [] {
   return ground;
 }();
 
-/// A point over a face along a step: its place along the face and above the middle of the face's body, in
-/// that body's frame, m.
+/// A point over a face along a step: along the face and above the middle of its body, in that one's frame, m.
 template <class Real>
 struct FaceSeries {
   Polynomial<Real> along, above;
@@ -179,8 +178,7 @@ struct GrowingPoint {
     return result;
   }
 
-  /// Coefficient n on the ground's axes of a force across and along the face, of which so many terms are
-  /// known.
+  /// Coefficient n on the ground's axes of a force across and along the face; so many terms are known.
   void extend_force(const ForceSeries<Real>& carried, std::size_t terms, std::size_t n) {
     force[n] = Real(corner.upward) * on_face(carried, terms, *face, n);
   }
@@ -213,8 +211,7 @@ FaceSeries<Real> corner_series(const ContactModel<Real>& stack, const ModeSeries
   return point.place_from_middle(terms);
 }
 
-/// What an interface between blocks carries along and across the upper face, where `force` tells it of the
-/// lower one.
+/// What an interface between blocks carries along and across the upper face; `force` is of the lower one.
 template <class Real>
 ForceSeries<Real> on_upper_face(const ModeSeries<Real>& series, int interface,
                                 const ForceSeries<Real>& force) {

@@ -43,8 +43,7 @@ class SeriesMaker {
     known_.begin(series_);
   }
 
-  /// The share of the step by whose end the first pivot has come back. `rate`: see landing(). The series has
-  /// its order 0.
+  /// The share of the step by whose end the first pivot has come back, from order 0. `rate`: see landing().
   Real first_landing(const Real& length, const Real& rate) const {
     Real first = 1;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
@@ -163,8 +162,7 @@ class SeriesMaker {
     }
   }
 
-  /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the
-  /// forces that do it.
+  /// Changes coefficient n of accelerations so that what is held stays so at order n + 2; notes its forces.
   void constrain(std::size_t n, const Real& factor, ChainVector<Real>& motion) {
     if (held_.empty()) return;
     std::array<Real, std::size_t{3} * max_blocks> conditions, unknowns;
@@ -188,8 +186,7 @@ class SeriesMaker {
   LinearSystem<Real> system_;
 };
 
-/// A step's series, of the length that was planned or of less. `lengthens` tells whether they reached that
-/// early.
+/// A step's series, of the length planned or of less. `lengthens`: they reached the length early.
 template <class Real>
 struct ModeStep {
   Real planned = 0;  ///< s

@@ -11,8 +11,7 @@ namespace rockstack {
 template <class Real>
 class SpringContacts {
  public:
-  /// Keeps a reference to `stack`. Puts blocks onto their springs, and takes the joints of soft interfaces
-  /// from rigid contacts.
+  /// Keeps a reference to `stack`. Puts blocks onto springs, which soft interfaces have in place of joints.
   SpringContacts(const Scene& scene, const ContactModel<Real>& stack, ContactState<Real>& state)
       : stack_(stack), lost_(stack.blocks.size()), shown_(state.joints) {
     if (stack.springs.empty()) return;

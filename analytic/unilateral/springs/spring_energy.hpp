@@ -34,8 +34,7 @@ Real elastic_energy_of_bed(const ContactModel<Real>& stack, const SpringPoint<Re
   return elastic_energy_of_bed<Real>(stack.springs[point.interface].stiffness, {-rows[0].gap, -rows[1].gap});
 }
 
-/// What a point's springs hold, J. A spring that is left behind keeps what its depth stands for, and loses it
-/// as the corner backs away.
+/// What a point's springs hold, J; one that is left behind by its depth, until its corner has backed away.
 template <class Real>
 Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
                     const Bodies<Real>& bodies) {
@@ -60,8 +59,7 @@ Real work_on_bed(const GrowingSpring<Real>& spring, const Real& s) {
          integral_of_product(bed.couple, derivative(turning), s);
 }
 
-/// Adds what a point that pushes loses up to s of a step; of a bed the work done on it, what it holds
-/// included.
+/// Adds what a point that pushes loses up to s of a step; of a bed the work done on it, with what it holds.
 template <class Real>
 void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& series, const Real& s,
                 BasicSpringEnergy<Real>& lost) {

@@ -5,8 +5,7 @@
 
 namespace rockstack {
 
-/// Whether a corner pushes: not where it is off its face, nor where it leaves a spring behind that would have
-/// to pull.
+/// Whether a corner pushes: not off its face, nor where it leaves a spring behind that would have to pull.
 enum class Press : std::int8_t { off, left_behind, pushing };
 
 /// An end of an interface with a spring and a dashpot across the face, N = max(0, kδ + cδ̇) where the depth δ
@@ -82,8 +81,7 @@ GrowingBed<Real> bed_at(const ContactModel<Real>& stack, const SpringPoint<Real>
   return bed;
 }
 
-/// What a point that pushes does to the block above, N, across the face and along it; and the couple of a
-/// bed.
+/// What a point that pushes does to the block above, N, across and along the face; and the couple of a bed.
 template <class Real>
 struct PointForce {
   Real normal, tangential;

@@ -79,8 +79,7 @@ std::optional<Real> told_crossing(Polynomial<Real> series, const Real& rounding)
 //
 // While a slider moves outward, the corner pushes that is farther inside its face. Both are as far inside
 // where a = δ tan(φ/2), and there they are as deep, δ′ = δ. So the springs across both faces hold the same;
-// and as the stretch τ goes over, so do those along them, and |k_t τ| against μN is what it was: the law is
-// continuous.
+// and as the stretch τ goes over, so do those along them, and |k_t τ| stays to μN: the law is continuous.
 //
 // A slider that stands still may be left behind by its corner, as by that of a block of equal width, which
 // starts at a = 0. As it comes to move outward, the corner may be beyond that place, and the depth changes at

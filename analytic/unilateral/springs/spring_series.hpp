@@ -26,8 +26,7 @@ struct GrowingSpring {
   GrowingBed<Real> bed = {};
 };
 
-/// The forces of springs along a step: coefficient n of a force is that of kδ + cδ̇, which the places' up to
-/// n + 1 make.
+/// The forces of springs along a step: coefficient n is that of kδ + cδ̇, by those of places up to n + 1.
 template <class Real>
 class SpringSeries {
  public:

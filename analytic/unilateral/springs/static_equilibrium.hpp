@@ -37,8 +37,7 @@ SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, co
   return point;
 }
 
-/// The points of soft interfaces, where rigid contacts would touch; they push, but not yet. Those that slip
-/// from the start slide.
+/// The points of soft interfaces, where rigid contacts would touch, yet without load. Those that slip slide.
 template <class Real>
 SpringPoints<Real> initial_points(const ContactModel<Real>& stack, const ContactState<Real>& state) {
   SpringPoints<Real> points;
@@ -223,8 +222,7 @@ void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, 
   }
 }
 
-/// Puts blocks onto their springs. A stack that is upright and still goes to its equilibrium, if it has one.
-/// Any other keeps its angles.
+/// Puts blocks onto their springs. A stack at rest and upright goes to its equilibrium; others keep angles.
 template <class Real>
 void preload(const Scene& scene, const ContactModel<Real>& stack, ContactState<Real>& state,
              SpringPoints<Real>& points) {

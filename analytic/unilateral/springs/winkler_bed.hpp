@@ -14,8 +14,7 @@ struct BedEnd {
 };
 
 /// Where a Winkler bed presses. Each part of it pushes with p = κδ + γδ̇ a length, where δ > 0 and p > 0;
-/// depth and p go linearly along the face. So it presses on one stretch between an end or a zero of either
-/// and another.
+/// depth and p go linearly along the face. So it presses on one stretch between two ends or zeros of either.
 struct BedState {
   std::array<BedEnd, 2> ends;  ///< left and right, of the narrower face
   /// With p and δ of the left and the right end, p_l δ_r > p_r δ_l: which of two zeros lies where.
@@ -125,8 +124,7 @@ struct GrowingBed {
   Polynomial<Real> width_, middle_, mean_, rise_, force_, square_;
 };
 
-/// ½ ∫ ξⁿ dξ for n = 0, 1 and 2 over the part of a bed that is deep, ξ = −1 … 1 along the face; over all of
-/// it where it bears nothing yet.
+/// ½ ∫ ξⁿ dξ, n = 0, 1 and 2, over the deep part of a bed, ξ = −1 … 1 along the face; over all where none is.
 template <class Real>
 struct BedMoments {
   Real whole, first, second;
