@@ -1,14 +1,9 @@
 // Box2D beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Box2D's tolerances are lengths fixed when it is compiled, in units that are meant to be metres:
-// b2_linearSlop, b2_polygonRadius, b2_maxTranslation. lengthUnit says how many metres that unit is, by which
-// no angle changes but for these lengths. polygonRadius is the skin, in that unit, as each shape has it.
 
 #include <box2d/box2d.h>
 
 #include <algorithm>
 
-#include "analytic/scene/lists.hpp"
 #include "engines/engine.hpp"
 
 namespace rockstack {
@@ -125,7 +120,11 @@ class Box2DSimulation final : public ShakenSimulation {
 
   bool watch_contacts() override { return contacts_.watched = true; }
 
-  std::vector<ContactPoint> contacts() const override { return each_of(contacts_.touches, &Touch::point); }
+  std::vector<ContactPoint> contacts() const override {
+    std::vector<ContactPoint> points;
+    for (const Touch& touch : contacts_.touches) points.push_back(touch.point);
+    return points;
+  }
 
  private:
   void advance() override {

@@ -1,11 +1,5 @@
 // Bullet beside the exact model; README.md says what its contacts are and why its sets are as they are.
 // `comparisons/tune` ranks sets; those here also hold the conformance tests.
-//
-// contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
-// through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
-// and globalCfm act. Only an overlap that goes through the velocities is a spring: splitImpulse = 0, or above
-// its threshold. Bullet's erp and frictionCFM are not here: without joints they change no digit; frictionERP
-// acts with frictionAnchor = 1 alone.
 
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>

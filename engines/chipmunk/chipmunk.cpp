@@ -1,9 +1,4 @@
 // Chipmunk beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// A step moves bodies by the velocities that they have, then finds contacts, then changes velocities. So
-// smooth motion is half a step late where other engines' is half a step early, and an impact comes when the
-// overlap is found. A ground that really moves has its next step's velocity when contacts are solved, which
-// is what blocks must follow. With collisionPersistence = 0 the library frees what it is using.
 
 #include <chipmunk/chipmunk.h>
 // Of single contact points the library tells impulses here alone.

@@ -1,9 +1,4 @@
 // DART beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// The settings of contacts are static numbers of DART's class ContactConstraint; each step sets them anew.
-// ConstraintForceMixing has no unit: it is added to one on the diagonal. ErrorReductionParameter takes that
-// share of an overlap away in a step, at MaxErrorReductionVelocity at most, through the velocities. Below
-// 1e-3 DART takes a coefficient of friction for zero.
 
 #include <algorithm>
 #include <dart/collision/CollisionObject.hpp>
@@ -20,7 +15,6 @@
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
 
-#include "analytic/scene/lists.hpp"
 #include "engines/engine.hpp"
 
 namespace rockstack {
@@ -84,7 +78,9 @@ class DartSimulation final : public ShakenSimulation {
   }
 
   std::vector<ContactPoint> contacts() const override {
-    return each_of(touches_, [this](const Touch& touch) { return point_of(touch); });
+    std::vector<ContactPoint> points;
+    for (const Touch& touch : touches_) points.push_back(point_of(touch));
+    return points;
   }
 
  private:

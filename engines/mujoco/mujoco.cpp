@@ -1,19 +1,4 @@
 // MuJoCo beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Contacts are soft by design. Each row pushes by f = (−b v − k d r − a)/R, where r is the gap, v and a are
-// its rate and acceleration (MuJoCo's documentation, Computation: Constraint model; XML reference: solref,
-// solimp). d is the impedance, which solimp makes of r; k = 1/(d₁ τ ζ)² and b = 2/(d₁ τ) with τ =
-// solref_timeconst, ζ = solref_dampratio and d₁ = solimp_dwidth, or their negative values over d₁² and d₁; R
-// = (1 − d)/d Â, Â = 2/3 (1/m + 1/M) with the masses of both bodies: the mean over three directions, in one
-// of which nothing moves. So a contact at rest is a spring of k d/R and a dashpot of b/R: with d = d₁ between
-// a block and the ground 1.5 m/((1 − d) τ² ζ²) N/m and 3 m/((1 − d) τ) N s/m a point, which contacts() tells.
-// With refsafe τ is at least two steps. The defaults are for blocks of 1250 kg 4.2e7 N/m and 1.8e6 N s/m.
-//
-// depth_ratio: how deep a block's box is over the one below it, out of the plane, where nothing depends on
-// it. A coefficient of friction of 0 makes a contact without friction (condim 1); below 1e-5 it is 1e-5. A
-// moving ground is a box on two slides with 1e30 kg of armature, on which gravity does not act. Where a
-// coordinate stops being finite MuJoCo begins anew from its first state; here the run ends with an error.
-// What it warns of is counted and not printed.
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>

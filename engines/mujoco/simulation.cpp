@@ -137,7 +137,7 @@ class MujocoSimulation final : public ShakenSimulation {
     return point;
   }
 
-  /// Where nothing accelerates, each row of a contact is a spring of k d/R and a dashpot of b/R (mujoco.cpp).
+  /// Where nothing accelerates, each row of a contact is a spring of k d/R and a dashpot of b/R (README.md).
   /// A pyramidal cone has four rows that share the normal force.
   void soften(ContactPoint& point, const mjContact& contact) const {
     const bool pyramid = model_->opt.cone == mjCONE_PYRAMIDAL && contact.dim > 1;

@@ -222,7 +222,7 @@ void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, 
   }
 }
 
-/// Puts blocks onto their springs. A stack at rest and upright goes to its equilibrium; others keep angles.
+/// Puts blocks onto their springs. A still, upright stack goes to its equilibrium; others keep their angles.
 template <class Real>
 void preload(const Scene& scene, const ContactModel<Real>& stack, ContactState<Real>& state,
              SpringPoints<Real>& points) {
