@@ -1,11 +1,7 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
-#include "engines/setup.hpp"
 #include "engines/trajectory.hpp"
 
 namespace rockstack {

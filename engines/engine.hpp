@@ -1,14 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "engines/setup.hpp"
 #include "engines/simulation.hpp"
 
 namespace rockstack {

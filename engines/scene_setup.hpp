@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "analytic/scene/scene.hpp"
 #include "engines/engine.hpp"
 

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "engines/setup.hpp"
 

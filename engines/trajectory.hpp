@@ -1,16 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <vector>
 
 #include "engines/engine.hpp"
-#include "engines/setup.hpp"
-#include "engines/simulation.hpp"
 
 namespace rockstack {
 

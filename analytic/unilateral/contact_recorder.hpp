@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/scene/ground/pulse.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/force_extremes.hpp"
 #include "analytic/unilateral/contact_history.hpp"

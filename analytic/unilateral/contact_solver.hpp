@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact/initial_contacts.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "engines/body_record.hpp"
-#include "engines/engine.hpp"
 #include "engines/scene_setup.hpp"
-#include "engines/trajectory.hpp"
 
 namespace rockstack {
 

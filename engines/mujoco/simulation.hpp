@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "engines/engine.hpp"
 
 struct mjModel_;

@@ -15,7 +15,6 @@
 #include <TimeDiscretisation.hpp>
 #include <TimeStepping.hpp>
 #include <Topology.hpp>
-#include <algorithm>
 #include <cstdlib>
 
 /// Null where another BLAS is in use.

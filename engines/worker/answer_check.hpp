@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "engines/worker/request.hpp"
 
 namespace rockstack {

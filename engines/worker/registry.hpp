@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "engines/worker/worker_engine.hpp"
 
 namespace rockstack {

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
-#include "engines/engine.hpp"
-#include "engines/setup.hpp"
 #include "engines/trajectory.hpp"
 #include "engines/worker/message.hpp"
 

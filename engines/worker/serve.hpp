@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "engines/engine.hpp"
 
 namespace rockstack {

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "engines/body_record.hpp"
-#include "engines/engine.hpp"
 #include "engines/worker/process.hpp"
 #include "engines/worker/request.hpp"
 

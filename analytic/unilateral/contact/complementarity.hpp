@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/linear_system.hpp"
 

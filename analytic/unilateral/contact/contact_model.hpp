@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "analytic/scene/kinematics.hpp"
 #include "analytic/unilateral/contact/short_vector.hpp"
 
