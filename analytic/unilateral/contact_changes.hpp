@@ -197,24 +197,13 @@ bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack, cons
   bool meets = false;
   for (const Guard<Real>& guard : found.guards) {
     Joint<Real>& joint = joints[guard.interface];
-    switch (guard.change) {
-      case Change::closing:
-        joint.touch = Contact::closed;
-        meets = true;
-        break;
-      case Change::landing:
-        if (!joint.touches()) land(stack, bodies, guard.interface, guard.below, joints);
-        meets = true;
-        break;
-      case Change::corner:
-        if (pass_corner(stack, bodies, guard.interface, joints)) meets = true;
-        break;
-      case Change::halt:
-        joint.slip = 0;
-        break;
-      default:
-        break;
-    }
+    if (guard.change == Change::closing) joint.touch = Contact::closed;
+    if (guard.change == Change::halt) joint.slip = 0;
+    const bool lands = guard.change == Change::landing;
+    if (lands && !joint.touches()) land(stack, bodies, guard.interface, guard.below, joints);
+    if (lands || guard.change == Change::closing ||
+        (guard.change == Change::corner && pass_corner(stack, bodies, guard.interface, joints)))
+      meets = true;
   }
   return meets;
 }

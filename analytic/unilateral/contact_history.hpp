@@ -118,13 +118,6 @@ void add_sample(const Scene& scene, const ContactModel<Real>& stack, const Conta
   for (const SpringState<Real>& springs : sample.springs) history.spring_energies.push_back(springs.energy);
 }
 
-template <class Real>
-BasicEvent<Real> event_of(const ContactEvent<Real>& event) {
-  return {event.time,           event.kind,          event.interface,         pattern_of(event.from),
-          pattern_of(event.to), angles_of(event.at), angles_of(event.before), angles_of(event.after),
-          event.consistency};
-}
-
 /// The motion as other laws tell theirs, with slips, gaps, places, and reactions to the rounding of double.
 template <class Real>
 BasicHistory<Real> history_of(const Scene& scene, const ContactHistory<Real>& motion) {
@@ -132,7 +125,10 @@ BasicHistory<Real> history_of(const Scene& scene, const ContactHistory<Real>& mo
   BasicHistory<Real> history;
   history.blocks = stack.size();
   for (const ContactSample<Real>& sample : motion.samples) add_sample(scene, stack, sample, history);
-  for (const ContactEvent<Real>& event : motion.events) history.events.push_back(event_of(event));
+  for (const ContactEvent<Real>& event : motion.events)
+    history.events.push_back({event.time, event.kind, event.interface, pattern_of(event.from),
+                              pattern_of(event.to), angles_of(event.at), angles_of(event.before),
+                              angles_of(event.after), event.consistency});
   history.peaks = motion.peaks;
   history.slips_left = motion.slips_left;
   history.lifts = motion.lifts;

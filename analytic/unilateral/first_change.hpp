@@ -42,19 +42,10 @@ class FreshJoints {
   /// Whether a guard may start at zero by a decision at this time; `decided`: the last event was there.
   bool starts(const Guard<Real>& guard, const Real& time, bool decided) const {
     const Fresh& fresh = joints_[guard.interface];
-    switch (guard.change) {
-      case Change::force:
-      case Change::corner:
-        return decided;
-      case Change::halt:
-        return fresh.slid == time;
-      case Change::closing:
-        return fresh.parted == time;
-      case Change::landing:
-        return fresh.parted == time && may_be(guard, fresh.parted_from);
-      default:
-        return false;
-    }
+    if (guard.change == Change::force || guard.change == Change::corner) return decided;
+    if (guard.change == Change::halt) return fresh.slid == time;
+    if (guard.change == Change::closing) return fresh.parted == time;
+    return guard.change == Change::landing && fresh.parted == time && may_be(guard, fresh.parted_from);
   }
 
   /// Joints as before they parted, where that was at most `window` s ago and they have not met since.
@@ -133,16 +124,9 @@ bool lands(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real&
 /// and what flies may be beyond a face and come back.
 template <class Real>
 bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
-  switch (guard.change) {
-    case Change::landing:
-      return lands(series, guard, s);
-    case Change::fall:
-      return guard.other.terms == 0 || value(guard.other, s) < 0;
-    case Change::strike:
-      return is_over_face(guard, s);
-    default:
-      return true;
-  }
+  if (guard.change == Change::landing) return lands(series, guard, s);
+  if (guard.change == Change::strike) return is_over_face(guard, s);
+  return guard.change != Change::fall || guard.other.terms == 0 || value(guard.other, s) < 0;
 }
 
 /// The changes that end a step. Guards that a decision at `time` starts at zero are seen from `skipped` on.

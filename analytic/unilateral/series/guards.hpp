@@ -75,9 +75,11 @@ class GuardCollector {
     for (int other = -1; other < k - 1; ++other) {
       if (lowest(k) > highest(other)) continue;
       for (const int side : {-1, 1}) {
-        add_strike({other, k, side * stack_.half_width(k), -stack_.half_height(k), 1}, k);
+        push_meeting({other, k, side * stack_.half_width(k), -stack_.half_height(k), 1}, Change::strike, 1,
+                     k);
         if (other >= 0)
-          add_strike({k, other, side * stack_.half_width(other), stack_.half_height(other), -1}, k);
+          push_meeting({k, other, side * stack_.half_width(other), stack_.half_height(other), -1},
+                       Change::strike, 1, k);
       }
     }
   }
@@ -185,17 +187,9 @@ class GuardCollector {
       if (below && k == 0) continue;
       for (const int side : {-1, 1}) {
         const CornerOnFace<Real> point = stack_.corner(k, side, below);
-        const FaceSeries<Real> place = corner_series(stack_, series_, point);
-        Guard<Real>& guard =
-            push(line(-stack_.half_height(point.face), point.upward, place.above), Change::landing, k);
-        guard.side = side;
+        Guard<Real>& guard = push_meeting(point, Change::landing, side, k);
         guard.below = below;
-        guard.rounding = rounding_along(k);
-        if (point.face < 0) continue;
-        const Real end = stack_.half_width(point.face);
-        guard.within = line(end, -side, place.along);
-        guard.within_other = line(end, side, place.along);
-        if (below) continue;
+        if (below || point.face < 0) continue;
         // A block falls that is wholly beyond an end of the face below, and no longer above it.
         const Polynomial<Real> height = guard.series, inside = guard.within_other;
         push(inside, Change::fall, k).other = height;
@@ -204,14 +198,17 @@ class GuardCollector {
     }
   }
 
-  void add_strike(const CornerOnFace<Real>& point, int k) {
+  /// A corner meets a face, whose ends on one side and on the other it is inside.
+  Guard<Real>& push_meeting(const CornerOnFace<Real>& point, Change change, int side, int k) {
     const FaceSeries<Real> place = corner_series(stack_, series_, point);
-    Guard<Real>& guard =
-        push(line(-stack_.half_height(point.face), point.upward, place.above), Change::strike, k);
+    Guard<Real>& guard = push(line(-stack_.half_height(point.face), point.upward, place.above), change, k);
+    guard.side = side;
     guard.rounding = rounding_along(k);
-    if (point.face < 0) return;
-    guard.within = line(stack_.half_width(point.face), -1, place.along);
-    guard.within_other = line(stack_.half_width(point.face), 1, place.along);
+    if (point.face < 0) return guard;
+    const Real end = stack_.half_width(point.face);
+    guard.within = line(end, -side, place.along);
+    guard.within_other = line(end, side, place.along);
+    return guard;
   }
 
   /// How much a corner's turn may move it up or down, m.

@@ -77,7 +77,8 @@ class SpringContacts {
       case SpringChange::touch:
         point.corner_below = guard.below;
         start_pushing(point, bodies);
-        point.at_face = is_at_face(point, bodies);
+        point.at_face =
+            abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
         break;
       case SpringChange::push_again:
         start_pushing(point, bodies);
@@ -146,7 +147,7 @@ class SpringContacts {
       state.reaction.tangential += force.tangential;
       // From the middle of the block above: its own corner, or where that of the block below is under it.
       state.reaction.centre += force.normal * (point.corner_below ? Real(-rows.slip) : corner.x);
-      if (point.is_bed()) state.reaction.centre += force.couple * bed_width(point);
+      if (point.is_bed()) state.reaction.centre += force.couple * (2 * stack_.half_width(corner.body));
       state.energy.elastic += elastic_energy(stack_, point, bodies);
     }
     for (std::size_t k = 0; k < result.size(); ++k) {
@@ -163,10 +164,6 @@ class SpringContacts {
     const auto bound = [&](std::size_t end) { return bound_of(bed, end) == BedBound::end; };
     if (bound(0) == bound(1)) return Contact::closed;
     return bound(0) ? Contact::left : Contact::right;
-  }
-
-  Real bed_width(const SpringPoint<Real>& point) const {
-    return 2 * stack_.half_width(corner_of(stack_, point).body);
   }
 
   /// A sign of a bed changes, not where another guard at the same time has changed it. The other end's does
@@ -209,23 +206,12 @@ class SpringContacts {
   }
 
   static Press pressed_before(SpringChange change) {
-    switch (change) {
-      case SpringChange::touch:
-        return Press::off;
-      case SpringChange::push_again:
-      case SpringChange::leave:
-        return Press::left_behind;
-      default:
-        return Press::pushing;
-    }
+    if (change == SpringChange::touch) return Press::off;
+    const bool behind = change == SpringChange::push_again || change == SpringChange::leave;
+    return behind ? Press::left_behind : Press::pushing;
   }
 
   BasicSpringEnergy<Real>& losses(const SpringPoint<Real>& point) { return lost_[point.interface]; }
-
-  /// Whether the depth is zero to rounding.
-  bool is_at_face(const SpringPoint<Real>& point, const Bodies<Real>& bodies) const {
-    return abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
-  }
 
   void start_pushing(SpringPoint<Real>& point, const Bodies<Real>& bodies) {
     point.press = Press::pushing;

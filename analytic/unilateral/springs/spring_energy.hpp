@@ -50,15 +50,6 @@ Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& po
   return energy;
 }
 
-/// What presses a bed does to it up to s of a step, J.
-template <class Real>
-Real work_on_bed(const GrowingSpring<Real>& spring, const Real& s) {
-  const GrowingBed<Real>& bed = spring.bed;
-  const Polynomial<Real> turning = combined(1, bed.depth[1], -1, bed.depth[0]);
-  return integral_of_product(bed.normal, derivative(spring.depth), s) +
-         integral_of_product(bed.couple, derivative(turning), s);
-}
-
 /// Adds what a point that pushes loses up to s of a step; of a bed the work done on it, with what it holds.
 template <class Real>
 void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& series, const Real& s,
@@ -70,7 +61,10 @@ void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& ser
     return damping / series.length() * integral_of_product(rate, rate, s);
   };
   if (spring.start.is_bed()) {
-    lost.damped += work_on_bed(spring, s);
+    const GrowingBed<Real>& bed = spring.bed;
+    const Polynomial<Real> turning = combined(1, bed.depth[1], -1, bed.depth[0]);
+    lost.damped += integral_of_product(bed.normal, derivative(spring.depth), s) +
+                   integral_of_product(bed.couple, derivative(turning), s);
   } else {
     lost.damped += dissipated(law.damping, spring.depth);
   }

@@ -134,10 +134,12 @@ class SpringGuards {
     }
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
+    SpringPoint<Real> other = spring.start;
+    other.corner_below = !other.corner_below;
     if (way >= 0)
-      found_.consider({combined(1, inside_of(spring.start), -1, inside_of(other_corner(spring.start))),
-                       SpringChange::pass, spring.index},
-                      rounding_.place);
+      found_.consider(
+          {combined(1, inside_of(spring.start), -1, inside_of(other)), SpringChange::pass, spring.index},
+          rounding_.place);
     if (way <= 0) found_.consider({line(end, outward, slider), SpringChange::fall, spring.index}, 0);
   }
 
@@ -145,11 +147,6 @@ class SpringGuards {
   Polynomial<Real> inside_of(const SpringPoint<Real>& point) const {
     const CornerOnFace<Real> corner = corner_of(stack_, point);
     return line(stack_.half_width(corner.face), -point.side, corner_series(stack_, motion_, corner).along);
-  }
-
-  static SpringPoint<Real> other_corner(SpringPoint<Real> point) {
-    point.corner_below = !point.corner_below;
-    return point;
   }
 
   void add_bed(std::size_t i) {
@@ -169,7 +166,10 @@ class SpringGuards {
       if (law.damping > 0)
         consider_sign(i, SpringChange::bed_pressure, end, &BedEnd::presses, rounding_.normal(law), pressure);
     }
-    if (law.damping > 0 && has_crossing(point.bed)) add_crossing(i, depth, pressure, rounding_.normal(law));
+    // Depth and pressure both have a zero inside, not the same one.
+    const auto& [left, right] = point.bed.ends;
+    if (law.damping > 0 && left.deep != right.deep && left.presses != right.presses)
+      add_crossing(i, depth, pressure, rounding_.normal(law));
     const CornerOnFace<Real> middle = corner_of(stack_, point);
     if (middle.face < 0 || point.pushes()) return;
     const FaceSeries<Real> place = corner_series(stack_, motion_, middle);

@@ -24,9 +24,8 @@ void note_signs(const ContactModel<Real>& stack, const Bodies<Real>& bodies, Spr
 template <class Real>
 SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, const Joint<Real>& joint,
                               const Bodies<Real>& bodies) {
-  SpringPoint<Real> point;
-  point.interface = interface;
-  point.corner_below = stack.half_width(interface - 1) < stack.half_width(interface);
+  SpringPoint<Real> point{.interface = interface,
+                          .corner_below = stack.half_width(interface - 1) < stack.half_width(interface)};
   note_signs(stack, bodies, point);
   for (const int side : {-1, 1})
     if (joint.touch == Contact::closed || joint.side() == side)
@@ -49,10 +48,7 @@ SpringPoints<Real> initial_points(const ContactModel<Real>& stack, const Contact
       continue;
     }
     for (const int side : {-1, 1}) {
-      SpringPoint<Real> point;
-      point.interface = k;
-      point.side = side;
-      point.corner_below = corner_is_below<Real>(stack, k, joint.offset, side);
+      SpringPoint<Real> point{k, side, corner_is_below<Real>(stack, k, joint.offset, side)};
       if (joint.touch == Contact::closed || joint.side() == side) {
         point.press = Press::pushing;
         point.slide = stack.friction[k] > 0 ? joint.slip : 0;
@@ -155,14 +151,6 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
   return bodies.at;
 }
 
-/// How deep a bed's lower end is under a weight, m, where the other is higher by `rise`, from its stiffness
-/// in all: a trapezium of pressure, or a triangle.
-template <class Real>
-Real depth_under(const Real& weight, const Real& stiffness, const Real& rise) {
-  const Real level = weight / stiffness;
-  return 2 * level > rise ? Real(level + rise / 2) : Real(sqrt(2 * level * rise));
-}
-
 /// How far a soft interface gives way under a weight, m; how many of its points bear it.
 template <class Real>
 struct GivingWay {
@@ -178,7 +166,9 @@ GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bo
   if (first.is_bed()) {
     const auto rows = bed_rows(stack, first, bodies);
     const Real lower = std::min(rows[0].gap, rows[1].gap);
-    return {lower + depth_under<Real>(weight, law.stiffness, std::max(rows[0].gap, rows[1].gap) - lower), 1};
+    const Real rise = std::max(rows[0].gap, rows[1].gap) - lower, level = weight / law.stiffness;
+    // A trapezium of pressure, or a triangle.
+    return {lower + (2 * level > rise ? Real(level + rise / 2) : Real(sqrt(2 * level * rise))), 1};
   }
   SpringPoint<Real>& other = *ends.back();
   if (other.pushes()) return {weight / law.stiffness / 2, 2};

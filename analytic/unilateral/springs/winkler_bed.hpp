@@ -53,12 +53,6 @@ inline BedStretch stretch_of(const BedState& bed) {
   return stretch;
 }
 
-/// Whether depth and pressure both have a zero inside, not the same one.
-inline bool has_crossing(const BedState& bed) {
-  const auto& [left, right] = bed.ends;
-  return left.deep != right.deep && left.presses != right.presses;
-}
-
 /// What a bed does as series, order by order, from depth and pressure of its ends: the force of all of it at
 /// its middle, and a couple of two opposite forces at its ends. Along the face u goes from 0 at the end that
 /// the stretch is counted from to 2 at the other; with pressures P = 2bp,
