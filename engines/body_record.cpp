@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analytic/scene/kinematics.hpp"
+#include "analytic/scene/lists.hpp"
 #include "engines/scene_setup.hpp"
 
 namespace rockstack {
@@ -82,16 +83,8 @@ class BodyAccount {
     ++samples_;
   }
 
-  /// The last sample, as a history has it of laws that leave pivots.
-  void append_to(History& history) const {
-    for (const InterfaceState& state : interfaces_) {
-      history.slips.push_back(state.slip);
-      history.gaps.push_back(-state.depth);
-    }
-    for (const BlockPose& pose : poses_) history.centres.insert(history.centres.end(), {pose.x, pose.y});
-  }
-
   const BodyRecord& record() const { return record_; }
+  const std::vector<InterfaceState>& interfaces() const { return interfaces_; }
 
  private:
   void add_energy(std::span<const BodyState> bodies, std::span<const double> velocities) {
@@ -122,7 +115,6 @@ class BodyAccount {
   void add_interfaces() {
     const double time = static_cast<double>(samples_) * setup_.dt;
     double penetration = 0;
-    interfaces_.clear();
     for (std::size_t k = 0; k < poses_.size(); ++k) {
       const Block& block = scene_.blocks[k];
       const InterfaceState& state =
@@ -146,7 +138,7 @@ class BodyAccount {
   GroundStep ground_;  ///< where the ground is, and how fast it has moved over the last step
   std::size_t samples_ = 0;
   std::vector<BlockPose> poses_, last_poses_;  ///< in the ground's frame, one a block
-  std::vector<InterfaceState> interfaces_;
+  std::vector<InterfaceState> interfaces_;     ///< of all samples
   BodyRecord record_;
 };
 
@@ -178,9 +170,11 @@ EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajecto
   for (std::size_t i = 0; i < samples; ++i) run.history.times.push_back(static_cast<double>(i) * setup.dt);
   if (needs_bodies(scene, bodies)) {
     BodyAccount account(scene, setup, trajectory);
-    for (std::size_t i = 0; i < samples; ++i) {
-      account.next();
-      if (leaves_pivots(scene.law)) account.append_to(run.history);
+    for (std::size_t i = 0; i < samples; ++i) account.next();
+    if (leaves_pivots(scene.law)) {
+      run.history.slips = each_of(account.interfaces(), &InterfaceState::slip);
+      run.history.gaps = each_of(account.interfaces(), [](const InterfaceState& at) { return -at.depth; });
+      run.history.centres = account.record().centres;
     }
     if (bodies) run.bodies = account.record();
   }

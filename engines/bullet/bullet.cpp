@@ -29,22 +29,14 @@ struct Tuned {
 
 Tuned tuned_for(BulletSolver solver) {
   const double warmstarting = single_precision ? 0 : 0.85;
-  switch (solver) {
-    case BulletSolver::sequential_impulse:
-      return {.warmstarting = warmstarting};
-    case BulletSolver::nncg:
-      return {.warmstarting = warmstarting, .unit_mass = 1e6};
-    case BulletSolver::mlcp_dantzig:
-      return single_precision ? Tuned{.erp2 = 0.01, .cfm = 1e-6, .split = false, .unit_mass = 1}
-                              : Tuned{.erp2 = 0.005, .cfm = 1e-10, .split = false, .unit_mass = 1};
-    case BulletSolver::mlcp_lemke: {
-      const double least = single_precision ? 1e-6 : 1e-5;
-      return {.erp2 = 0.01, .cfm = least, .split = false, .breaking = least, .unit_mass = 1};
-    }
-    case BulletSolver::mlcp_pgs:
-      return {.iterations = 20};
-  }
-  return {};
+  const double lemke = single_precision ? 1e-6 : 1e-5;
+  if (solver == BulletSolver::sequential_impulse) return {.warmstarting = warmstarting};
+  if (solver == BulletSolver::nncg) return {.warmstarting = warmstarting, .unit_mass = 1e6};
+  if (solver == BulletSolver::mlcp_pgs) return {.iterations = 20};
+  if (solver == BulletSolver::mlcp_lemke)
+    return {.erp2 = 0.01, .cfm = lemke, .split = false, .breaking = lemke, .unit_mass = 1};
+  return single_precision ? Tuned{.erp2 = 0.01, .cfm = 1e-6, .split = false, .unit_mass = 1}
+                          : Tuned{.erp2 = 0.005, .cfm = 1e-10, .split = false, .unit_mass = 1};
 }
 
 std::vector<Setting> settings_of(BulletSolver solver) {

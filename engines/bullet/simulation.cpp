@@ -67,12 +67,6 @@ btScalar friction_of_pair(const btCollisionObject* a, const btCollisionObject* b
   return (a->getUserIndex() > b->getUserIndex() ? a : b)->getFriction();
 }
 
-/// One callback for all worlds, as pairs know all that it asks for.
-void combine_friction_by_interface() {
-  static const bool combined = (gCalculateCombinedFrictionCallback = friction_of_pair) != nullptr;
-  static_cast<void>(combined);
-}
-
 /// What each body has for a pair of them to have what was asked for: Bullet multiplies restitution, takes
 /// stiffnesses in series and adds dampings.
 struct Surface {
@@ -113,7 +107,8 @@ class BulletSimulation final : public ShakenSimulation {
         surface_(surface_of(mass_factor_, parameters)),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
-    combine_friction_by_interface();
+    // One callback for all worlds, as pairs know all that it asks for.
+    [[maybe_unused]] static const auto friction = gCalculateCombinedFrictionCallback = friction_of_pair;
     apply(parameters, world_.getSolverInfo());
     set_gravity(setup.gravity);
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));

@@ -58,7 +58,13 @@ class OdeSimulation final : public ShakenSimulation {
     dWorldSetCFM(world_.get(), parameters.at("cfm"));
     dWorldSetContactSurfaceLayer(world_.get(), parameters.at("contactSurfaceLayer"));
     dWorldSetContactMaxCorrectingVel(world_.get(), parameters.at("contactMaxCorrectingVel"));
-    if (solver_ == OdeSolver::quickstep) set_iterations(parameters);
+    if (solver_ == OdeSolver::quickstep) {
+      dWorldSetQuickStepNumIterations(world_.get(),
+                                      static_cast<int>(parameters.at("quickStepNumIterations")));
+      dWorldSetQuickStepW(world_.get(), parameters.at("quickStepW"));
+      // The solver takes its rows in random order.
+      dRandSetSeed(static_cast<unsigned long>(parameters.at("randomSeed")));
+    }
     set_gravity(setup.gravity);
     set_surface(setup, parameters);
     plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
@@ -138,13 +144,6 @@ class OdeSimulation final : public ShakenSimulation {
                                                force[2] - push * normal[2]),
             .stiffness = stiffness_ / mass_factor_,
             .damping = damping_ / mass_factor_};
-  }
-
-  void set_iterations(const Parameters& parameters) {
-    dWorldSetQuickStepNumIterations(world_.get(), static_cast<int>(parameters.at("quickStepNumIterations")));
-    dWorldSetQuickStepW(world_.get(), parameters.at("quickStepW"));
-    // The solver takes its rows in random order.
-    dRandSetSeed(static_cast<unsigned long>(parameters.at("randomSeed")));
   }
 
   /// With contactApprox1 ODE's friction is a coefficient; without it a force, here that of the whole weight.

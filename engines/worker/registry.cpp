@@ -16,13 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* prefix = "rockstack-";
 
-fs::path find_worker(const std::string& name) {
-  fs::path file = worker_folder() / name;
-  std::error_code ignored;
-  if (fs::exists(file, ignored)) return file;
-  throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
-}
-
 /// Words with ':' between them.
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> words;
@@ -67,7 +60,11 @@ const std::vector<std::string>& built() {
 }
 
 const std::vector<WorkerEngine>& built_engines(const std::string& name) {
-  return engines_at(find_worker(prefix + name));
+  const fs::path file = worker_folder() / (prefix + name);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored))
+    throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
+  return engines_at(file);
 }
 
 bool is_built(const std::string& name) {
