@@ -3,7 +3,6 @@
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
 #include "analytic/unilateral/solve_contacts.hpp"
-#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
 

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "engines/setup.hpp"
 
@@ -65,9 +63,8 @@ class Simulation {
   virtual std::size_t warnings() const { return 0; }
 };
 
-/// What adapters share: each step is told how the ground moves. Where the setup has ground motion, it is
-/// either that of a ground that really moves or a body force; once the scene is over nothing changes any
-/// more.
+/// What adapters share: each step is told how the ground moves. Ground motion in a setup is either that of a
+/// ground that really moves or a body force; once the scene is over nothing changes any more.
 class ShakenSimulation : public Simulation {
  public:
   void step() final {
@@ -79,8 +76,12 @@ class ShakenSimulation : public Simulation {
   bool watch_contacts() override { return watched_ = true; }
 
  protected:
-  explicit ShakenSimulation(const Setup& setup)
-      : dt_(setup.dt), ground_(setup.ground), accelerations_(setup.accelerations) {}
+  /// `mass_factor`: by what the adapter multiplies every mass; no angle depends on it.
+  explicit ShakenSimulation(const Setup& setup, double mass_factor = 1)
+      : mass_factor_(mass_factor),
+        dt_(setup.dt),
+        ground_(setup.ground),
+        accelerations_(setup.accelerations) {}
 
   double dt() const { return dt_; }
   bool watches_contacts() const { return watched_; }
@@ -90,8 +91,10 @@ class ShakenSimulation : public Simulation {
   const GroundStep* next_ground() const { return steps_ < ground_.size() ? &ground_[steps_] : nullptr; }
   std::size_t steps() const { return steps_; }
 
+  const double mass_factor_;
+
  private:
-  /// Puts a ground that really moves where the step under way starts.
+  /// Puts a ground that really moves where the step under way starts, where most engines find contacts.
   virtual void place_ground(const GroundStep& /*ground*/) {}
   virtual void set_gravity(const BodyAcceleration& acceleration) = 0;
   virtual void advance() = 0;

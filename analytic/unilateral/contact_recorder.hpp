@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/scene/ground/pulse.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/force_extremes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
@@ -13,7 +12,6 @@ namespace rockstack {
 template <class Real>
 void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tangential, const Real& rounding,
                   const Real& time) {
-  using std::abs;
   const bool bears = normal > rounding;
   raise_demand(demand, bears ? normal : Real(0), bears ? Real(abs(tangential) / normal) : Real(0), time);
 }
@@ -22,7 +20,6 @@ void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tan
 /// none, or where one block has turned past a right angle to the other, so that their faces no longer meet.
 template <class Real>
 Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface) {
-  using std::abs;
   Real gap = std::numeric_limits<Real>::infinity();
   if (abs(relative_angle(bodies.at, interface)) >= pi<Real> / 2) return gap;
   for (const bool below : {false, true})
@@ -43,7 +40,6 @@ class ContactRecorder {
   /// Keeps references to `stack` and `options`.
   ContactRecorder(const Scene& scene, const ContactModel<Real>& stack, const SolveOptions& options)
       : stack_(stack), options_(options), offsets_(scene.initial.offsets) {
-    using std::sqrt;
     Real mass = 0;
     for (const Block& block : stack.blocks) mass += block.mass;
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * mass * scene.gravity;
@@ -106,8 +102,7 @@ class ContactRecorder {
   }
 
   /// What acts over a step up to `end` of its length: the least normal force, which is zero where blocks
-  /// part, and the largest ratio of tangential to normal force. No interface pulls or bears more than its
-  /// friction. `start` in s.
+  /// part, and the largest ratio of tangential to normal force, no more than the friction. `start` in s.
   void note_forces(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end,
                    const Real& start) {
     for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -181,8 +176,7 @@ class ContactRecorder {
     }
   }
 
-  /// The gap is greatest at the end, where a corner is highest over its face, or where the faces are
-  /// parallel.
+  /// The gap is greatest at the end, where a corner is highest over its face, or where faces are parallel.
   void note_lift(int interface, const ModeSeries<Real>& series, const Real& end_s) {
     Real& lift = history_.lifts[interface];
     const auto note_at = [&](const Real& s) {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "analytic/scene/solve_options.hpp"
-#include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact/initial_contacts.hpp"
-#include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"
 #include "analytic/unilateral/series/mode_step.hpp"
@@ -14,13 +11,12 @@ namespace rockstack {
 ///
 /// An event leaves a force, a gap or a speed at zero to rounding, so that what follows is decided by how it
 /// goes on: by the laws of contact as they stand a look-ahead time later (6.7 √ε √(H/g), 10⁻⁷ √(H/g) in
-/// double) on the motion that just ended. Of what starts at zero by such a decision, guards are looked at
-/// from then on.
+/// double) on the motion that just ended. Guards that such a decision starts at zero are watched from then.
 template <class Real>
 class ContactSolver {
  public:
   /// Keeps references to all. Of double, double_does() asks for more than other number types need.
-  /// @throws std::domain_error as require_digits().
+  /// @throws std::domain_error where contact forces or sizes keep fewer than six digits.
   ContactSolver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
         stack_(contact_model_of<Real>(scene)),
@@ -35,8 +31,9 @@ class ContactSolver {
         recorder_(scene, stack_, options),
         cancelled_(options.cancelled),
         branching_(branching) {
-    using std::cos;
-    if constexpr (!std::is_same_v<Real, double>) require_digits(stack_);
+    if (!std::is_same_v<Real, double> && !keeps_digits(stack_, 6))
+      throw std::domain_error(
+          "block masses or sizes are too far apart: rounding would leave contact forces fewer than six digits");
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
   }
@@ -90,8 +87,7 @@ class ContactSolver {
     }
   }
 
-  /// Forces are singular, as where one grows without bound. The motion passes that time, rounding, by a
-  /// vanishing step of Moreau's.
+  /// Forces are singular, as where one grows without bound. A vanishing step of Moreau's passes that time.
   void jam() {
     note_stall();
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.remaining());

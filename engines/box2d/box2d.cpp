@@ -1,9 +1,4 @@
 // Box2D beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Box2D's tolerances are lengths fixed when it is compiled, in units that are meant to be metres:
-// b2_linearSlop, b2_polygonRadius, b2_maxTranslation. lengthUnit says how many metres that unit is, by which
-// no angle changes but for these lengths. polygonRadius is the skin, in that unit; the library takes it from
-// each shape.
 
 #include <box2d/box2d.h>
 
@@ -49,8 +44,7 @@ class Contacts : public b2ContactListener {
  public:
   Contacts(const std::vector<double>& friction, LengthUnit unit) : friction_(friction), unit_(unit) {}
 
-  /// A pair's friction is that of the interface under its upper body; the library would take the root of the
-  /// product.
+  /// A pair's friction is that of the interface under its upper body, not the root of the product.
   void PreSolve(b2Contact* pair, const b2Manifold* /*before*/) override {
     const std::size_t a = number_of(*pair->GetFixtureA()), b = number_of(*pair->GetFixtureB());
     const std::size_t interface = std::max(a, b) - 1;
@@ -149,7 +143,6 @@ class Box2DSimulation final : public ShakenSimulation {
     add(definition, 2 * reach, 2 * reach, unit_.to(0, -reach));
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     bodies_.front()->SetTransform(unit_.to(step.x, step.y), 0);
     bodies_.front()->SetLinearVelocity(unit_.to(step.velocity_x, step.velocity_y));

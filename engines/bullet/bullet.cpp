@@ -1,11 +1,5 @@
 // Bullet beside the exact model; README.md says what its contacts are and why its sets are as they are.
 // `comparisons/tune` ranks sets; those here also hold the conformance tests.
-//
-// contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
-// through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
-// and globalCfm act. Only an overlap that goes through the velocities is a spring: splitImpulse = 0, or above
-// its threshold. Bullet's erp and frictionCFM are not here: without joints they change no digit; frictionERP
-// acts with frictionAnchor = 1 alone.
 
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
@@ -26,9 +20,6 @@ constexpr bool single_precision = sizeof(btScalar) == sizeof(float);
 /// SOLVER_USE_WARMSTARTING | SOLVER_SIMD
 constexpr int usual_mode = 4 | 256;
 
-/// N/m and N s/m: what the library gives a body that has no stiffness of its own.
-constexpr double stiffest = 1e18;
-
 /// What the tuned set changes.
 struct Tuned {
   double iterations = 50, erp2 = 0.2, cfm = 0;
@@ -38,27 +29,18 @@ struct Tuned {
 
 Tuned tuned_for(BulletSolver solver) {
   const double warmstarting = single_precision ? 0 : 0.85;
-  switch (solver) {
-    case BulletSolver::sequential_impulse:
-      return {.warmstarting = warmstarting};
-    case BulletSolver::nncg:
-      return {.warmstarting = warmstarting, .unit_mass = 1e6};
-    case BulletSolver::mlcp_dantzig:
-      return single_precision ? Tuned{.erp2 = 0.01, .cfm = 1e-6, .split = false, .unit_mass = 1}
-                              : Tuned{.erp2 = 0.005, .cfm = 1e-10, .split = false, .unit_mass = 1};
-    case BulletSolver::mlcp_lemke: {
-      const double least = single_precision ? 1e-6 : 1e-5;
-      return {.erp2 = 0.01, .cfm = least, .split = false, .breaking = least, .unit_mass = 1};
-    }
-    case BulletSolver::mlcp_pgs:
-      return {.iterations = 20};
-  }
-  return {};
+  const double lemke = single_precision ? 1e-6 : 1e-5;
+  if (solver == BulletSolver::sequential_impulse) return {.warmstarting = warmstarting};
+  if (solver == BulletSolver::nncg) return {.warmstarting = warmstarting, .unit_mass = 1e6};
+  if (solver == BulletSolver::mlcp_pgs) return {.iterations = 20};
+  if (solver == BulletSolver::mlcp_lemke)
+    return {.erp2 = 0.01, .cfm = lemke, .split = false, .breaking = lemke, .unit_mass = 1};
+  return single_precision ? Tuned{.erp2 = 0.01, .cfm = 1e-6, .split = false, .unit_mass = 1}
+                          : Tuned{.erp2 = 0.005, .cfm = 1e-10, .split = false, .unit_mass = 1};
 }
 
 std::vector<Setting> settings_of(BulletSolver solver) {
   const Tuned tuned = tuned_for(solver);
-  constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{
       count_setting("numIterations", 10, tuned.iterations),
       {.name = "erp2", .standard = 0.2, .tuned = tuned.erp2, .most = 1},
@@ -69,7 +51,7 @@ std::vector<Setting> settings_of(BulletSolver solver) {
        .unit = "m",
        .standard = -0.04F,
        .tuned = 0,
-       .least = -endless},
+       .least = -std::numeric_limits<double>::infinity()},
       {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
       {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
       {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},

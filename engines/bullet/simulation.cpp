@@ -16,8 +16,7 @@ btVector3 vector(double x, double y, double z) {
   return {scalar(x), scalar(y), scalar(z)};
 }
 
-/// A shape that carries its own contact breaking threshold, so that no global of the library has to be
-/// written.
+/// A shape that carries its own contact breaking threshold: no global of the library has to be written.
 template <class Shape>
 class Threshold : public Shape {
  public:
@@ -68,12 +67,6 @@ btScalar friction_of_pair(const btCollisionObject* a, const btCollisionObject* b
   return (a->getUserIndex() > b->getUserIndex() ? a : b)->getFriction();
 }
 
-/// One callback for all worlds, as pairs know all that it asks for.
-void combine_friction_by_interface() {
-  static const bool combined = (gCalculateCombinedFrictionCallback = friction_of_pair) != nullptr;
-  static_cast<void>(combined);
-}
-
 /// What each body has for a pair of them to have what was asked for: Bullet multiplies restitution, takes
 /// stiffnesses in series and adds dampings.
 struct Surface {
@@ -89,10 +82,6 @@ Surface surface_of(double mass_factor, const Parameters& parameters) {
           parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
 }
 
-btVector3 half_extents(const Placement& placement) {
-  return vector(0.5 * placement.width, 0.5 * placement.height, 0.5 * placement.depth);
-}
-
 double angle_of(const btRigidBody& body) {
   const btMatrix3x3& turn = body.getWorldTransform().getBasis();
   return std::atan2(-turn[1][0], turn[0][0]);
@@ -103,8 +92,7 @@ struct Softness {
   double erp, cfm;
 };
 
-/// Of each contact point, N/m in the library's own masses: a spring where overlap is corrected through
-/// velocities, and all of it.
+/// N/m in the library's own masses; a spring where all overlap is corrected, and through velocities.
 double stiffness_of(const btContactSolverInfo& info, const Softness& softness, double dt,
                     double penetration) {
   const bool split = info.m_splitImpulse != 0 && penetration <= info.m_splitImpulsePenetrationThreshold;
@@ -115,12 +103,12 @@ double stiffness_of(const btContactSolverInfo& info, const Softness& softness, d
 class BulletSimulation final : public ShakenSimulation {
  public:
   BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         surface_(surface_of(mass_factor_, parameters)),
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
-    combine_friction_by_interface();
+    // One callback for all worlds, as pairs know all that it asks for.
+    [[maybe_unused]] static const auto friction = gCalculateCombinedFrictionCallback = friction_of_pair;
     apply(parameters, world_.getSolverInfo());
     set_gravity(setup.gravity);
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
@@ -131,9 +119,11 @@ class BulletSimulation final : public ShakenSimulation {
       const double reach = ground_reach(setup.blocks);
       add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
     }
-    for (std::size_t k = 0; k < setup.blocks.size(); ++k)
-      add_block(setup.blocks[k], std::min(setup.friction[k], friction_clamp),
-                shape(half_extents(setup.blocks[k]), breaking_factor));
+    for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+      const Placement& block = setup.blocks[k];
+      const btVector3 half = vector(0.5 * block.width, 0.5 * block.height, 0.5 * block.depth);
+      add_block(block, std::min(setup.friction[k], friction_clamp), shape(half, breaking_factor));
+    }
   }
 
   BodyState body(std::size_t k) const override {
@@ -174,20 +164,18 @@ class BulletSimulation final : public ShakenSimulation {
     const btManifoldPoint& found = manifold.getContactPoint(i);
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const int number_a = a.getUserIndex(), number_b = b.getUserIndex();
-    ContactPoint point;
-    point.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1);
-    point.along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x();
-    point.gap_before = found.getDistance();
-    point.gap =
-        found.m_normalWorldOnB.dot(place_of(a, found.m_localPointA) - place_of(b, found.m_localPointB));
-    point.normal = found.getAppliedImpulse() / mass_factor_;
-    point.tangential =
-        std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_;
     const Softness softness = softness_of(found);
-    const btContactSolverInfo& info = world_.getSolverInfo();
-    point.stiffness = stiffness_of(info, softness, dt(), point.gap_before) / mass_factor_;
-    point.damping = contact_damping(softness.erp, softness.cfm) / mass_factor_;
-    return point;
+    const double stiffness = stiffness_of(world_.getSolverInfo(), softness, dt(), found.getDistance());
+    return {.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1),
+            .along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x(),
+            .gap_before = found.getDistance(),
+            .gap = found.m_normalWorldOnB.dot(place_of(a, found.m_localPointA) -
+                                              place_of(b, found.m_localPointB)),
+            .normal = found.getAppliedImpulse() / mass_factor_,
+            .tangential =
+                std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_,
+            .stiffness = stiffness / mass_factor_,
+            .damping = contact_damping(softness.erp, softness.cfm) / mass_factor_};
   }
 
   /// A point with a spring of its own has its own erp and cfm; solvers of complementarity problems take its
@@ -231,7 +219,6 @@ class BulletSimulation final : public ShakenSimulation {
     world_.setInternalTickCallback(give_velocity, this, true);
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     bodies_.front()->getWorldTransform().setOrigin(ground_start_ + vector(step.x, step.y, 0));
     ground_velocity_ = vector(step.velocity_x, step.velocity_y, 0);
@@ -267,10 +254,8 @@ class BulletSimulation final : public ShakenSimulation {
     return body;
   }
 
-  double mass_factor_;  ///< of every mass; no angle depends on it
   std::vector<double> angles_;
-  btVector3 ground_start_{0, 0, 0};
-  btVector3 ground_velocity_{0, 0, 0};
+  btVector3 ground_start_{0, 0, 0}, ground_velocity_{0, 0, 0};
   Surface surface_;
   // The world comes last: it is the first to go and still needs the others then.
   btDefaultCollisionConfiguration configuration_;

@@ -1,9 +1,4 @@
 // Chipmunk beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// A step moves bodies by the velocities that they have, then finds contacts, then changes velocities. So
-// smooth motion is half a step late where other engines' is half a step early, and an impact comes when the
-// overlap is found. A ground that really moves has its next step's velocity when contacts are solved, which
-// is what blocks must follow. With collisionPersistence = 0 the library frees what it is using.
 
 #include <chipmunk/chipmunk.h>
 // Of single contact points the library tells impulses here alone.
@@ -43,7 +38,11 @@ class ChipmunkSimulation final : public ShakenSimulation {
                                    static_cast<cpTimestamp>(parameters.at("collisionPersistence")));
     set_gravity(setup.gravity);
     cpCollisionHandler* handler = cpSpaceAddDefaultCollisionHandler(space_.get());
-    handler->preSolveFunc = &ChipmunkSimulation::meet;
+    // Of a pair that touches, before the solver runs.
+    handler->preSolveFunc = [](cpArbiter* pair, cpSpace*, cpDataPointer self) -> cpBool {
+      static_cast<ChipmunkSimulation*>(self)->set_contact(pair);
+      return cpTrue;
+    };
     handler->userData = this;
     add_ground(ground_reach(setup.blocks));
     for (const Placement& placement : setup.blocks) add_block(placement);
@@ -71,12 +70,6 @@ class ChipmunkSimulation final : public ShakenSimulation {
  private:
   /// Counts from 0, the ground.
   static std::size_t number_of(const cpShape* shape) { return cpShapeGetCollisionType(shape); }
-
-  /// The library's call for a pair that touches, before its solver runs.
-  static cpBool meet(cpArbiter* pair, cpSpace* /*space*/, cpDataPointer self) {
-    static_cast<ChipmunkSimulation*>(self)->set_contact(pair);
-    return cpTrue;
-  }
 
   /// A pair's friction is that of the interface under its upper body; the library would take the product.
   void set_contact(cpArbiter* pair) {
@@ -114,14 +107,12 @@ class ChipmunkSimulation final : public ShakenSimulation {
     return cpTransformPoint(starts_[number], on_body(number, point));
   }
 
-  void remember_poses() {
-    touches_.clear();
-    starts_.clear();
-    for (const auto& body : bodies_) starts_.push_back(body->transform);
-  }
-
   void advance() override {
-    if (watches_contacts()) remember_poses();
+    if (watches_contacts()) {
+      touches_.clear();
+      starts_.clear();
+      for (const auto& body : bodies_) starts_.push_back(body->transform);
+    }
     cpSpaceStep(space_.get(), dt());
   }
 
@@ -135,17 +126,13 @@ class ChipmunkSimulation final : public ShakenSimulation {
     add_shape(cpSegmentShapeNew(body, cpv(-reach, 0), cpv(reach, 0), 0));
     if (!moves_ground()) return;
     cpBodySetUserData(body, this);
+    // The library moves all bodies before it finds contacts; the velocities that it solves for then are those
+    // by which blocks move in the next step.
     cpBodySetVelocityUpdateFunc(body, [](cpBody* ground, cpVect, cpFloat, cpFloat) {
       const auto& self = *static_cast<const ChipmunkSimulation*>(cpBodyGetUserData(ground));
-      self.give_velocity_of_next_step(ground);
+      if (const GroundStep* next = self.next_ground())
+        cpBodySetVelocity(ground, cpv(next->velocity_x, next->velocity_y));
     });
-  }
-
-  /// The library moves all bodies before it finds contacts; the velocities that it solves for then are those
-  /// by which blocks move in the next step.
-  void give_velocity_of_next_step(cpBody* ground) const {
-    if (const GroundStep* next = next_ground())
-      cpBodySetVelocity(ground, cpv(next->velocity_x, next->velocity_y));
   }
 
   void place_ground(const GroundStep& step) override {

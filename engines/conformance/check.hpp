@@ -1,13 +1,7 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "engines/body_record.hpp"
-#include "engines/engine.hpp"
 #include "engines/scene_setup.hpp"
-#include "engines/trajectory.hpp"
 
 namespace rockstack {
 
@@ -28,14 +22,15 @@ struct Judgement {
   bool holds() const { return value <= limit; }
 };
 
-/// A law that every engine must follow, as a function, so that an adapter broken on purpose can be held to it
-/// as well.
+/// A law that every engine must follow; a function, so that adapters broken on purpose can be held to it too.
 using Judge = Judgement(const Adapter& adapter);
 
 struct Check {
   const char* name;
   Judge* judge;
 };
+
+inline constexpr double usual_step = 1e-3;  ///< of most checks, s
 
 Scene at_rest(std::vector<Block> blocks, double duration);
 
@@ -58,7 +53,7 @@ struct ObservedMotion {
   }
 };
 
-ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt);
+ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt = usual_step);
 
 /// The same, shaken by a body force.
 Adapter by_force(Adapter adapter);
@@ -73,9 +68,8 @@ double largest(const std::vector<double>& values);
 
 /// The constants of Housner 1963 for slender_block().
 struct Housner {
-  Housner();
-  double slenderness;  ///< rad
-  double frequency;    ///< p, 1/s
+  double slenderness = std::atan(0.2);                                ///< rad
+  double frequency = std::sqrt(3 * 9.81 / (4 * std::hypot(0.2, 1)));  ///< p, 1/s
   /// Angular velocity at which a block released at `angle` meets the ground, rad/s.
   double speed_at_ground(double angle) const;
 };
@@ -83,8 +77,7 @@ struct Housner {
 /// Time from release at `start` to the ground: the energy integral of the full equation, s.
 double quarter_period(const Housner& block, double start);
 
-/// Time of the lowest block's first zero crossing, on the straight line between samples; not a number where
-/// it never comes.
+/// Time of the lowest block's first zero crossing, linear between samples; not a number where none comes.
 double first_ground_impact(const History& history);
 
 /// All of them: promises, smooth motion, contact, and planar motion of one block and of pairs.

@@ -1,5 +1,4 @@
-// Blocks that stand, that are pushed, and that rock and hit the ground; and two, which show what one cannot:
-// masses.
+// Blocks that stand, are pushed, rock and hit the ground; and two, which show what one cannot: masses.
 
 #include "engines/conformance/check.hpp"
 
@@ -7,9 +6,9 @@ namespace rockstack {
 namespace {
 
 /// The larger of angle and velocity over what they may be.
-Judgement quiet(const Adapter& adapter, const Scene& scene, double dt, double limit) {
-  const History history = run(adapter, scene, dt).history;
-  return {std::max(largest(history.angles), largest(history.velocities) * dt), limit,
+Judgement quiet(const Adapter& adapter, const Scene& scene, double limit) {
+  const History history = run(adapter, scene).history;
+  return {std::max(largest(history.angles), largest(history.velocities) * usual_step), limit,
           "largest angle, or angular velocity times the step, rad"};
 }
 
@@ -21,7 +20,7 @@ double quarter_period_error(const Adapter& adapter, double dt) {
 bool topples(const Adapter& adapter, double share) {
   Scene scene = slender_block(4);
   scene.initial.angles = {share * Housner{}.slenderness};
-  return run(adapter, scene, 1e-3).history.times.back() < scene.duration - 1e-6;
+  return run(adapter, scene).history.times.back() < scene.duration - 1e-6;
 }
 
 struct Momentum {
@@ -38,22 +37,19 @@ Momentum momentum(const Scene& scene, const ObservedMotion& motion, std::size_t 
 
 /// In its first step the block sinks by g dt² at most before a contact holds it, perhaps on one side first.
 Judgement block_at_rest_stays(const Adapter& adapter) {
-  const double dt = 1e-3;
-  return quiet(adapter, at_rest({make_block(0.4, 2, 2500)}, 1), dt, 9.81 * dt * dt / 0.4);
+  return quiet(adapter, at_rest({make_block(0.4, 2, 2500)}, 1), 9.81 * usual_step * usual_step / 0.4);
 }
 
 /// As above, for each of two interfaces over its width; the narrower is 1 m.
 Judgement stack_at_rest_stays(const Adapter& adapter) {
-  const double dt = 1e-3;
-  return quiet(adapter, at_rest(paper_scene(1).blocks, 1), dt, 2 * 9.81 * dt * dt);
+  return quiet(adapter, at_rest(paper_scene(1).blocks, 1), 2 * 9.81 * usual_step * usual_step);
 }
 
 /// A contact holds where faces meet, not a tenth of a millimetre later, and is found at most a step late, in
 /// which a block at rest falls by g dt²; as much again is for what an iterative solver leaves over.
 Judgement stack_keeps_its_height(const Adapter& adapter) {
-  const double dt = 1e-3;
   const Scene scene = at_rest(paper_scene(1).blocks, 1);
-  const ObservedMotion motion = run(adapter, scene, dt);
+  const ObservedMotion motion = run(adapter, scene);
   double most = 0;
   for (std::size_t n = 0; n < motion.history.size(); ++n) {
     double below = 0;  // how far the face has moved on which a block stands
@@ -63,26 +59,23 @@ Judgement stack_keeps_its_height(const Adapter& adapter) {
       below = moved;
     }
   }
-  return {most, 2 * scene.gravity * dt * dt, "largest change of the distance between faces that touch, m"};
+  return {most, 2 * scene.gravity * usual_step * usual_step,
+          "largest change of the distance between faces that touch, m"};
 }
 
 /// A squat block under 0.8 g, which its width carries twice over, does not move along the ground: the
-/// friction asked for is far beyond 0.8. What it may creep is what an iterative solver leaves of each step's
-/// push.
+/// friction asked for is far beyond 0.8. It may creep by what an iterative solver leaves of each step's push.
 Judgement pushed_block_does_not_slide(const Adapter& adapter) {
-  const double dt = 1e-3;
   Scene scene = at_rest({make_block(1, 0.5, 2500)}, 0.5);
   scene.horizontal = constant(0.8 * scene.gravity);
-  const ObservedMotion motion = run(by_force(adapter), scene, dt);
   // Without friction it would be 0.98 m.
-  return {std::abs(motion.bodies.back().x), 1e-3, "way along the ground, m"};
+  return {std::abs(run(by_force(adapter), scene).bodies.back().x), 1e-3, "way along the ground, m"};
 }
 
 Judgement weak_push_does_not_rock(const Adapter& adapter) {
-  const double dt = 1e-3;
   Scene scene = at_rest({make_block(0.4, 2, 2500)}, 0.3);
   scene.horizontal = constant(0.95 * 0.2 * 9.81);
-  return quiet(adapter, scene, dt, 9.81 * dt * dt / 0.4);
+  return quiet(adapter, scene, 9.81 * usual_step * usual_step / 0.4);
 }
 
 Judgement strong_push_rocks(const Adapter& adapter) {
@@ -134,16 +127,13 @@ Judgement impact_loses_housners_share(const Adapter& adapter) {
 }
 
 /// The ground falls away for 0.2 s at 2 m/s² more than gravity, then stays; the block comes down flat. A
-/// rocking block's impact does not show a bounce: its hops end at the same pivot with the same angular
-/// momentum.
+/// rocking block's impact shows no bounce: its hops end at the same pivot with the same angular momentum.
 Judgement flat_landing_does_not_bounce(const Adapter& adapter) {
-  const double dt = 1e-3;
   Scene scene = at_rest({make_block(1, 0.5, 2500)}, 1);
   scene.vertical.interval = 0.2;
   scene.vertical.samples = {-scene.gravity - 2, -scene.gravity - 2, 0};
-  const ObservedMotion motion = run(by_force(adapter), scene, dt);
-  double down = 0;
-  double up = 0;
+  const ObservedMotion motion = run(by_force(adapter), scene);
+  double down = 0, up = 0;
   for (std::size_t n = 1; n < motion.history.size(); ++n) {
     const double velocity = motion.body(n, 0).velocity_y;
     down = std::max(down, -velocity);
@@ -163,15 +153,13 @@ Judgement topples_from_its_slenderness(const Adapter& adapter) {
 /// back onto the lower. What one then gains along the ground, the other loses: with the scene's masses, to
 /// less than a fifth of the percent that a mass may be wrong by.
 Judgement pair_keeps_its_momentum(const Adapter& adapter) {
-  const double dt = 1e-3;
   Scene scene = at_rest({make_block(1.25, 1.25, 2500), make_block(1, 2.5, 2500)}, 0.8);
   scene.initial = {{0, 0.3}, {0, -1.5}};
   scene.vertical = constant(-scene.gravity - 20);
-  const ObservedMotion motion = run(adapter, scene, dt);
+  const ObservedMotion motion = run(adapter, scene);
   // 0.1 m up: out of reach of any contact with the ground that an engine may keep.
   const Momentum start = momentum(scene, motion, 100);
-  double change = 0;
-  double exchanged = 0;
+  double change = 0, exchanged = 0;
   for (std::size_t n = 101; n < motion.history.size(); ++n) {
     const Momentum now = momentum(scene, motion, n);
     change = std::max(change, std::abs(now.sum - start.sum));

@@ -1,9 +1,4 @@
 // DART beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// The settings of contacts are static numbers of DART's class ContactConstraint; each step sets them anew.
-// ConstraintForceMixing has no unit: it is added to one on the diagonal. ErrorReductionParameter takes that
-// share of an overlap away in a step, at MaxErrorReductionVelocity at most, through the velocities. Below
-// 1e-3 DART takes a coefficient of friction for zero.
 
 #include <algorithm>
 #include <dart/collision/CollisionObject.hpp>
@@ -63,9 +58,8 @@ std::unique_ptr<Solver> make_solver(DartSolver solver, const Parameters& paramet
 class DartSimulation final : public ShakenSimulation {
  public:
   DartSimulation(DartSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         parameters_(parameters),
-        mass_factor_(mass_factor(setup, parameters)),
         world_(dart::simulation::World::create()) {
     world_->setTimeStep(setup.dt);
     set_gravity(setup.gravity);
@@ -146,7 +140,6 @@ class DartSimulation final : public ShakenSimulation {
     blocks_.push_back(body);
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     const auto skeleton = ground_->getSkeleton();
     const Eigen::Vector3d velocity{step.velocity_x, step.velocity_y, 0};
@@ -195,21 +188,14 @@ class DartSimulation final : public ShakenSimulation {
   }
 
   ContactPoint point_of(const Touch& touch) const {
-    ContactPoint point;
-    point.interface = touch.interface;
-    point.along = touch.on_upper[0];
-    point.gap_before = -touch.depth;
     const Eigen::Vector3d apart =
         touch.upper->getWorldTransform() * touch.on_upper - touch.lower->getWorldTransform() * touch.on_lower;
-    point.gap = point.gap_before + touch.normal.dot(apart);
     const double impulse = dt() / mass_factor_;
-    point.normal = impulse * touch.push;
-    point.tangential = impulse * touch.across;
-    return point;
+    return {touch.interface,      touch.on_upper[0],     -touch.depth, -touch.depth + touch.normal.dot(apart),
+            impulse * touch.push, impulse * touch.across};
   }
 
   Parameters parameters_;
-  double mass_factor_;  ///< of every mass; no angle depends on it
   dart::simulation::WorldPtr world_;
   BodyNode* ground_ = nullptr;
   std::vector<BodyNode*> blocks_;

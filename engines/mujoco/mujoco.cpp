@@ -1,19 +1,4 @@
 // MuJoCo beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Contacts are soft by design. Each row pushes by f = (−b v − k d r − a)/R, where r is the gap, v and a are
-// its rate and acceleration (MuJoCo's documentation, Computation: Constraint model; XML reference: solref,
-// solimp). d is the impedance, which solimp makes of r; k = 1/(d₁ τ ζ)² and b = 2/(d₁ τ) with τ =
-// solref_timeconst, ζ = solref_dampratio and d₁ = solimp_dwidth, or their negative values over d₁² and d₁; R
-// = (1 − d)/d Â, Â = 2/3 (1/m + 1/M) with the masses of both bodies: the mean over three directions, in one
-// of which nothing moves. So a contact at rest is a spring of k d/R and a dashpot of b/R: with d = d₁ between
-// a block and the ground 1.5 m/((1 − d) τ² ζ²) N/m and 3 m/((1 − d) τ) N s/m a point, which contacts() tells.
-// With refsafe τ is at least two steps. The defaults are for blocks of 1250 kg 4.2e7 N/m and 1.8e6 N s/m.
-//
-// depth_ratio: how deep a block's box is over the one below it, out of the plane, where nothing depends on
-// it. A coefficient of friction of 0 makes a contact without friction (condim 1); below 1e-5 it is 1e-5. A
-// moving ground is a box on two slides with 1e30 kg of armature, on which gravity does not act. Where a
-// coordinate stops being finite MuJoCo begins anew from its first state; here the run ends with an error.
-// What it warns of is counted and not printed.
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
@@ -27,9 +12,7 @@
 namespace rockstack {
 namespace {
 
-/// Of solref, where a negative number is a stiffness or a damping.
-constexpr double stiffest = 1e18;
-
+/// A negative number of solref is a stiffness or a damping.
 std::vector<Setting> settings_of(MujocoSolver solver) {
   const bool pgs = solver == MujocoSolver::pgs;
   return {
@@ -77,8 +60,7 @@ Engine with(MujocoSolver solver, const char* name) {
           std::bind_front(start_mujoco, solver)};
 }
 
-/// kg on each of a moving ground's coordinates, on which gravity does not act: whatever presses on it, it
-/// goes on as it was told.
+/// kg on each of a moving ground's coordinates, without gravity: whatever presses on it, it goes as told.
 constexpr double unmoved = 1e30;
 
 /// Of the blocks' coordinates, kg and kg m². Solvers measure their tolerance against it, so that with a
@@ -147,39 +129,26 @@ std::string stack_text(const Setup& setup, const Parameters& parameters) {
                      ground(setup, parameters), blocks, pairs(setup, parameters));
 }
 
-/// A file in memory, as the library reads its models from files alone.
-class TextFile {
- public:
-  explicit TextFile(const std::string& text) {
-    mj_defaultVFS(files_.get());
-    mj_makeEmptyFileVFS(files_.get(), name, static_cast<int>(text.size()));
-    std::memcpy(files_->filedata[0], text.data(), text.size());
-  }
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
-  ~TextFile() { mj_deleteVFS(files_.get()); }
-
-  static constexpr const char* name = "stack.xml";
-  const mjVFS* files() const { return files_.get(); }
-
- private:
-  std::unique_ptr<mjVFS> files_ = std::make_unique<mjVFS>();
-};
-
 }  // namespace
 
 std::vector<Engine> make_mujoco() {
   return {with(MujocoSolver::newton, "newton"), with(MujocoSolver::cg, "cg"), with(MujocoSolver::pgs, "pgs")};
 }
 
-void DeleteModel::operator()(mjModel_* model) const {
-  mj_deleteModel(model);
-}
-
 MujocoModel compile_stack(const Setup& setup, const Parameters& parameters) {
-  const TextFile file(stack_text(setup, parameters));
+  // The library reads its models from files alone: this one is in memory.
+  constexpr const char* name = "stack.xml";
+  const std::string text = stack_text(setup, parameters);
+  const std::unique_ptr<mjVFS, void (*)(mjVFS*)> files(new mjVFS{}, [](mjVFS* made) {
+    mj_deleteVFS(made);
+    delete made;
+  });
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), name, static_cast<int>(text.size()));
+  std::memcpy(files->filedata[0], text.data(), text.size());
   std::array<char, 1000> error{};
-  MujocoModel model(mj_loadXML(TextFile::name, file.files(), error.data(), static_cast<int>(error.size())));
+  MujocoModel model(mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size())),
+                    mj_deleteModel);
   mj_freeLastXML();
   if (!model) throw std::runtime_error(fmt::format("mujoco: {}", error.data()));
   if (!setup.ground.empty()) model->stat.meaninertia = mean_inertia(setup, mass_factor(setup, parameters));

@@ -9,10 +9,6 @@
 namespace rockstack {
 namespace {
 
-struct DeleteData {
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
 /// A body's coordinates, as MuJoCo has them.
 struct Pose {
   double x = 0, y = 0, angle = 0;  ///< m, m, rad anticlockwise
@@ -26,22 +22,13 @@ double way_along(const double* normal, const double* point, const Pose& from, co
          normal[1] * (to.y + sine * x + cosine * y - point[1]);
 }
 
-/// MuJoCo would end the process.
-void throw_error(const char* message) {
-  throw std::runtime_error("mujoco: " + std::string(message));
-}
-
-/// MuJoCo would write a file into the working folder; its data count warnings as well.
-void keep_silent(const char*) {}
-
 class MujocoSimulation final : public ShakenSimulation {
  public:
   MujocoSimulation(MujocoSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         blocks_(setup.blocks.size()),
-        mass_factor_(mass_factor(setup, parameters)),
         model_(compile_stack(setup, parameters)),
-        data_(mj_makeData(model_.get())) {
+        data_(mj_makeData(model_.get()), mj_deleteData) {
     if (!data_) throw std::runtime_error("mujoco: no memory for a run");
     set_options(solver, setup.dt, parameters);
     set_gravity(setup.gravity);
@@ -95,7 +82,9 @@ class MujocoSimulation final : public ShakenSimulation {
   void advance() override {
     if (watches_contacts()) before_ = poses();
     mj_step(model_.get(), data_.get());
-    require_state();
+    // MuJoCo begins anew where a coordinate is not a number or above 10¹⁰: that is no motion of this stack.
+    for (const mjtWarning lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
+      if (data_->warning[lost].number > 0) throw std::runtime_error("mujoco: the motion is not finite");
   }
 
   void set_gravity(const BodyAcceleration& acceleration) override {
@@ -110,18 +99,11 @@ class MujocoSimulation final : public ShakenSimulation {
     std::copy(velocity.begin(), velocity.end(), data_->qvel + first(k));
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     data_->qpos[0] = step.x;
     data_->qpos[1] = step.y;
     data_->qvel[0] = step.velocity_x;
     data_->qvel[1] = step.velocity_y;
-  }
-
-  /// MuJoCo begins anew where a coordinate is not a number or above 10¹⁰: that is no motion of this stack.
-  void require_state() const {
-    for (const mjtWarning lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
-      if (data_->warning[lost].number > 0) throw std::runtime_error("mujoco: the motion is not finite");
   }
 
   /// Of the ground, then the blocks.
@@ -135,8 +117,7 @@ class MujocoSimulation final : public ShakenSimulation {
     return list;
   }
 
-  /// A contact of the last step. Geoms are numbered as poses are; MuJoCo's normal points from the first to
-  /// the second.
+  /// A contact of the last step. Geoms are numbered as poses are; the normal points from first to second.
   ContactPoint point_of(int i, const std::vector<Pose>& now) const {
     const mjContact& contact = data_->contact[i];
     const auto one = static_cast<std::size_t>(contact.geom1), other = static_cast<std::size_t>(contact.geom2);
@@ -156,10 +137,8 @@ class MujocoSimulation final : public ShakenSimulation {
     return point;
   }
 
-  /// Each row of a contact pushes by f = (−b v − k d r − a)/R: r is its gap, v and a are its rate and
-  /// acceleration, d the impedance, k and b follow from solref, R = (1 − d)/d Â from the bodies' masses
-  /// (MuJoCo's documentation, Computation: "Constraint model"). So where nothing accelerates it is a spring
-  /// of k d/R and a dashpot of b/R. A pyramidal cone has four rows that share the normal force.
+  /// Where nothing accelerates, each row of a contact is a spring of k d/R and a dashpot of b/R (README.md).
+  /// A pyramidal cone has four rows that share the normal force.
   void soften(ContactPoint& point, const mjContact& contact) const {
     const bool pyramid = model_->opt.cone == mjCONE_PYRAMIDAL && contact.dim > 1;
     const double rows = pyramid ? 2 * (contact.dim - 1) : 1;
@@ -170,9 +149,8 @@ class MujocoSimulation final : public ShakenSimulation {
   }
 
   std::size_t blocks_;
-  double mass_factor_;  ///< of every mass in MuJoCo; no angle depends on it
   MujocoModel model_;
-  std::unique_ptr<mjData, DeleteData> data_;
+  std::unique_ptr<mjData, void (*)(mjData*)> data_;
   std::vector<Pose> before_;  ///< of the ground and the blocks where the last step started
 };
 
@@ -180,8 +158,9 @@ class MujocoSimulation final : public ShakenSimulation {
 
 std::unique_ptr<Simulation> start_mujoco(MujocoSolver solver, const Setup& setup,
                                          const Parameters& parameters) {
-  mju_user_error = throw_error;
-  mju_user_warning = keep_silent;
+  // MuJoCo would end the process, or write a file into the working folder; its data count warnings as well.
+  mju_user_error = [](const char* message) { throw std::runtime_error("mujoco: " + std::string(message)); };
+  mju_user_warning = [](const char*) {};
   return std::make_unique<MujocoSimulation>(solver, setup, parameters);
 }
 

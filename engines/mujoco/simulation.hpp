@@ -1,18 +1,12 @@
 #pragma once
 
-#include <memory>
-
 #include "engines/engine.hpp"
 
 struct mjModel_;
 
 namespace rockstack {
 
-struct DeleteModel {
-  void operator()(mjModel_* model) const;
-};
-
-using MujocoModel = std::unique_ptr<mjModel_, DeleteModel>;
+using MujocoModel = std::unique_ptr<mjModel_, void (*)(mjModel_*)>;
 
 /// A stack as MuJoCo compiles it. Bodies from 1: the ground where it really moves, with two coordinates (x,
 /// y), then the blocks, bottom to top, with three each (x, y, angle anticlockwise).

@@ -1,12 +1,5 @@
 // The Open Dynamics Engine beside the exact model; README.md says what its contacts are and why its sets are
 // as they are. `comparisons/tune` ranks sets; those here also hold the conformance tests.
-//
-// contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
-// through ODE's own erp = h k/(h k + c) and cfm = 1/(h k + c) of that point with the step h; where both are
-// zero, the world's erp and cfm act. contactApprox1 = 1 makes the scene's friction a coefficient; with 0 the
-// limit is a force, that coefficient times the stack's weight. ODE reports errors through handlers: an error
-// throws from the call; a message (the solver's "s <= 0": it goes on with a step half solved) is counted as a
-// warning, and the run goes on as it does for a user, who sees it printed.
 
 #include <fmt/format.h>
 #include <ode/ode.h>
@@ -20,10 +13,6 @@
 
 namespace rockstack {
 namespace {
-
-/// N/m and N s/m: far beyond what a step resolves, and finite, as quotients of stiffness and damping are
-/// taken.
-constexpr double stiffest = 1e18;
 
 std::vector<Setting> settings_of(OdeSolver solver) {
   constexpr double endless = std::numeric_limits<double>::infinity();

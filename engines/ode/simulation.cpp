@@ -11,17 +11,11 @@
 namespace rockstack {
 namespace {
 
-struct Destroy {
-  void operator()(dWorldID world) const { dWorldDestroy(world); }
-  void operator()(dSpaceID space) const { dSpaceDestroy(space); }
-  void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
-};
-
 /// A contact of the step under way, where they are watched.
 struct Touch {
-  dContactGeom geom{};
-  dBodyID first = nullptr, second = nullptr;  ///< the normal points from the second to the first
-  dVector3 on_first{}, on_second{};           ///< the point in their axes
+  dContactGeom geom;
+  dBodyID first, second;             ///< the normal points from the second to the first
+  dVector3 on_first{}, on_second{};  ///< the point in their axes
   dJointFeedback feedback{};
 };
 
@@ -54,32 +48,36 @@ double damping_of(const Parameters& parameters, double mass_factor) {
 class OdeSimulation final : public ShakenSimulation {
  public:
   OdeSimulation(OdeSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         solver_(solver),
         contacts_(static_cast<std::size_t>(parameters.at("maxContacts"))),
         realign_(parameters.at("realign") != 0),
-        mass_factor_(mass_factor(setup, parameters)),
         stiffness_(stiffness_of(parameters, mass_factor_, setup.dt)),
-        damping_(damping_of(parameters, mass_factor_)),
-        world_(dWorldCreate()),
-        space_(dSimpleSpaceCreate(nullptr)),
-        group_(dJointGroupCreate(0)) {
+        damping_(damping_of(parameters, mass_factor_)) {
     dWorldSetERP(world_.get(), parameters.at("erp"));
     dWorldSetCFM(world_.get(), parameters.at("cfm"));
     dWorldSetContactSurfaceLayer(world_.get(), parameters.at("contactSurfaceLayer"));
     dWorldSetContactMaxCorrectingVel(world_.get(), parameters.at("contactMaxCorrectingVel"));
-    if (solver_ == OdeSolver::quickstep) set_iterations(parameters);
+    if (solver_ == OdeSolver::quickstep) {
+      dWorldSetQuickStepNumIterations(world_.get(),
+                                      static_cast<int>(parameters.at("quickStepNumIterations")));
+      dWorldSetQuickStepW(world_.get(), parameters.at("quickStepW"));
+      // The solver takes its rows in random order.
+      dRandSetSeed(static_cast<unsigned long>(parameters.at("randomSeed")));
+    }
     set_gravity(setup.gravity);
     set_surface(setup, parameters);
     plane_ = dCreatePlane(space_.get(), 0, 1, 0, 0);
-    if (moves_ground()) add_moving_ground();
+    if (moves_ground()) {  // a plane has no body of its own in ODE: its contacts are those of this one
+      ground_ = dBodyCreate(world_.get());
+      dBodySetKinematic(ground_);
+    }
     for (const Placement& placement : setup.blocks)
       add_block(placement, parameters.at("finiteRotationMode") != 0);
   }
 
   BodyState body(std::size_t k) const override {
-    const dReal* place = dBodyGetPosition(bodies_[k]);
-    const dReal* velocity = dBodyGetLinearVel(bodies_[k]);
+    const dReal *place = dBodyGetPosition(bodies_[k]), *velocity = dBodyGetLinearVel(bodies_[k]);
     const dReal* turn = dBodyGetRotation(bodies_[k]);
     return {place[0],    place[1],
             velocity[0], velocity[1],
@@ -94,10 +92,6 @@ class OdeSimulation final : public ShakenSimulation {
   }
 
  private:
-  static void touch(void* data, dGeomID one, dGeomID other) {
-    static_cast<OdeSimulation*>(data)->add_contacts(one, other);
-  }
-
   void add_contacts(dGeomID one, dGeomID other) {
     const dBodyID first = body_of(one), second = body_of(other);
     const int count =
@@ -116,10 +110,7 @@ class OdeSimulation final : public ShakenSimulation {
   }
 
   void watch(dJointID joint, const dContactGeom& geom, dBodyID first, dBodyID second) {
-    Touch& touch = touches_.emplace_back();
-    touch.geom = geom;
-    touch.first = first;
-    touch.second = second;
+    Touch& touch = touches_.emplace_back(Touch{geom, first, second});
     const dReal* place = geom.pos;
     if (first != nullptr) dBodyGetPosRelPoint(first, place[0], place[1], place[2], touch.on_first);
     if (second != nullptr) dBodyGetPosRelPoint(second, place[0], place[1], place[2], touch.on_second);
@@ -140,29 +131,19 @@ class OdeSimulation final : public ShakenSimulation {
 
   ContactPoint point_of(const Touch& touch) const {
     const auto first = number_of(touch.first), second = number_of(touch.second);
-    const dReal* normal = touch.geom.normal;
-    const dReal* force = touch.feedback.f1;
+    const dReal *normal = touch.geom.normal, *force = touch.feedback.f1;
     const double push = dCalcVectorDot3(force, normal);
-    ContactPoint point;
-    point.interface = interface_of(touch.first, touch.second);
-    point.along = (first > second ? touch.on_first : touch.on_second)[0];
-    point.gap_before = -touch.geom.depth;
-    point.gap = point.gap_before + height_along(normal, touch.first, touch.on_first, touch.geom.pos) -
-                height_along(normal, touch.second, touch.on_second, touch.geom.pos);
     const double impulse = dt() / mass_factor_;
-    point.normal = impulse * std::abs(push);
-    point.tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
-                                            force[2] - push * normal[2]);
-    point.stiffness = stiffness_ / mass_factor_;
-    point.damping = damping_ / mass_factor_;
-    return point;
-  }
-
-  void set_iterations(const Parameters& parameters) {
-    dWorldSetQuickStepNumIterations(world_.get(), static_cast<int>(parameters.at("quickStepNumIterations")));
-    dWorldSetQuickStepW(world_.get(), parameters.at("quickStepW"));
-    // The solver takes its rows in random order.
-    dRandSetSeed(static_cast<unsigned long>(parameters.at("randomSeed")));
+    return {.interface = interface_of(touch.first, touch.second),
+            .along = (first > second ? touch.on_first : touch.on_second)[0],
+            .gap_before = -touch.geom.depth,
+            .gap = -touch.geom.depth + height_along(normal, touch.first, touch.on_first, touch.geom.pos) -
+                   height_along(normal, touch.second, touch.on_second, touch.geom.pos),
+            .normal = impulse * std::abs(push),
+            .tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
+                                               force[2] - push * normal[2]),
+            .stiffness = stiffness_ / mass_factor_,
+            .damping = damping_ / mass_factor_};
   }
 
   /// With contactApprox1 ODE's friction is a coefficient; without it a force, here that of the whole weight.
@@ -195,15 +176,8 @@ class OdeSimulation final : public ShakenSimulation {
     surface.soft_cfm = 1 / impulse;
   }
 
-  /// A plane has no body of its own in ODE: contacts with it are those of a kinematic body that moves along.
-  void add_moving_ground() {
-    ground_ = dBodyCreate(world_.get());
-    dBodySetKinematic(ground_);
-  }
-
   dBodyID body_of(dGeomID geometry) const { return geometry == plane_ ? ground_ : dGeomGetBody(geometry); }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     dBodySetPosition(ground_, step.x, step.y, 0);
     dBodySetLinearVel(ground_, step.velocity_x, step.velocity_y, 0);
@@ -215,7 +189,9 @@ class OdeSimulation final : public ShakenSimulation {
     const std::size_t before = ode_messages();
     dJointGroupEmpty(group_.get());
     touches_.clear();
-    dSpaceCollide(space_.get(), this, &OdeSimulation::touch);
+    dSpaceCollide(space_.get(), this, [](void* self, dGeomID one, dGeomID other) {
+      static_cast<OdeSimulation*>(self)->add_contacts(one, other);
+    });
     if (solve(world_.get(), dt()) == 0) throw std::runtime_error("ode: a step ran out of memory");
     warnings_ += ode_messages() - before;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -235,8 +211,7 @@ class OdeSimulation final : public ShakenSimulation {
                        mass_factor_ * placement.inertia_about_x, mass_factor_ * placement.inertia_about_y,
                        mass_factor_ * placement.inertia, 0, 0, 0);
     dBodySetMass(body, &mass);
-    const dGeomID box = dCreateBox(space_.get(), placement.width, placement.height, placement.depth);
-    dGeomSetBody(box, body);
+    dGeomSetBody(dCreateBox(space_.get(), placement.width, placement.height, placement.depth), body);
     dMatrix3 turn;
     dRFromAxisAndAngle(turn, 0, 0, 1, -placement.angle);
     dBodySetRotation(body, turn);
@@ -251,8 +226,7 @@ class OdeSimulation final : public ShakenSimulation {
 
   /// The planar joint holds positions only; the rotation is put back into the plane by hand.
   static void realign(dBodyID body) {
-    const dReal* spin = dBodyGetAngularVel(body);
-    dBodySetAngularVel(body, 0, 0, spin[2]);
+    dBodySetAngularVel(body, 0, 0, dBodyGetAngularVel(body)[2]);
     const dReal* now = dBodyGetQuaternion(body);
     const double length = std::hypot(now[0], now[3]);
     const dQuaternion planar{now[0] / length, 0, 0, now[3] / length};
@@ -263,18 +237,16 @@ class OdeSimulation final : public ShakenSimulation {
   std::size_t warnings_ = 0;
   std::vector<double> angles_;
   std::vector<dContact> contacts_;
-  std::vector<double>
-      friction_limits_;  ///< of each interface: coefficients, or N in the library's own masses
+  std::vector<double> friction_limits_;  ///< of interfaces: coefficients, or N in the library's own masses
   bool realign_;
-  double mass_factor_;          ///< of every mass; no angle depends on it
   double stiffness_, damping_;  ///< of each contact point, in those masses
   std::deque<Touch> touches_;   ///< ODE writes into them while it steps
   dGeomID plane_ = nullptr;
   dBodyID ground_ = nullptr;  ///< where it really moves
   std::vector<dBodyID> bodies_;
-  std::unique_ptr<dxWorld, Destroy> world_;
-  std::unique_ptr<dxSpace, Destroy> space_;
-  std::unique_ptr<dxJointGroup, Destroy> group_;
+  std::unique_ptr<dxWorld, void (*)(dWorldID)> world_{dWorldCreate(), dWorldDestroy};
+  std::unique_ptr<dxSpace, void (*)(dSpaceID)> space_{dSimpleSpaceCreate(nullptr), dSpaceDestroy};
+  std::unique_ptr<dxJointGroup, void (*)(dJointGroupID)> group_{dJointGroupCreate(0), dJointGroupDestroy};
 };
 
 }  // namespace

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-
 #include "engines/engine.hpp"
 
 namespace rockstack {

@@ -1,18 +1,10 @@
 // Siconos beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Each block is a LagrangianLinearTIDS with three coordinates, each corner over a face an Interaction with
-// NewtonImpactFrictionNSL (simulation.cpp). The scheme is Moreau and Jean's. gamma and
-// constraintActivationThreshold choose a step's contacts: those whose gap plus gamma times the step times its
-// velocity is at most the threshold. Forces and masses are constant, so that the library's Newton loop ends
-// after one turn: Jacobians are those of the step's start. A ground that really moves is the part of a gap
-// that depends on time alone (LagrangianRheonomousR), with the velocity of the step under way.
 
 #include "engines/engine.hpp"
 
 namespace rockstack {
 
-/// A scene inside Siconos (simulation.cpp, which is C++17: Siconos's headers are no C++20). Precondition:
-/// `parameters` are checked.
+/// A scene inside Siconos (simulation.cpp, C++17 as its headers are). Precondition: checked `parameters`.
 std::unique_ptr<Simulation> start_siconos(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_siconos() {

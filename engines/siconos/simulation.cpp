@@ -15,7 +15,6 @@
 #include <TimeDiscretisation.hpp>
 #include <TimeStepping.hpp>
 #include <Topology.hpp>
-#include <algorithm>
 #include <cstdlib>
 
 /// Null where another BLAS is in use.
@@ -81,8 +80,7 @@ class CornerOverFace : public LagrangianRheonomousR {
 
   /// The normal and the direction to its right, at the corner, of both bodies.
   void computeJachq(double, const BlockVector& q, BlockVector&) override {
-    const Frame face = frame(q, 1 - touch_.corner_body);
-    const Vector normal = face.outward({0, touch_.normal});
+    const Vector normal = frame(q, 1 - touch_.corner_body).outward({0, touch_.normal});
     const Vector rows[] = {normal, {normal.y, -normal.x}};
     const Vector point = corner(q);
     for (unsigned body = 0; 3 * body < q.size(); ++body) {
@@ -156,8 +154,7 @@ std::shared_ptr<SiconosVector> vector_of(double x, double y, double angle) {
 class SiconosSimulation final : public ShakenSimulation {
  public:
   SiconosSimulation(const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         system_(std::make_shared<NonSmoothDynamicalSystem>(0, (static_cast<double>(setup.steps) + 2) * dt())),
         acceleration_(setup.gravity) {
     // OpenBLAS, where it is the BLAS, shares matrices of this size among threads that wait for each other.
@@ -275,7 +272,6 @@ class SiconosSimulation final : public ShakenSimulation {
     }
   }
 
-  double mass_factor_;
   std::shared_ptr<NonSmoothDynamicalSystem> system_;
   std::vector<std::shared_ptr<LagrangianLinearTIDS>> bodies_;
   std::vector<Corner> corners_;

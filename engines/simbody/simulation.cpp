@@ -30,8 +30,7 @@ SimTK::Transform face_at(double y, bool body_above) {
 class SimbodySimulation final : public ShakenSimulation {
  public:
   SimbodySimulation(const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         stiffness_(parameters.at("stiffness")),
         dissipation_(parameters.at("dissipation")),
         gravity_(forces_, matter_, Vec3(setup.gravity.x, setup.gravity.y, 0)) {
@@ -89,8 +88,7 @@ class SimbodySimulation final : public ShakenSimulation {
   }
 
   /// At each interface the block with the narrower face is a brick and the other body a half space. Surfaces
-  /// that share a clique never touch: so no brick meets a brick, and a half space meets that of its interface
-  /// alone.
+  /// that share a clique never touch: no brick meets a brick, a half space that of its interface alone.
   void add_contacts(const Setup& setup, std::vector<SimTK::Body>& bodies) {
     const std::size_t count = setup.blocks.size();
     std::vector<SimTK::ContactCliqueId> cliques;
@@ -134,7 +132,7 @@ class SimbodySimulation final : public ShakenSimulation {
     return point;
   }
 
-  double mass_factor_, stiffness_, dissipation_;
+  double stiffness_, dissipation_;
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_{system_};
   SimTK::GeneralForceSubsystem forces_{system_};

@@ -26,6 +26,14 @@ constexpr int version = 1;
 
 constexpr const char* any_number = "a number, \"inf\", \"-inf\" or \"nan\"";
 
+/// A field that `is` as it must be, which `allowed` tells.
+const json& field_that(bool (json::*is)() const noexcept, const char* allowed, const json& object,
+                       const char* name) {
+  const json& value = field(object, name);
+  if (!(value.*is)()) refuse(name, allowed);
+  return value;
+}
+
 /// @return nothing where the field is neither a number nor a text that stands for one.
 std::optional<double> number_of(const json& value) {
   if (value.is_number()) return value.get<double>();
@@ -122,27 +130,19 @@ std::vector<double> numbers_field(const json& object, const char* name) {
 }
 
 std::string text_field(const json& object, const char* name) {
-  const json& value = field(object, name);
-  if (!value.is_string()) refuse(name, "a text");
-  return value.get<std::string>();
+  return field_that(&json::is_string, "a text", object, name).get<std::string>();
 }
 
 bool flag_field(const json& object, const char* name) {
-  const json& value = field(object, name);
-  if (!value.is_boolean()) refuse(name, "true or false");
-  return value.get<bool>();
+  return field_that(&json::is_boolean, "true or false", object, name).get<bool>();
 }
 
 std::size_t count_field(const json& object, const char* name) {
-  const json& value = field(object, name);
-  if (!value.is_number_unsigned()) refuse(name, "a whole number ≥ 0");
-  return value.get<std::size_t>();
+  return field_that(&json::is_number_unsigned, "a whole number ≥ 0", object, name).get<std::size_t>();
 }
 
 const json& list_field(const json& object, const char* name) {
-  const json& list = field(object, name);
-  if (!list.is_array()) refuse(name, "a list");
-  return list;
+  return field_that(&json::is_array, "a list", object, name);
 }
 
 }  // namespace rockstack

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <string_view>
-
 #include "engines/worker/child.hpp"
 
 namespace rockstack {
@@ -20,7 +16,6 @@ class LastingProcess {
  public:
   /// The limit of memory is that of all questions.
   LastingProcess(const std::filesystem::path& program, const Limits& limits);
-  ~LastingProcess();
 
   /// False where it has ended, or has said something that nobody asked.
   bool waits() const;
@@ -31,8 +26,10 @@ class LastingProcess {
   ProcessEnd ask(std::string_view question, const Limits& limits);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  LastingProcess(const std::filesystem::path& program, const Limits& limits, Ends ends);
+
+  FileDescriptor socket_;  ///< the other end is standard input of the program, and its descriptor 3
+  Child child_;
 };
 
 }  // namespace rockstack

@@ -25,12 +25,6 @@ double peak_memory() {
   return 0;
 }
 
-const Engine& find(const std::vector<Engine>& engines, const std::string& solver) {
-  const auto found = std::ranges::find(engines, solver, &Engine::solver);
-  if (found == engines.end()) throw std::runtime_error("no such solver: " + solver);
-  return *found;
-}
-
 /// Runs until as many steps as the request wants have been taken, those of the trajectory among them.
 void warm_up(const Engine& engine, const RunRequest& request, std::size_t steps, RunReply& reply) {
   if (request.warm_up <= steps) return;
@@ -40,7 +34,7 @@ void warm_up(const Engine& engine, const RunRequest& request, std::size_t steps,
 }
 
 RunReply answer_run(const Engine& engine, const RunRequest& request) {
-  RunReply reply{"done", {}, {}, {}, 0};
+  RunReply reply{"done"};
   try {
     reply.trajectory = run(engine, request.setup, request.parameters, request.bodies);
     const std::size_t steps = reply.trajectory.angles.size() / request.setup.blocks.size() - 1;
@@ -48,11 +42,11 @@ RunReply answer_run(const Engine& engine, const RunRequest& request) {
     reply.seconds =
         time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(request.repeats));
   } catch (const NotFinite& failure) {
-    reply = {"not finite", failure.what(), {}, {}, 0};
+    reply = {"not finite", failure.what()};
   } catch (const std::bad_alloc&) {
-    reply = {"memory limit", "the engine asked for more memory than there is", {}, {}, 0};
+    reply = {"memory limit", "the engine asked for more memory than there is"};
   } catch (const std::exception& failure) {
-    reply = {"failed", failure.what(), {}, {}, 0};
+    reply = {"failed", failure.what()};
   }
   reply.peak_memory = peak_memory();
   return reply;
@@ -75,7 +69,9 @@ int serve(const std::vector<Engine>& engines) {
     const Request request = read_request(read_message(bytes));
     Reply reply;
     if (request.run) {
-      reply.run = answer_run(find(engines, request.run->solver), *request.run);
+      const auto engine = std::ranges::find(engines, request.run->solver, &Engine::solver);
+      if (engine == engines.end()) throw std::runtime_error("no such solver: " + request.run->solver);
+      reply.run = answer_run(*engine, *request.run);
     } else {
       reply.engines.assign(engines.begin(), engines.end());
     }

@@ -14,8 +14,7 @@ namespace {
 
 /// What a worker says in words goes into messages, tables and pages through here.
 std::string heard(const std::string& words) {
-  constexpr std::size_t most = 200;
-  return one_line(words, most);
+  return one_line(words, 200);
 }
 
 std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
@@ -24,21 +23,16 @@ std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
 
 /// Why there is no reply.
 RunReply explain(const ProcessEnd& end, const Limits& limits) {
-  RunReply run;
-  run.status = end.unwanted                               ? "stopped"
-               : end.timed_out                            ? "time limit"
-               : end.signal != 0 && end.signal != SIGXFSZ ? "signal"
-                                                          : "failed";
-  run.reason =
-      end.unwanted            ? "nobody wants it any more"
-      : end.timed_out         ? with_last_words(fmt::format("not done after {} s{}", limits.time,
-                                                    end.stopped ? ", in which a signal has stopped it" : ""),
-                                                end)
-      : end.signal == SIGXFSZ ? fmt::format("its reply is longer than {} bytes", limits.reply)
-      : end.signal != 0
-          ? with_last_words(fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal)), end)
-          : with_last_words(fmt::format("ended with exit code {} and no result", end.exit_code), end);
-  return run;
+  if (end.unwanted) return {"stopped", "nobody wants it any more"};
+  if (end.signal == SIGXFSZ && !end.timed_out)
+    return {"failed", fmt::format("its reply is longer than {} bytes", limits.reply)};
+  const char* status = end.timed_out ? "time limit" : end.signal != 0 ? "signal" : "failed";
+  const char* stopped = end.stopped ? ", in which a signal has stopped it" : "";
+  const std::string reason = end.timed_out ? fmt::format("not done after {} s{}", limits.time, stopped)
+                             : end.signal != 0
+                                 ? fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal))
+                                 : fmt::format("ended with exit code {} and no result", end.exit_code);
+  return {status, with_last_words(reason, end)};
 }
 
 /// The most bytes that a reply to this takes: numbers of at most 25 characters, in lists; contacts tell no
@@ -77,7 +71,7 @@ RunReply read_run(const std::string& bytes, const RunRequest& asked) {
   try {
     require_answer(*reply.run, asked);
   } catch (const NotFinite& failure) {
-    return {"not finite", failure.what(), {}, {}, reply.run->peak_memory};
+    return {.status = "not finite", .reason = failure.what(), .peak_memory = reply.run->peak_memory};
   }
   if (reply.run->status != "done")
     reply.run->reason = reply.run->reason.empty() ? "no `reason` is given" : heard(reply.run->reason);
@@ -93,7 +87,7 @@ Answer answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunReq
   } catch (const std::exception& error) {
     const std::string reason =
         fmt::format("{} gave a reply that cannot be read: {}", engine.program.string(), heard(error.what()));
-    return {{"failed", with_last_words(reason, end), {}, {}, 0}, end.processor_time};
+    return {{"failed", with_last_words(reason, end)}, end.processor_time};
   }
 }
 

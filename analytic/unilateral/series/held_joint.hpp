@@ -41,10 +41,10 @@ class HeldJoint {
 
   HeldJoint() {}  // of a list that has room for it
 
-  /// `face` and `body` have their order 0.
+  /// Bodies have their order 0.
   void start(const ContactModel<Real>& stack, const Joint<Real>& joint, std::size_t interface,
-             const GrowingPoint<Real>& point) {
-    point_ = point;
+             const ModeSeries<Real>& series) {
+    point_ = {stack, series, stack.held_point(static_cast<int>(interface), joint)};
     interface_ = interface;
     flat_ = joint.touch == Contact::closed;
     slip_ = joint.slip;
@@ -99,8 +99,7 @@ class HeldJoint {
     rows_[2].left = point_.corner.upward * left.y();
   }
 
-  /// Adds coefficient n of the force as far as lower ones tell it. What is at one place has no lever that
-  /// changes.
+  /// Adds coefficient n of the force as far as lower ones tell it. The lever of one place does not change.
   void add_force(const ForceSeries<Real>& force, std::size_t n, ChainVector<Real>& forces) const {
     point_.add_force(force, sticks() ? 0 : n, n, forces);
   }

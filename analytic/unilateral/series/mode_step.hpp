@@ -14,8 +14,6 @@ class SeriesMaker {
   SeriesMaker(const ContactModel<Real>& stack, const Joints<Real>& joints, const Bodies<Real>& start,
               Known& known, ModeSeries<Real>& series)
       : stack_(stack), joints_(joints), start_(start), known_(known), series_(series) {
-    using std::cos;
-    using std::sin;
     series_.bodies.resize(joints.size());
     series_.forces.resize(joints.size());
     series_.along.resize(joints.size());
@@ -42,11 +40,10 @@ class SeriesMaker {
       turn<Real>(body, 1, rate.angle * length);
     }
     for (HeldJoint<Real>& joint : held_) joint.begin();
-    known_.begin([this](int body) { return body_of(body); }, length);
+    known_.begin(series_);
   }
 
-  /// The share of the step by whose end the first pivot has come back. `rate`: see landing(). The series has
-  /// its order 0.
+  /// The share of the step by whose end the first pivot has come back, from order 0. `rate`: see landing().
   Real first_landing(const Real& length, const Real& rate) const {
     Real first = 1;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
@@ -84,10 +81,8 @@ class SeriesMaker {
 
   /// The largest coefficient of order m, positions over a length, angles and directions as they are.
   Real size_of(std::size_t m, const Real& unit) const {
-    using std::abs;
     using std::max;
-    Real place = known_.size_of(m);
-    Real turn = 0;
+    Real place = known_.size_of(m), turn = 0;
     for (const BodySeries<Real>& body : series_.bodies) {
       place = max<Real>(place, max<Real>(abs(body.centre[m].x()), abs(body.centre[m].y())));
       turn =
@@ -98,7 +93,6 @@ class SeriesMaker {
 
   /// The largest coefficient of order n of forces.
   Real force_of(std::size_t n) const {
-    using std::abs;
     Real size = 0;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
       size = std::max<Real>(size, abs(series_.forces[k].normal[n]));
@@ -132,21 +126,14 @@ class SeriesMaker {
   }
 
  private:
-  const BodySeries<Real>* body_of(int body) const {
-    return body < 0 ? &ground_series<Real> : &series_.bodies[body];
-  }
-
   void hold() {
     std::size_t count = 0;
     for (const Joint<Real>& joint : joints_) count += joint.touches();
     held_.resize(count);
     std::size_t at = 0;
-    for (int k = 0; k < stack_.size(); ++k) {
-      const Joint<Real>& joint = joints_[k];
-      if (!joint.touches()) continue;
-      const CornerOnFace<Real> corner = stack_.held_point(k, joint);
-      held_[at].start(stack_, joint, static_cast<std::size_t>(k),
-                      {stack_, corner, body_of(corner.face), body_of(corner.body)});
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      if (!joints_[k].touches()) continue;
+      held_[at].start(stack_, joints_[k], k, series_);
       held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
     }
     system_ =
@@ -175,8 +162,7 @@ class SeriesMaker {
     }
   }
 
-  /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the
-  /// forces that do it.
+  /// Changes coefficient n of accelerations so that what is held stays so at order n + 2; notes its forces.
   void constrain(std::size_t n, const Real& factor, ChainVector<Real>& motion) {
     if (held_.empty()) return;
     std::array<Real, std::size_t{3} * max_blocks> conditions, unknowns;
@@ -200,8 +186,7 @@ class SeriesMaker {
   LinearSystem<Real> system_;
 };
 
-/// A step's series, of the length that was planned or of less. `lengthens` tells whether they reached that
-/// early.
+/// A step's series, of the length planned or of less. `lengthens`: they reached the length early.
 template <class Real>
 struct ModeStep {
   Real planned = 0;  ///< s
@@ -249,7 +234,6 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
     reached = of_forces <= 1 && of_position(orders + 1) <= 1 && of_position(orders) <= 1 &&
               orders > 2 + known.silent_orders();
   }
-  using std::pow;
   const auto excess = [&] { return std::max({of_position(orders + 1), of_position(orders), of_forces}); };
   const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / excess(), 1 / Real(most));
   maker.finish(orders, std::min(ratio, Real(1)));

@@ -31,16 +31,15 @@ template <class Real>
 Real elastic_energy_of_bed(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
                            const Bodies<Real>& bodies) {
   const auto rows = bed_rows(stack, point, bodies);
-  return elastic_energy_of_bed<Real>(law_of(stack, point.interface).stiffness, {-rows[0].gap, -rows[1].gap});
+  return elastic_energy_of_bed<Real>(stack.springs[point.interface].stiffness, {-rows[0].gap, -rows[1].gap});
 }
 
-/// What a point's springs hold, J. A spring that is left behind keeps what its depth stands for, and loses it
-/// as the corner backs away.
+/// What a point's springs hold, J; one that is left behind by its depth, until its corner has backed away.
 template <class Real>
 Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
                     const Bodies<Real>& bodies) {
   if (point.press == Press::off && !point.is_bed()) return 0;
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
   Real energy = point.is_bed() ? elastic_energy_of_bed(stack, point, bodies)
                                : Real(law.stiffness * rows.gap * rows.gap / 2);
@@ -51,28 +50,21 @@ Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& po
   return energy;
 }
 
-/// What presses a bed does to it up to s of a step, J.
-template <class Real>
-Real work_on_bed(const GrowingSpring<Real>& spring, const Real& s) {
-  const GrowingBed<Real>& bed = spring.bed;
-  const Polynomial<Real> turning = combined(1, bed.depth[1], -1, bed.depth[0]);
-  return integral_of_product(bed.normal, derivative(spring.depth), s) +
-         integral_of_product(bed.couple, derivative(turning), s);
-}
-
-/// Adds what a point that pushes loses up to s of a step; of a bed the work done on it, what it holds
-/// included.
+/// Adds what a point that pushes loses up to s of a step; of a bed the work done on it, with what it holds.
 template <class Real>
 void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& series, const Real& s,
                 BasicSpringEnergy<Real>& lost) {
-  const PointLaw<Real>& law = spring.law;
+  const SpringLaw<Real>& law = spring.law;
   const auto dissipated = [&](const Real& damping, const Polynomial<Real>& place) -> Real {
     if (damping == 0) return 0;
     const Polynomial<Real> rate = derivative(place);
     return damping / series.length() * integral_of_product(rate, rate, s);
   };
   if (spring.start.is_bed()) {
-    lost.damped += work_on_bed(spring, s);
+    const GrowingBed<Real>& bed = spring.bed;
+    const Polynomial<Real> turning = combined(1, bed.depth[1], -1, bed.depth[0]);
+    lost.damped += integral_of_product(bed.normal, derivative(spring.depth), s) +
+                   integral_of_product(bed.couple, derivative(turning), s);
   } else {
     lost.damped += dissipated(law.damping, spring.depth);
   }
