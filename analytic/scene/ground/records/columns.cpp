@@ -70,14 +70,14 @@ void read_header(const Cursor& cursor, std::string_view line, Header& header) {
   header.names = names_in(line);
   if (contains(line, "(ms)") || contains(line, "[ms]")) cursor.fail("times in ms: must be in s");
   const std::string plain = without_brackets(line);
-  constexpr std::array<std::string_view, 4> steps{"dt", "time step", "timestep", "interval"};
-  for (const std::string_view name : steps)
-    if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
-      note_interval(cursor, read_interval(cursor, plain, field), header);
-  constexpr std::array<std::string_view, 3> rates{"samplerate", "sample rate", "sampling rate"};
-  for (const std::string_view name : rates)
-    if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
-      note_interval(cursor, checked_interval(cursor, 1 / number(cursor, field)), header);
+  for (const std::string_view name :
+       {"dt", "time step", "timestep", "interval", "samplerate", "sample rate", "sampling rate"}) {
+    const auto field = field_after(plain, name);
+    if (field.empty() || !is_numeric(field)) continue;
+    const double interval = name.starts_with("sampl") ? checked_interval(cursor, 1 / number(cursor, field))
+                                                      : read_interval(cursor, plain, field);
+    note_interval(cursor, interval, header);
+  }
 }
 
 /// Numbers as they stand.
@@ -190,7 +190,7 @@ Record accelerogram(const Cursor& cursor, Record record, int derivatives) {
   return motion;
 }
 
-std::vector<Record> read(Cursor cursor) {
+void read(Cursor& cursor, std::vector<Record>& records) {
   Header header;
   Table table;
   while (!cursor.at_end()) {
@@ -218,12 +218,9 @@ std::vector<Record> read(Cursor cursor) {
                 " s, the header says dt = " + number_text(*header.interval));
   std::vector<std::vector<double>> series = series_of(cursor, table, times, one_each);
   if (header.count > 0) check_count(cursor, series.front().size(), header.count, header.count_line);
-  std::vector<Record> records;
-  records.reserve(series.size());
   for (auto& samples : series)
     records.push_back(accelerogram(cursor, make_record(step, std::move(samples), unit.factor, "text columns"),
                                    unit.derivatives));
-  return records;
 }
 
 }  // namespace

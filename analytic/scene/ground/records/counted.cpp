@@ -94,19 +94,13 @@ void read_channel(Cursor& cursor, std::vector<Record>& series) {
   cursor.skip_blank();
 }
 
-std::vector<Record> read_cosmos(Cursor cursor) {
-  std::vector<Record> series;
-  while (!cursor.at_end()) read_channel(cursor, series);
-  return series;
-}
-
 }  // namespace
 
 /// COSMOS strong-motion format 1.20 (V1 and V2 files): text lines, then counted blocks of integers, reals,
 /// comments and data that name their own Fortran format, channel after channel. The time step is real header
 /// value 62 (ms), or where that is null, value 34 (s). Unit and quantity come from the line above the data;
 /// velocity and displacement are passed over. A sample that equals the file's null (-999) is refused.
-const Format cosmos{is_cosmos, read_cosmos};
+const Format cosmos{is_cosmos, read_channel};
 
 namespace {
 
@@ -127,41 +121,31 @@ std::string_view smc_field(std::string_view line, std::size_t place) {
   return line.size() <= place * width ? std::string_view() : line.substr(place * width, width);
 }
 
-/// The number of comment lines, which may be 0, and of samples, from the lines of integers.
-struct SmcCounts {
-  std::size_t comments = 0, samples = 0;
-};
-
-SmcCounts read_counts(Cursor& cursor) {
-  SmcCounts counts;
-  for (std::size_t k = 1; k <= integer_lines; ++k) {
-    const std::string_view line = cursor.next("the 48 integers of the header");
-    const std::string_view comments = smc_field(line, comments_place);
-    if (k == comments_line && number(cursor, comments) != 0) counts.comments = count(cursor, comments);
-    if (k == samples_line) counts.samples = count(cursor, smc_field(line, 0));
-  }
-  return counts;
-}
-
-std::vector<Record> read_smc(Cursor cursor) {
+void read_smc(Cursor& cursor, std::vector<Record>& series) {
   const std::string_view title = cursor.next("the title");
   if (!contains(title, "accelerogram"))
     cursor.fail("holds " + quoted(trimmed(title)) + ": only an accelerogram can be used");
   cursor.skip(smc_text_lines - 1, "the header");
-  const SmcCounts counts = read_counts(cursor);
+  std::size_t comments = 0, announced = 0;
+  for (std::size_t k = 1; k <= integer_lines; ++k) {
+    const std::string_view line = cursor.next("the 48 integers of the header");
+    const std::string_view field = smc_field(line, comments_place);
+    if (k == comments_line && number(cursor, field) != 0) comments = count(cursor, field);
+    if (k == samples_line) announced = count(cursor, smc_field(line, 0));
+  }
   const std::vector<double> header = read_columns(cursor, smc_reals, {5, 15});
   const double null = header[0];
   if (header[1] == null) cursor.fail("the header gives no sampling rate (second of the 50 reals)");
   const double interval = checked_interval(cursor, 1 / header[1]);
-  for (std::size_t k = 0; k < counts.comments; ++k)
+  for (; comments > 0; --comments)
     if (!cursor.next("comment lines").starts_with('|')) cursor.fail("expected a comment line, \"|…\"");
-  std::vector<double> samples = read_columns(cursor, counts.samples, {8, 10}, null);
+  std::vector<double> samples = read_columns(cursor, announced, {8, 10}, null);
   cursor.skip_blank();
   if (!cursor.at_end()) {
     cursor.next({});
-    cursor.fail("surplus line after " + std::to_string(counts.samples) + " samples");
+    cursor.fail("surplus line after " + std::to_string(announced) + " samples");
   }
-  return {make_record(interval, std::move(samples), centimetre_per_second_squared, "USGS SMC")};
+  series.push_back(make_record(interval, std::move(samples), centimetre_per_second_squared, "USGS SMC"));
 }
 
 }  // namespace
@@ -242,16 +226,12 @@ void read_block(Cursor& cursor, std::string_view interval, std::vector<Record>& 
   }
 }
 
-std::vector<Record> read_volume2(Cursor cursor) {
-  std::vector<Record> series;
-  while (!cursor.at_end()) {
-    const std::string_view interval = read_volume2_header(cursor);
-    while (is_block_header(cursor.peek())) read_block(cursor, interval, series);
-    if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !is_end_of_data(cursor.next({})))
-      cursor.fail("expected another block of data or its end, \"/&\"");
-    cursor.skip_blank();
-  }
-  return series;
+void read_volume2(Cursor& cursor, std::vector<Record>& series) {
+  const std::string_view interval = read_volume2_header(cursor);
+  while (is_block_header(cursor.peek())) read_block(cursor, interval, series);
+  if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !is_end_of_data(cursor.next({})))
+    cursor.fail("expected another block of data or its end, \"/&\"");
+  cursor.skip_blank();
 }
 
 }  // namespace

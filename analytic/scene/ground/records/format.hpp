@@ -2,15 +2,16 @@
 
 #include <utility>
 
-#include "analytic/scene/ground/records/record.hpp"
+#include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/ground/records/text.hpp"
 
 namespace rockstack::records {
 
-/// A layout of record files. Both functions start at the first line.
+/// A layout of record files. `recognises` starts at the first line; `read` goes on until the end of the file,
+/// or of a channel that others may follow.
 struct Format {
   bool (*recognises)(Cursor cursor);
-  std::vector<Record> (*read)(Cursor cursor);
+  void (*read)(Cursor& cursor, std::vector<Record>& series);
 };
 
 extern const Format knet, esm, cosmos, smc, geonet, volume2, peer, plain_columns;

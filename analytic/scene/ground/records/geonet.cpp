@@ -49,18 +49,12 @@ void read_component(Cursor& cursor, std::vector<Record>& series) {
   cursor.skip_blank();
 }
 
-std::vector<Record> read_geonet(Cursor cursor) {
-  std::vector<Record> series;
-  while (!cursor.at_end()) read_component(cursor, series);
-  return series;
-}
-
 }  // namespace
 
 /// GeoNet of New Zealand, V1A (uncorrected) and V2A (corrected), after W. J. Cousins, GNS accelerogram data
 /// files, 2008. Each of three components has 16 lines of text, 40 integers and 60 reals, then acceleration in
 /// mm/s², velocity and displacement, ten values a line in eight columns each. Integers 34 to 36 are the
 /// numbers of samples, real 26 is the time step. Velocity and displacement are passed over.
-const Format geonet{is_geonet, read_geonet};
+const Format geonet{is_geonet, read_component};
 
 }  // namespace rockstack::records

@@ -103,7 +103,8 @@ std::vector<Record> read_series(std::string_view file, std::string_view text) {
   const std::array formats{&knet, &esm, &cosmos, &smc, &geonet, &volume2, &peer, &plain_columns};
   for (const Format* format : formats) {
     if (!format->recognises(cursor)) continue;
-    std::vector<Record> series = format->read(cursor);
+    std::vector<Record> series;
+    for (Cursor rest = cursor; !rest.at_end();) format->read(rest, series);
     check_last_line(file, text);
     if (series.empty()) cursor.fail("holds no series of acceleration");
     return series;

@@ -5,9 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "analytic/scene/ground/records/record.hpp"
-
 namespace rockstack {
+
+/// An accelerogram as read from a file, in SI units.
+struct Record {
+  double interval = 0;          ///< s, > 0
+  std::vector<double> samples;  ///< m/s², at least one
+  std::string format;           ///< what the file was recognised as, e.g. "PEER AT2"
+};
 
 /// The file that the name of a record stands for: the name itself, or without the channel that "FILE:2" ends
 /// in.
