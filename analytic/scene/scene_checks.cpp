@@ -44,14 +44,6 @@ void validate_inclination(const Scene& scene) {
                    "between ±" + number_text(most, 4) + " rad" + in_degrees(given, most));
 }
 
-constexpr const char* as_long = "as long as there are blocks, ";
-
-void validate_restitution(const Scene& scene) {
-  if (scene.restitution.empty()) return;
-  require_one_each("restitution", scene.restitution, scene.blocks.size(), as_long);
-  require_each_between("restitution", scene.restitution, 0, 1);
-}
-
 /// Of what only some equations and impacts are made for.
 void validate_off_middle(const Scene& scene) {
   const auto off = std::find_if(scene.blocks.begin(), scene.blocks.end(), is_off_middle);
@@ -90,10 +82,11 @@ void validate_offsets(const Scene& scene) {
   }
 }
 
+constexpr const char* as_long = "as long as there are blocks, ";
+
 void validate_initial(const Scene& scene) {
   const auto check = [&](const std::string& key, const std::vector<double>& values) {
-    require_one_each(key, values, scene.blocks.size(), as_long);
-    require_each_between(key, values, -largest_number);
+    require_one_each(key, values, scene.blocks.size(), -largest_number, largest_number, as_long);
   };
   validate_gaps(scene);
   check("initial.angles", scene.initial.angles);
@@ -108,12 +101,6 @@ void validate_initial(const Scene& scene) {
                        "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) +
                            ", its toppling angle" + in_degrees(given, limit));
   }
-}
-
-void validate_friction(const std::vector<double>& friction, std::size_t blocks) {
-  if (friction.empty()) return;
-  require_one_each("contact.friction", friction, blocks);
-  require_each_between("contact.friction", friction, 0, largest_friction);
 }
 
 void validate_point_restitution(const Scene& scene) {
@@ -194,10 +181,12 @@ void validate(const Scene& scene) {
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     validate_block(scene.blocks[k], entry_key("blocks", k));
   validate_off_middle(scene);
-  validate_restitution(scene);
+  if (!scene.restitution.empty())
+    require_one_each("restitution", scene.restitution, scene.blocks.size(), 0, 1, as_long);
   validate_law(scene);
   validate_initial(scene);
-  validate_friction(scene.friction, scene.blocks.size());
+  if (!scene.friction.empty())
+    require_one_each("contact.friction", scene.friction, scene.blocks.size(), 0, largest_friction);
   validate_point_restitution(scene);
   validate_springs(scene);
   validate_inclination(scene);

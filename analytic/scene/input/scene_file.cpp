@@ -3,7 +3,6 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {

@@ -39,16 +39,6 @@ bool is_shown(std::uint32_t code) {
                       [&](auto& span) { return code >= span.first && code <= span.last; });
 }
 
-std::string escaped(std::string_view bytes) {
-  static constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (const char byte : bytes) {
-    const auto code = static_cast<unsigned char>(byte);
-    text += {'\\', 'x', digits[code / 16], digits[code % 16]};
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string one_line(std::string_view text, std::size_t most) {
@@ -60,11 +50,20 @@ std::string one_line(std::string_view text, std::size_t most) {
     const bool shown = letter.bytes > 0 && is_shown(letter.code);
     letters += shown ? 1 : 4 * bytes.size();
     if (letters > most) return line.substr(0, kept) + "…";
-    line += shown ? std::string(bytes) : escaped(bytes);
+    if (shown)
+      line += bytes;
+    else
+      for (const char byte : bytes) line += "\\x" + hex_digits(byte);
     if (letters < most) kept = line.size();
     text.remove_prefix(bytes.size());
   }
   return line;
+}
+
+std::string hex_digits(char byte) {
+  static constexpr std::string_view digits = "0123456789abcdef";
+  const auto code = static_cast<unsigned char>(byte);
+  return {digits[code / 16], digits[code % 16]};
 }
 
 }  // namespace rockstack
