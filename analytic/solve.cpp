@@ -6,7 +6,6 @@
 #include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
-
 namespace {
 
 constexpr double most_steps = 1e8;

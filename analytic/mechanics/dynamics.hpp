@@ -68,13 +68,6 @@ Directions<Real, N> directions_at(const Model<Real, N>& model, const Vector<Real
   return directions<Real, N>(absolute(relative_angles));
 }
 
-/// The chain at a state.
-template <class Real, int N>
-Chain<Real, N> chain_at(const Model<Real, N>& model, const Pattern& pattern,
-                        const Vector<Real, N>& relative_angles) {
-  return make_chain(model.stack, pattern, directions_at(model, relative_angles));
-}
-
 /// Sums from the top down: turns what belongs to the absolute angles of blocks into what belongs to relative
 /// angles.
 template <class Derived>
@@ -256,7 +249,7 @@ Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>&
 /// Kinetic energy and height of the centres times weight, J, from the ground.
 template <class Real, int N>
 Real energy(const Model<Real, N>& model, const State<Real, N>& state) {
-  const Chain<Real, N> chain = chain_at(model, state.pattern, state.angles);
+  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions_at(model, state.angles));
   const Vector<Real, N> rates = absolute(state.velocities);
   const Points<Real, N> speeds = centre_velocities(chain, rates);
   const Points<Real, N> places = centres(chain);

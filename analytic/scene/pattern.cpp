@@ -40,9 +40,7 @@ std::optional<Pattern> paper_pattern(std::string_view text) {
 }  // namespace
 
 Pattern closed_pattern(int size) {
-  Pattern pattern;
-  pattern.size = size;
-  return pattern;
+  return {.size = size};
 }
 
 std::string name(const Pattern& pattern) {

@@ -26,10 +26,6 @@ void validate_block(const Block& block, const std::string& key) {
   require_inside("2", block.offset_y, block.half_height);
 }
 
-bool is_off_middle(const Block& block) {
-  return block.offset_x != 0 || block.offset_y != 0;
-}
-
 /// What an angle beyond its limit would be in rad, if it were meant in degrees; nothing where that is beyond.
 std::string in_degrees(double given, double limit) {
   const double angle = given * std::numbers::pi / 180;
@@ -46,7 +42,8 @@ void validate_inclination(const Scene& scene) {
 
 /// Of what only some equations and impacts are made for.
 void validate_off_middle(const Scene& scene) {
-  const auto off = std::find_if(scene.blocks.begin(), scene.blocks.end(), is_off_middle);
+  const auto off = std::ranges::find_if(
+      scene.blocks, [](const Block& block) { return block.offset_x != 0 || block.offset_y != 0; });
   if (off == scene.blocks.end()) return;
   const std::string key = entry_key("blocks", off - scene.blocks.begin()) + ".center_of_mass";
   const std::string value = "[" + number_text(off->offset_x) + ", " + number_text(off->offset_y) + "]";
@@ -134,13 +131,13 @@ void validate_law(const Scene& scene) {
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
-  require_signed(key + ".amplitude", pulse.amplitude);
+  require_between(key + ".amplitude", pulse.amplitude, -largest_number);
   require_positive(key + ".period", pulse.period);
   require_between(key + ".start", pulse.start, 0);
   if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou)
     throw FieldError(key + ".cycles", pulse.cycles, "a number > 1, up to 1e+06");
   if (!(pulse.cycles > 0)) throw FieldError(key + ".cycles", pulse.cycles, "a number > 0, or inf");
-  require_signed(key + ".phase", pulse.phase);
+  require_between(key + ".phase", pulse.phase, -largest_number);
 }
 
 void validate_duration(const Scene& scene) {

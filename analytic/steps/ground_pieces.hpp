@@ -92,13 +92,12 @@ class GroundPieces {
   void advance_past(const Real& limit) {
     const auto& samples = scene_.horizontal.samples;
     if (!samples.empty() && end_ == piece_.horizontal.end && scene_.vertical.empty()) {
-      const Real interval(scene_.horizontal.interval);
+      std::ptrdiff_t next = horizontal_sample_ + 2;
       using std::abs;
-      while (horizontal_sample_ + 2 < std::ssize(samples) &&
-             Real(horizontal_sample_ + 2) * interval < duration_ &&
-             abs(Real(samples[horizontal_sample_ + 2]) - downhill_) < limit)
-        ++horizontal_sample_;
-      end_ = piece_.horizontal.end = Real(horizontal_sample_ + 1) * interval;
+      while (next < std::ssize(samples) && Real(next) * Real(scene_.horizontal.interval) < duration_ &&
+             abs(Real(samples[next]) - downhill_) < limit)
+        ++next;
+      return advance_by(next - 1 - horizontal_sample_);
     }
     advance();
   }

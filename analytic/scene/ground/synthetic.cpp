@@ -25,10 +25,6 @@ NormalPair draw_normal(std::mt19937_64& generator) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-std::size_t intervals(const SyntheticMotion& motion) {
-  return static_cast<std::size_t>(std::lround(motion.duration / motion.interval));
-}
-
 struct Wave {
   double frequency;  ///< Hz
   double deviation;  ///< of its amplitude
@@ -130,7 +126,7 @@ double synthetic_envelope(const SyntheticMotion& motion, double t) {
 
 std::vector<double> modulated_noise(const SyntheticMotion& motion) {
   std::mt19937_64 generator(motion.seed);
-  std::vector<double> samples(intervals(motion) + 1);
+  std::vector<double> samples(static_cast<std::size_t>(std::lround(motion.duration / motion.interval)) + 1);
   const std::vector<Wave> all = waves(motion);
   for (std::size_t start = 0; start < all.size(); start += TurningWaves::size) {
     TurningWaves group;

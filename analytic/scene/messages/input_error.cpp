@@ -43,10 +43,6 @@ void require_positive(const std::string& key, double value) {
   require_between(key, value, 1 / largest_number);
 }
 
-void require_signed(const std::string& key, double value) {
-  require_between(key, value, -largest_number);
-}
-
 std::string entry_key(const std::string& array, std::size_t k) {
   return array + "." + std::to_string(k + 1);
 }

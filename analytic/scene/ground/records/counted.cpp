@@ -12,10 +12,6 @@ constexpr std::size_t raw_interval_place = 34;  // s
 constexpr std::size_t interval_place = 62;      // ms
 constexpr double second_per_millisecond = 0.001;
 
-bool is_cosmos(Cursor cursor) {
-  return contains(cursor.peek(), "(format v");
-}
-
 /// The text lines of a channel. Gives the value that stands for "unknown".
 double read_text_lines(Cursor& cursor) {
   const std::string_view first = cursor.next("text lines");
@@ -100,7 +96,7 @@ void read_channel(Cursor& cursor, std::vector<Record>& series) {
 /// comments and data that name their own Fortran format, channel after channel. The time step is real header
 /// value 62 (ms), or where that is null, value 34 (s). Unit and quantity come from the line above the data;
 /// velocity and displacement are passed over. A sample that equals the file's null (-999) is refused.
-const Format cosmos{is_cosmos, read_channel};
+const Format cosmos{[](Cursor cursor) { return contains(cursor.peek(), "(format v"); }, read_channel};
 
 namespace {
 

@@ -57,10 +57,6 @@ const Format peer{is_peer, read_peer};
 
 namespace {
 
-bool is_esm(Cursor cursor) {
-  return starts_with(cursor.peek(), "event_name:");
-}
-
 /// A key is in capitals, with digits and a few signs.
 bool is_esm_field(std::string_view line) {
   const std::size_t colon = line.find(':');
@@ -97,13 +93,9 @@ void read_esm(Cursor& cursor, std::vector<Record>& series) {
 
 /// ASCII of the Engineering Strong-Motion database and of ITACA: "KEY: value" lines (64 in DYNA 1.2), then
 /// one value a line. Used are DATA_TYPE, UNITS, SAMPLING_INTERVAL_S and NDATA.
-const Format esm{is_esm, read_esm};
+const Format esm{[](Cursor cursor) { return starts_with(cursor.peek(), "event_name:"); }, read_esm};
 
 namespace {
-
-bool is_knet(Cursor cursor) {
-  return starts_with(cursor.peek(), "origin time");
-}
 
 double positive(const Cursor& cursor, std::string_view field) {
   const double value = number(cursor, field);
@@ -157,6 +149,6 @@ void read_knet(Cursor& cursor, std::vector<Record>& series) {
 /// K-NET and KiK-net ASCII: labelled header lines up to "Memo.", then counts of the recorder. Acceleration in
 /// gal is count × "Scale Factor"; the recorder's offset is the mean of the record and is taken off, as the
 /// network does for its "Max. Acc.". The number of samples is that of the duration.
-const Format knet{is_knet, read_knet};
+const Format knet{[](Cursor cursor) { return starts_with(cursor.peek(), "origin time"); }, read_knet};
 
 }  // namespace rockstack::records
