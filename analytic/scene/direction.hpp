@@ -52,8 +52,7 @@ Real sum_by_turns(const std::array<double, Terms>& coefficients, const Real& x) 
   return before + last * x;
 }
 
-/// Precondition: is_near_upright(angle). The first two terms of the cosine are 1 − h; what rounding takes of
-/// that is added again.
+/// Precondition: is_near_upright(angle). What rounding takes of the cosine's 1 − h is added again.
 template <class Real>
 PlaneDirection<Real> near_upright(const Real& angle) {
   constexpr auto even = alternating_reciprocal_factorials<10>(0);

@@ -9,7 +9,6 @@ namespace {
 /// Of two blocks, in threes of the lower interface left, closed and right: the upper one left, closed, right.
 constexpr std::array<std::string_view, 9> paper_names{"1b", "4b", "2a", "3b", "rest", "3a", "2b", "4a", "1a"};
 
-/// A pattern by its letters.
 std::optional<Pattern> spelt_pattern(std::string_view text, int size) {
   constexpr std::string_view letters = "LCR-";  // in the order of Contact, from −1 on
   Pattern pattern;
@@ -27,7 +26,6 @@ std::optional<Pattern> spelt_pattern(std::string_view text, int size) {
   return pattern.size == size ? std::optional(pattern) : std::nullopt;
 }
 
-/// A pattern of two blocks by the paper's name.
 std::optional<Pattern> paper_pattern(std::string_view text) {
   const auto found = std::find(paper_names.begin(), paper_names.end(), text) - paper_names.begin();
   if (found == std::ssize(paper_names)) return {};

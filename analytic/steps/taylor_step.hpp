@@ -223,7 +223,7 @@ class TaylorSteps {
         MarginPolynomials<Real>& margin = output.margins[k];
         margin.right.terms = margin.left.terms = orders;
         for (std::size_t n = 0; n < orders; ++n) {
-          const auto coefficient = series.margin(k, n);
+          const auto coefficient = series.margin(k, n, series.push(k, n));
           margin.right[n] = coefficient.right;
           margin.left[n] = coefficient.left;
         }

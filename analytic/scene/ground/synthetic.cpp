@@ -1,6 +1,7 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <random>
 
@@ -12,13 +13,9 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-struct NormalPair {
-  double first, second;
-};
-
 /// Two independent standard normal numbers (Box & Muller 1958); the library's own distribution may differ
 /// from one compiler to the next.
-NormalPair draw_normal(std::mt19937_64& generator) {
+std::array<double, 2> draw_normal(std::mt19937_64& generator) {
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 0.5) * 0x1p-53; };
   const double radius = std::sqrt(-2 * std::log(uniform()));
   const double angle = two_pi * uniform();

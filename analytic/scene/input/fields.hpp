@@ -29,8 +29,7 @@ struct KeyTable {
   std::initializer_list<InputKey> keys;
 };
 
-// Typed access to the values of a scene file. Every function throws InputError with place, key, value and
-// what is allowed.
+// Typed access to values of a scene file. All throw InputError with place, key, value and what is allowed.
 
 /// Refuses what is no table, and keys that are not among those allowed.
 void require_table(const Node& node, const KeyTable& allowed);

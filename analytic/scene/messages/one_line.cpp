@@ -30,13 +30,9 @@ Letter first_letter(std::string_view text) {
 
 /// Control characters, ends of lines and paragraphs, and marks of direction.
 bool is_shown(std::uint32_t code) {
-  struct Span {
-    std::uint32_t first, last;
-  };
-  constexpr std::array<Span, 5> hidden{
+  constexpr std::array<std::array<std::uint32_t, 2>, 5> hidden{
       {{0, 0x1f}, {0x7f, 0x9f}, {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}}};
-  return std::none_of(hidden.begin(), hidden.end(),
-                      [&](auto& span) { return code >= span.first && code <= span.last; });
+  return std::ranges::none_of(hidden, [&](auto& span) { return code >= span[0] && code <= span[1]; });
 }
 
 }  // namespace

@@ -31,8 +31,7 @@ bool recognises(Cursor cursor) {
   return !fields.empty() && is_numeric(fields.front());
 }
 
-/// Names of columns, where a line of the header may be that: as many words as there are columns, no number or
-/// unit among them.
+/// How many columns a line of the header may name: its words, where no number or unit is among them; else 0.
 std::size_t names_in(std::string_view line) {
   const bool comment = std::string_view("#%!*/").find(trimmed(line).front()) != std::string_view::npos;
   const bool numbers = line.find_first_of("0123456789") != std::string_view::npos;
@@ -80,7 +79,6 @@ void read_header(const Cursor& cursor, std::string_view line, Header& header) {
   }
 }
 
-/// Numbers as they stand.
 struct Table {
   std::vector<std::vector<double>> rows;
   std::vector<std::size_t> lines;
@@ -106,7 +104,6 @@ std::vector<double> numbers_in(const Cursor& cursor, std::string_view line) {
   return values;
 }
 
-/// Refuses a row of another length than those before.
 [[noreturn]] void fail_uneven(const Cursor& cursor, const Table& table) {
   cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
                                          " columns where lines before have " +
@@ -164,8 +161,7 @@ std::vector<std::vector<double>> series_of(const Cursor& cursor, const Table& ta
   return series;
 }
 
-/// Takes the line "NPTS dt" off the rows, where they begin with it: a count and a step before rows of another
-/// length.
+/// Takes a line "NPTS dt" off the front of the rows: a count and a step, before rows of another length.
 void take_count(const Cursor& cursor, Header& header, Table& table) {
   constexpr double longest = 1;  // step, s
   const std::vector<double>& first = table.rows.front();

@@ -39,8 +39,7 @@ struct Unit {
   friend bool operator==(const Unit&, const Unit&) = default;
 };
 
-/// Factor to m/s² of a unit of acceleration as files spell it: g, gal, cm/s2, cm/sec/sec, m/s^2 …; none for
-/// others.
+/// Factor to m/s² of a unit of acceleration as files spell it, as gal, cm/sec/sec or m/s^2; none of others.
 std::optional<double> unit_factor(std::string_view name);
 
 /// The unit that a line of free text names. One of acceleration stands after "units" or "acceleration" ("IN
@@ -49,8 +48,7 @@ std::optional<double> unit_factor(std::string_view name);
 /// [mm]"), as other lengths of a header are in brackets too.
 std::optional<Unit> find_unit(std::string_view line);
 
-/// The one unit that the lines of a header name. Where they name one of acceleration, others are of something
-/// else.
+/// The one unit that a header names. Where it names one of acceleration, others are of something else.
 class HeaderUnit {
  public:
   /// @throws InputError at a line that names another unit than one before it.
