@@ -88,7 +88,6 @@ void find_opening(const DenseOutput<Real, N>& output, FirstEvent<Real>& event) {
       event.opened[k] = side;
       // The margins' sum is the normal force times the width.
       const Polynomial<Real>& other = side == Contact::right ? margin.left : margin.right;
-      using std::abs;
       const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (abs(other[0]) + reach(other));
       if (value(other, event.s) <= rounding) event.either.set(k);
     }

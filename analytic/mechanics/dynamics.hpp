@@ -34,7 +34,6 @@ struct Model {
 
 template <class Real, int N = Eigen::Dynamic>
 Model<Real, N> make_model(const Scene& scene) {
-  using std::cos;
   Stack<Real, N> stack = make_stack<Real, N>(scene);
   if (scene.equations == Equations::small_angle) stack = small_angle_stack(std::move(stack));
   return {std::move(stack), Real(scene.gravity) * cos(Real(scene.inclination)), scene.equations};

@@ -10,6 +10,16 @@
 
 namespace rockstack {
 
+// Of the processor's numbers; those of other types come with them.
+using std::abs;
+using std::cbrt;
+using std::ceil;
+using std::exp;
+using std::max;
+using std::min;
+using std::pow;
+using std::sqrt;
+
 /// The most terms of a series in a number type. A Taylor series to d digits costs least at an order of about
 /// d ln 2 / 2 (Jorba & Zou 2005, Experimental Mathematics 14, 99–117); steps are longest a little above it.
 template <class Real>
@@ -125,7 +135,6 @@ Polynomial<Real> derivative(const Polynomial<Real>& polynomial) {
 /// Sum of the sizes of all coefficients but the first: how far the polynomial gets from its start, at most.
 template <class Real>
 Real reach(const Polynomial<Real>& polynomial) {
-  using std::abs;
   Real sum = 0;
   for (std::size_t i = 1; i < polynomial.terms; ++i) sum += abs(polynomial[i]);
   return sum;

@@ -43,7 +43,6 @@ template <class Real>
 class GroundPieces {
  public:
   explicit GroundPieces(const Scene& scene) : scene_(scene), duration_(scene.duration) {
-    using std::sin;
     downhill_ = Real(scene.gravity) * sin(Real(scene.inclination));
     piece_.horizontal.value = 0 - downhill_;
     find_piece();
@@ -93,7 +92,6 @@ class GroundPieces {
     const auto& samples = scene_.horizontal.samples;
     if (!samples.empty() && end_ == piece_.horizontal.end && scene_.vertical.empty()) {
       std::ptrdiff_t next = horizontal_sample_ + 2;
-      using std::abs;
       while (next < std::ssize(samples) && Real(next) * Real(scene_.horizontal.interval) < duration_ &&
              abs(Real(samples[next]) - downhill_) < limit)
         ++next;
