@@ -3,7 +3,6 @@
 #include <map>
 
 namespace rockstack {
-
 namespace {
 
 constexpr double alike = 1e-9;

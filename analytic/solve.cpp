@@ -5,7 +5,6 @@
 #include "analytic/unilateral/solve_contacts.hpp"
 
 namespace rockstack {
-
 namespace {
 
 constexpr double most_steps = 1e8;

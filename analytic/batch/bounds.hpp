@@ -22,8 +22,7 @@ struct PartialSums {
   }
 };
 
-/// Whether an opening angle or a margin neither crosses zero nor grazes it, as stays_clear(); a start at zero
-/// is none of both.
+/// Whether an opening angle or a margin neither crosses nor grazes zero but at its start, as stays_clear().
 template <class Real>
 class Clearance {
  public:
@@ -99,8 +98,7 @@ struct Roots {
   typename Real::Mask found;
 };
 
-/// As bracketed_root() over (0, 1) from s, in the lanes that are asked for. Not found where Newton's method
-/// creeps.
+/// As bracketed_root() over (0, 1) from s, in the lanes asked for; not found where Newton's method creeps.
 template <class Real>
 Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, Real s, const typename Real::Mask& asked) {
   constexpr int most_points = 64;

@@ -120,8 +120,7 @@ class StepKernel {
     series.shorten(share);
   }
 
-  /// Computes orders until the last coefficients of all lanes are below the tolerance; each lane has its own
-  /// number.
+  /// Computes orders, of each lane its own number, until their last coefficients are below the tolerance.
   void converge(Chain& series, const Real& busy) {
     const Real body_force_terms = load(rows_.body_force_terms);
     Mask open = busy > Real(0);

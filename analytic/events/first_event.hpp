@@ -36,8 +36,7 @@ struct FirstEvent {
 
   bool happens() const { return closing.any() || opening.any() || toppling >= 0; }
 
-  /// Makes room for an event at `crossing`: earlier than all so far, or at the same time. False where it is
-  /// later.
+  /// Makes room for an event at `crossing`, earlier than all so far or with them; false where it is later.
   bool admit(const std::optional<Real>& crossing) {
     if (!crossing || *crossing > s) return false;
     if (*crossing < s) *this = FirstEvent{*crossing, {}, {}, opened, -1, std::move(grazes), {}};
@@ -45,7 +44,6 @@ struct FirstEvent {
   }
 };
 
-/// The angle by which an interface is open, as a polynomial.
 template <class Real, int N>
 Polynomial<Real> opening_angle(const DenseOutput<Real, N>& output, int interface) {
   Polynomial<Real> polynomial = output.angles[interface];
@@ -90,7 +88,6 @@ void find_opening(const DenseOutput<Real, N>& output, FirstEvent<Real>& event) {
       event.opened[k] = side;
       // The margins' sum is the normal force times the width.
       const Polynomial<Real>& other = side == Contact::right ? margin.left : margin.right;
-      using std::abs;
       const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (abs(other[0]) + reach(other));
       if (value(other, event.s) <= rounding) event.either.set(k);
     }
@@ -114,7 +111,6 @@ void find_toppling(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>
   }
 }
 
-/// Finds the first event in a step.
 template <class Real, int N>
 FirstEvent<Real> first_event(const DenseOutput<Real, N>& output,
                              const std::array<Real, max_blocks>& toppling_angles,

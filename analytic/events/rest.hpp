@@ -23,7 +23,6 @@ struct RestingStack {
     const Linkage<Real, N> linkage = make_linkage(model.stack, closed_pattern(model.stack.size()));
     mass = linkage.mass;
     critical_tilt = std::numeric_limits<Real>::infinity();
-    using std::abs;
     Real moment = 0;
     Real aside = 0;
     for (std::size_t k = linkage.size(); k-- > 0;) {
@@ -50,10 +49,7 @@ Bearing<Real> bearing(const Real& gravity, const GroundPiece<Real>& piece, const
   Bearing<Real> result{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
   if (!piece.straight()) return result;
   const auto gravity_at = [&](const Real& time) { return gravity + piece.vertical.line_at(time); };
-  const auto push_at = [&](const Real& time) {
-    using std::abs;
-    return abs(piece.horizontal.line_at(time));
-  };
+  const auto push_at = [&](const Real& time) { return abs(piece.horizontal.line_at(time)); };
   const Real first = gravity_at(offset);
   const Real last = gravity_at(piece.length);
   result.least_gravity = std::min(first, last);

@@ -37,7 +37,6 @@ class ZenoSummation {
       : model_(model),
         resolution_(resolution),
         short_steps_(model, {.step = std::numeric_limits<double>::max()}) {
-    using std::sqrt;
     rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
   }
 
@@ -56,7 +55,6 @@ class ZenoSummation {
 
   /// Goes on watching; whether from here on chatter moves the motion by less than the resolution.
   bool harmless(const Landing& landing) {
-    using std::abs;
     const int interface = thrown_alone(landing);
     const Real speed = interface < 0 ? Real(0) : abs(landing.after.relative[interface]);
     const bool follows = interface >= 0 && interface == interface_ && landing.number == number_ + 1 &&
@@ -76,7 +74,6 @@ class ZenoSummation {
   /// What is left of chatter that is harmless; nothing where it may have company. `fastest` bounds relative
   /// angular accelerations, rad/s² (EndOfChatter).
   std::optional<RestOfChatter<Real, N>> rest(const Landing& landing, const Real& fastest) const {
-    using std::abs;
     const Real speed = abs(landing.after.relative[interface_]);
     const Real duration = duration_ * (speed / speed_) / (1 - ratio_);
     if (duration > landing.piece.length - landing.offset) return std::nullopt;
@@ -146,8 +143,6 @@ class ZenoSummation {
 
   /// From which speed on closing is harmless; false where chatter falls too slowly to tell.
   bool measure(const Landing& landing, const Real& speed) {
-    using std::abs;
-    using std::cbrt;
     duration_ = landing.offset - offset_;
     ratio_ = speed / speed_;
     if (!(ratio_ < brisk) || duration_ * rate_ > brief) return false;
@@ -166,7 +161,6 @@ class ZenoSummation {
 
   /// Whether two more flights were as long as the first two, for their speed.
   bool goes_on_alike(const Landing& landing, const Real& speed) {
-    using std::abs;
     const Real expected = duration_ * (last_speed_ / speed_);
     const bool alike = abs(landing.offset - last_offset_ - expected) <= alikeness * expected;
     last_offset_ = landing.offset;
@@ -175,7 +169,6 @@ class ZenoSummation {
   }
 
   bool others_stay_open(const RestOfChatter<Real, N>& rest) const {
-    using std::abs;
     const Vector<Real, N> thrown = rest.thrown();
     for (int k = 0; k < thrown.size(); ++k) {
       if (k == rest.interface || rest.closure.pattern[k] == Contact::closed) continue;

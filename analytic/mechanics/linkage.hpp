@@ -121,8 +121,7 @@ struct PlaneVector {
   }
 };
 
-/// (x, y) of a block's frame as it stands, from the cosine and the sine of its angle; or a derivative of it,
-/// from theirs.
+/// (x, y) of a block's frame as it stands, by the cosine and sine of its angle; or a derivative, by theirs.
 template <class Real>
 PlaneVector<Real> turned(const PlaneVector<Real>& direction, const Real& x, const Real& y) {
   return {x * direction.x + y * direction.y, y * direction.x - x * direction.y};

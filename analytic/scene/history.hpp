@@ -38,8 +38,7 @@ inline bool ends_motion(EventKind kind) {
   return kind == EventKind::topple || kind == EventKind::fall || kind == EventKind::strike;
 }
 
-/// Whether the pattern that was chosen after an event is one that the laws of contact allow, and the only
-/// one.
+/// Whether the pattern chosen after an event is one that the laws of contact allow, and the only one.
 enum class Consistency {
   consistent,  ///< the chosen pattern is the consistent one (or no impact took place)
   other,       ///< another pattern would have been consistent

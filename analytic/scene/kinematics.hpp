@@ -89,8 +89,6 @@ Stack<Real, N> make_stack(const Scene& scene) {
 /// (Housner 1963; Yim, Chopra & Penzien 1980; Makris & Roussos 2000). It rests up to |ẍg| = α (g + ÿg).
 template <class Real, int N>
 Stack<Real, N> small_angle_stack(Stack<Real, N> stack) {
-  using std::atan2;
-  using std::hypot;
   for (int k = 0; k < stack.size(); ++k) {
     const Real radius = hypot(stack.half_width[k], stack.half_height[k]);
     stack.half_width[k] = radius * atan2(stack.half_width[k], stack.half_height[k]);

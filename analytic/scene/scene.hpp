@@ -54,8 +54,7 @@ enum class RestitutionLaw {
   poisson,  ///< impulses: expansion gives back e of what compression took, or more where points would meet
 };
 
-/// The equations of motion between events. Impacts are the same in all, but that geometry is upright in the
-/// last two.
+/// The equations of motion between events. Impacts are the same, but that the last two have upright geometry.
 enum class Equations {
   nonlinear,  ///< in full
   linear,  ///< geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28), where weight has a constant lever
@@ -151,8 +150,7 @@ struct Gravity {
 };
 Gravity gravity_of(const Scene& scene);
 
-/// Half-width of interface k (index from 0): the narrower of the two blocks that meet there; the ground is
-/// endless.
+/// Half-width of interface k, from 0: that of the narrower block that meets there; the ground is endless.
 double interface_half_width(const Scene& scene, int interface);
 
 /// The angle of a block's unstable balance over its pivot on level ground, atan(w/h) with w that of its lower

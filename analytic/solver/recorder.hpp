@@ -19,7 +19,6 @@ class Recorder {
       : model_(model), options_(options), friction_(friction.begin(), friction.end()), event_limit_(model) {
     const int size = model.stack.size();
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
-    using std::sqrt;
     negligible_impulse_ =
         Real(1e-6) * model.stack.mass.sum() * sqrt(2 * model.gravity * model.stack.half_height.sum());
     history_.blocks = size;
@@ -179,7 +178,6 @@ class Recorder {
 
   /// Whether a block may come to lean more within chatter than before it and after it.
   bool may_peak(const RestOfChatter<Real, N>& rest) const {
-    using std::abs;
     const Vector<Real, N> angles = absolute(rest.angles);
     const Vector<Real, N> velocities = absolute(rest.closure.relative);
     const Vector<Real, N> thrown = absolute(rest.thrown());
@@ -195,7 +193,6 @@ class Recorder {
   /// Whether flights or impacts of chatter may come to ask more of an interface; they are told from what
   /// is known by a hundredth.
   bool may_demand_more(const RestOfChatter<Real, N>& rest) const {
-    using std::abs;
     const Real near = Real(1) / 100;
     if (keeps(rest.closure)) return true;
     for (const PatternSolution<Real, N>& flight : rest.flights)

@@ -145,7 +145,6 @@ class Solver {
   const GroundPieces<Real>& pieces() const { return pieces_; }
   const TieBreaker<Real>& ties() const { return ties_; }
   const Model<Real, N>& model() const { return model_; }
-  Law law() const { return scene_.law; }
   const Recorder<Real, N>& recorder() const { return recorder_; }
   const std::array<Real, max_blocks>& toppling_angles() const { return toppling_angles_; }
   Steps<Real, N>& steps() { return steps_; }

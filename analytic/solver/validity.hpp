@@ -14,7 +14,6 @@ namespace rockstack {
 template <class Real>
 void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangential, const Real& rounding,
                  const Real& time) {
-  using std::abs;
   const Real normal = abs(raw) <= rounding ? Real(0) : raw;
   if (normal == 0 && abs(tangential) <= rounding) return;
   const Real ratio = normal > 0 ? abs(tangential) / normal : std::numeric_limits<Real>::infinity();
@@ -42,7 +41,6 @@ void note_first(BasicDemand<Real>& demand, const Real& available, const Real& pu
 template <class Real, int N>
 void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution<Real, N>& solution,
                   const Real& negligible, const std::vector<Real>& available, const Real& time) {
-  using std::abs;
   for (int k = 0; k < solution.pattern.size; ++k) {
     const Real& normal = solution.reactions.normal[k];
     const Real& tangential = solution.reactions.tangential[k];

@@ -16,8 +16,8 @@ struct BlockSeries {
   PlaneSeries direction;  ///< cosine and sine of ψ
   PlaneSeries coupling;   ///< what they are multiplied by in the block's equation
   Series relative;        ///< φ''
-  Series reaction;
-  PlaneSeries force;  ///< on the block and all above
+  Series reaction;        ///< moment about the pivot, about the middle of a closed interface
+  PlaneSeries force;      ///< on the block and all above
 
   /// The known parts of (c'')ₙ and (s'')ₙ.
   template <class Order>

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <utility>
-
+#include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/steps/block_series.hpp"
 #include "analytic/steps/body_force.hpp"
 
@@ -29,7 +28,7 @@ class ChainSeries {
   /// What a series tells besides motion. Margins are made of forces too.
   struct Asked {
     bool forces;   ///< push() and force()
-    bool margins;  ///< these, reaction() and margin()
+    bool margins;  ///< these and margin()
   };
 
   /// From the blocks' directions and relative velocities times the step's length. Keeps a reference to
@@ -113,19 +112,10 @@ class ChainSeries {
   /// The cosine and the sine of a block's angle.
   const PlaneSeries& direction(std::size_t block) const { return blocks_[block].direction; }
 
-  /// Moment about the pivot of interface k, about its middle where it is closed; order n.
-  const Real& reaction(std::size_t k, std::size_t n) const { return blocks_[k].reaction[n]; }
-
-  /// How far the centre of pressure of a closed interface stays from either end, times the normal force;
-  /// order n, in kg·m² of s-time.
-  struct Margin {
-    Real right, left;
-  };
-  Margin margin(std::size_t k, std::size_t n) const { return margin(k, n, push(k, n)); }
-  /// Where the push is known.
-  Margin margin(std::size_t k, std::size_t n, const Real& push) const {
+  /// Of a closed interface, from its push(), order n, in kg·m² of s-time.
+  Margins<Real> margin(std::size_t k, std::size_t n, const Real& push) const {
     const Real half = push * linkage_.width[k];
-    return {half + reaction(k, n), half - reaction(k, n)};
+    return {half + blocks_[k].reaction[n], half - blocks_[k].reaction[n]};
   }
 
  private:

@@ -43,7 +43,6 @@ template <class Real>
 class GroundPieces {
  public:
   explicit GroundPieces(const Scene& scene) : scene_(scene), duration_(scene.duration) {
-    using std::sin;
     downhill_ = Real(scene.gravity) * sin(Real(scene.inclination));
     piece_.horizontal.value = 0 - downhill_;
     find_piece();
@@ -92,13 +91,11 @@ class GroundPieces {
   void advance_past(const Real& limit) {
     const auto& samples = scene_.horizontal.samples;
     if (!samples.empty() && end_ == piece_.horizontal.end && scene_.vertical.empty()) {
-      const Real interval(scene_.horizontal.interval);
-      using std::abs;
-      while (horizontal_sample_ + 2 < std::ssize(samples) &&
-             Real(horizontal_sample_ + 2) * interval < duration_ &&
-             abs(Real(samples[horizontal_sample_ + 2]) - downhill_) < limit)
-        ++horizontal_sample_;
-      end_ = piece_.horizontal.end = Real(horizontal_sample_ + 1) * interval;
+      std::ptrdiff_t next = horizontal_sample_ + 2;
+      while (next < std::ssize(samples) && Real(next) * Real(scene_.horizontal.interval) < duration_ &&
+             abs(Real(samples[next]) - downhill_) < limit)
+        ++next;
+      return advance_by(next - 1 - horizontal_sample_);
     }
     advance();
   }

@@ -23,7 +23,6 @@ class Rk4Steps {
   DenseOutput<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& directions,
                                   const Linkage<Real, N>&, const GroundPiece<Real>& piece, const Real& offset,
                                   const Real& remaining, const Interfaces& watched) const {
-    using std::ceil;
     // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
     const bool whole = is_closed(state.pattern) && piece.straight();
     const Real length = whole ? remaining : remaining / ceil(remaining / step_);

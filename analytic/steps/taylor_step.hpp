@@ -27,8 +27,6 @@ struct StepStart {
   /// tell. Below a millionth of √(H/g) three orders do in any case, and a landing that rounding keeps away
   /// must not be foreseen for ever. `series` has its order 0.
   Real landing(const ChainSeries<Real, N>& series) const {
-    using std::max;
-    using std::min;
     Real first = 1;
     for (std::size_t k = 0; k < series.size(); ++k)
       first = min(first, rockstack::landing<Real>(sides[k] * angles[k], sides[k] * advances[k],
@@ -48,8 +46,6 @@ class Convergence {
   /// An order of the series: 0, 1, … Whether what is left out from there on is below the tolerance.
   template <int N>
   auto note_order(const StepStart<Real, N>& start, const ChainSeries<Real, N>& series, std::size_t order) {
-    using std::abs;
-    using std::max;
     Real last = 0;
     for (std::size_t k = 0; k < series.size(); ++k) {
       const Real size = abs(series.relative(k, order));
@@ -86,7 +82,6 @@ class TaylorSteps {
       : model_(model),
         forces_(options.validity),
         tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {
-    using std::sqrt;
     rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
     longest_ = 1 / rate_;
   }
@@ -146,7 +141,6 @@ class TaylorSteps {
   /// least, and what is allowed with its third at most; so the second ratio is short enough. The first leaves
   /// room, and is the lesser one but for a large excess.
   void fit(const Real& excess, std::size_t orders, DenseOutput<Real, N>& output) {
-    using std::pow;
     if (excess > 1) {
       const Real ratio = std::min<Real>(pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9),
                                         pow(excess, Real(-1) / Real(orders - 3)));
@@ -223,7 +217,7 @@ class TaylorSteps {
         MarginPolynomials<Real>& margin = output.margins[k];
         margin.right.terms = margin.left.terms = orders;
         for (std::size_t n = 0; n < orders; ++n) {
-          const auto coefficient = series.margin(k, n);
+          const auto coefficient = series.margin(k, n, series.push(k, n));
           margin.right[n] = coefficient.right;
           margin.left[n] = coefficient.left;
         }

@@ -1,6 +1,7 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <random>
 
@@ -12,21 +13,13 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-struct NormalPair {
-  double first, second;
-};
-
 /// Two independent standard normal numbers (Box & Muller 1958); the library's own distribution may differ
 /// from one compiler to the next.
-NormalPair draw_normal(std::mt19937_64& generator) {
+std::array<double, 2> draw_normal(std::mt19937_64& generator) {
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 0.5) * 0x1p-53; };
   const double radius = std::sqrt(-2 * std::log(uniform()));
   const double angle = two_pi * uniform();
   return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
-std::size_t intervals(const SyntheticMotion& motion) {
-  return static_cast<std::size_t>(std::lround(motion.duration / motion.interval));
 }
 
 struct Wave {
@@ -130,7 +123,7 @@ double synthetic_envelope(const SyntheticMotion& motion, double t) {
 
 std::vector<double> modulated_noise(const SyntheticMotion& motion) {
   std::mt19937_64 generator(motion.seed);
-  std::vector<double> samples(intervals(motion) + 1);
+  std::vector<double> samples(static_cast<std::size_t>(std::lround(motion.duration / motion.interval)) + 1);
   const std::vector<Wave> all = waves(motion);
   for (std::size_t start = 0; start < all.size(); start += TurningWaves::size) {
     TurningWaves group;

@@ -82,9 +82,4 @@ Json read_json(const std::filesystem::path& file) {
   return parse_json(text, one_line(file.string()) + ": ");
 }
 
-InputError wrong_json(const std::filesystem::path& file, const json::exception& error) {
-  const std::string what = error.what();  // "[json.exception.type_error.302] type must be …"
-  return InputError(one_line(file.string() + ": " + what.substr(what.find("] ") + 2)));
-}
-
 }  // namespace rockstack

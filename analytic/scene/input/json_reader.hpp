@@ -5,6 +5,7 @@
 
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack {
 
@@ -23,17 +24,15 @@ Json parse_json(std::string_view text, const std::string& subject);
 /// The same of a whole file. @throws InputError also where it cannot be read.
 Json read_json(const std::filesystem::path& file);
 
-/// The error that something in a file is missing or of another kind.
-InputError wrong_json(const std::filesystem::path& file, const nlohmann::json::exception& error);
-
-/// What `read` makes of a file. @throws InputError as read_json(), and wrong_json(); of a value that `read`
-/// finds wrong, naming the file.
+/// What `read` makes of a file. @throws InputError as read_json(), and where something in the file is
+/// missing, of another kind or found wrong by `read`, naming the file.
 template <class Read>
 auto read_json(const std::filesystem::path& file, const Read& read) {
   try {
     return read(read_json(file));
   } catch (const nlohmann::json::exception& error) {
-    throw wrong_json(file, error);
+    const std::string what = error.what();  // "[json.exception.type_error.302] type must be …"
+    throw InputError(one_line(file.string() + ": " + what.substr(what.find("] ") + 2)));
   } catch (const InputError&) {  // which names its place itself
     throw;
   } catch (const std::invalid_argument& error) {

@@ -26,11 +26,10 @@ class FieldError : public std::invalid_argument {
 /// what blocks are like, and such that products of several stay in the range of a double.
 inline constexpr double largest_number = 1e20;
 
-/// The ranges that a scene's numbers have: from `least` to `most`, from 1/largest_number, or from
-/// −largest_number. @throws FieldError.
+/// The ranges that a scene's numbers have: from `least` to `most`, or from 1/largest_number.
+/// @throws FieldError.
 void require_between(const std::string& key, double value, double least, double most = largest_number);
 void require_positive(const std::string& key, double value);
-void require_signed(const std::string& key, double value);
 /// The key of an array's entry k from 0; files count from 1.
 std::string entry_key(const std::string& array, std::size_t k);
 /// As require_between(), of each entry of an array.

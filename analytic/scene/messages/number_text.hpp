@@ -6,8 +6,7 @@
 
 namespace rockstack {
 
-/// The shortest decimal text that reads back to the same double; "inf", "-inf" or "nan" where it is not
-/// finite.
+/// The shortest decimal text that reads back to the same double, "inf", "-inf" and "nan" too.
 inline std::string number_text(double value) {
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;

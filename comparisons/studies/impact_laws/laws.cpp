@@ -164,14 +164,16 @@ std::vector<ImpactKind> impact_kinds(int blocks) {
 LawVerdict judge(const DrawnImpact& drawn) {
   const Model<double> model = make_model<double>(drawn.scene);
   const Interfaces touching = drawn.impact.touching();
-  LawVerdict verdict{paper_solution(model, drawn.impact), std::nullopt};
+  const BeforeImpact<double> before = before_impact(model, drawn.impact.before);
+  const auto after = [&](const Pattern& pattern) { return velocities_after(model, before, pattern); };
+  LawVerdict verdict{paper_solution(drawn.impact, after), std::nullopt};
   for (const Pattern& pattern : candidates(drawn.impact.before.pattern, touching)) {
-    PatternSolution<double> solution = velocities_after(model, drawn.impact, pattern);
+    PatternSolution<double> solution = after(pattern);
     if (!admissible(model, solution, touching)) continue;
     ++verdict.admissible;
     verdict.consistent = std::move(solution);
   }
-  verdict.missed = verdict.consistent && !consistent_solution(model, drawn.impact);
+  verdict.missed = verdict.consistent && !consistent_solution(model, drawn.impact, before);
   return verdict;
 }
 

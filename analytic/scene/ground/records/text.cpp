@@ -16,12 +16,10 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-bool same(char a, char lower_case) {
-  return lower(a) == lower_case;
-}
-
-bool is_word_character(char c) {
-  return (c >= '0' && c <= '9') || (lower(c) >= 'a' && lower(c) <= 'z') || c == '_';
+/// Whether a word of a text in lower case goes on at a place.
+bool is_in_word(std::string_view text, std::size_t place) {
+  const char c = place < text.size() ? text[place] : ' ';
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c == '_';
 }
 
 std::string_view without_first(std::string_view text, std::size_t length) {
@@ -86,14 +84,11 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool contains(std::string_view text, std::string_view lower_case_part) {
-  return std::search(text.begin(), text.end(), lower_case_part.begin(), lower_case_part.end(), same) !=
-         text.end();
+  return lower(text).find(lower_case_part) != std::string::npos;
 }
 
 bool starts_with(std::string_view text, std::string_view lower_case_part) {
-  return text.size() >= lower_case_part.size() &&
-         std::equal(lower_case_part.begin(), lower_case_part.end(), text.begin(),
-                    [](char part, char c) { return same(c, part); });
+  return lower(text).starts_with(lower_case_part);
 }
 
 std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
@@ -110,17 +105,14 @@ std::vector<std::string_view> words(std::string_view text, std::string_view sepa
 }
 
 std::string_view field_after(std::string_view text, std::string_view key) {
-  for (auto from = text.begin();; ++from) {
-    from = std::search(from, text.end(), key.begin(), key.end(), same);
-    if (from == text.end()) return {};
-    const auto end = from + static_cast<std::ptrdiff_t>(key.size());
-    const bool starts = from == text.begin() || !is_word_character(*(from - 1));
-    const bool ends = end == text.end() || !is_word_character(*end);
-    if (!starts || !ends) continue;
-    std::string_view field = without_first(text, static_cast<std::size_t>(end - text.begin()));
-    field = without_first(field, field.find_first_not_of(" \t=:"));
+  const std::string plain = lower(text);
+  for (std::size_t from = plain.find(key); from != std::string::npos; from = plain.find(key, from + 1)) {
+    const std::size_t end = from + key.size();
+    if (is_in_word(plain, from - 1) || is_in_word(plain, end)) continue;  // before the first there is none
+    const std::string_view field = without_first(text, text.find_first_not_of(" \t=:", end));
     return field.substr(0, field.find_first_of(" \t\r,;)"));
   }
+  return {};
 }
 
 double number(const Cursor& cursor, std::string_view field) {
@@ -206,7 +198,7 @@ std::vector<double> read_values(Cursor& cursor, bool marked) {
   std::vector<double> values;
   while (!cursor.at_end()) {
     const std::string_view line = cursor.next({});
-    if (marked && starts_with(line, "***") && contains(line, "end")) continue;
+    if (marked && line.starts_with("***") && contains(line, "end")) continue;
     for (const std::string_view word : words(line)) values.push_back(number(cursor, word));
   }
   return values;
