@@ -242,9 +242,8 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
   RowTeller teller(jobs, scenes, options);
-  const DoneTasks made = carry_out(
-      jobs, folder, executor, options.command,
-      {options.progress, [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); }});
+  const auto tell = [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); };
+  const DoneTasks made = carry_out(jobs, folder, executor, options, tell);
   ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
   CompareResult result{each_of(evidence.rows, &ReplicatedRow::row), made.reused, {}};
   evidence.fits = fit_runs(result.rows);
