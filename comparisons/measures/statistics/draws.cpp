@@ -47,17 +47,10 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
 }
 
 double draw(const Distribution& distribution, const DrawIndex& index) {
-  const double first = distribution.first;
-  const double second = distribution.second;
-  switch (distribution.kind) {
-    case Distribution::Kind::uniform:
-      return first + (second - first) * draw_uniform(index).first;
-    case Distribution::Kind::normal:
-      return first + second * draw_normal(index);
-    case Distribution::Kind::lognormal:
-      return first * std::exp(second * draw_normal(index));
-  }
-  return first;
+  const auto [kind, first, second] = distribution;
+  if (kind == Distribution::Kind::uniform) return first + (second - first) * draw_uniform(index).first;
+  const double normal = draw_normal(index);
+  return kind == Distribution::Kind::normal ? first + second * normal : first * std::exp(second * normal);
 }
 
 double median(const Distribution& distribution) {
