@@ -62,17 +62,15 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
   const std::vector<const RunMetrics*> events = rows_with_events(rows, scenes);
   if (events.empty()) return "";
   if (events.size() > most) return counted_events(events, scenes);
-  std::vector<std::string> parts;
-  for (const RunMetrics* row : events) {
+  const auto told = [&](const RunMetrics* row) {
     const std::string event = event_of(*row, scene_in(scenes, row->scene));
     const char* subject = event.starts_with("block")                                 ? ""
                           : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
                                                                                      : "it ";
-    parts.push_back(fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene,
-                                quantity_text(*row->dt, "s"), subject, event));
-  }
-  parts.front().front() = 'W';
-  return fmt::format("{}.", fmt::join(parts, "; "));
+    return fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene, quantity_text(*row->dt, "s"),
+                       subject, event);
+  };
+  return capitalised(text_of_each(events, told, "; ")) + ".";
 }
 
 }  // namespace rockstack

@@ -203,17 +203,15 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
                                const std::vector<JudgedScene>& scenes) {
   const EndsOfSteps steps = ends_of(rows, scenes);
   if (steps.empty()) return "";
-  std::vector<std::string> parts;
-  for (const double dt : reported_steps(steps))
-    parts.push_back(fmt::format("{} {}", quantity_text(dt, "s"), leaving(steps.at(dt))));
+  const auto told = [&](double dt) { return quantity_text(dt, "s") + " " + leaving(steps.at(dt)); };
   const double tolerance = scenes.front().tolerance;
   const bool of_replicates =
       std::ranges::any_of(rows, [](const ReplicatedRow& one) { return one.errors.size() > 1; });
   return fmt::format(
       "Engines leave the exact motion at a time step of {}{}; to leave it is to be off by more than {} or {:g} % of the least block "
       "height{}.",
-      fmt::join(parts, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"), 100 * tolerance,
-      of_replicates ? ", in the median of replicates" : "");
+      text_of_each(reported_steps(steps), told, ", at "), horizons(rows, scenes),
+      quantity_text(tolerance, "rad"), 100 * tolerance, of_replicates ? ", in the median of replicates" : "");
 }
 
 std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::vector<JudgedScene>& scenes) {

@@ -204,8 +204,7 @@ std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
     if (one.row.engine == "exact" && !one.row.outcome.empty())
       doubts.push_back(fmt::format("in {} the exact motion is {}", one.row.scene, one.row.outcome));
   if (doubts.empty()) return "";
-  doubts.front().front() = 'I';
-  return joined(doubts) + ".";
+  return capitalised(joined(doubts)) + ".";
 }
 
 std::string together(const std::string& first, std::string second) {
