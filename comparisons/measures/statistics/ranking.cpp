@@ -27,17 +27,11 @@ struct Error {
 using Errors = std::map<Cell, Error>;
 using Sets = std::map<Name, Errors>;
 
-/// Scenes that an engine's row shows to be at rest, or to have no errors.
-std::set<std::string> moving_scenes(const std::vector<ReplicatedRow>& rows) {
-  std::set<std::string> scenes;
-  for (const ReplicatedRow& one : rows)
-    if (can_be_ranked(one)) scenes.insert(one.row.scene);
-  return scenes;
-}
-
 Sets sets_of(const std::vector<ReplicatedRow>& all) {
   const std::vector<ReplicatedRow> rows = rows_that_count(all);
-  const std::set<std::string> moving = moving_scenes(rows);
+  std::set<std::string> moving;  // scenes
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) moving.insert(one.row.scene);
   Sets sets;
   for (const ReplicatedRow& one : rows) {
     const RunMetrics& row = one.row;

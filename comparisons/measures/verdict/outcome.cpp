@@ -15,12 +15,6 @@ std::string fall_of(const RunMetrics& row) {
   return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
 }
 
-/// In how many runs it topples otherwise, where not in all or none.
-std::string share_of_replicates(const RunMetrics& row) {
-  const int other = row.draws_other_verdict.value_or(0), all = row.draws.value_or(1);
-  return other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
-}
-
 std::string at_rest(const RunMetrics& row, const JudgedScene& scene, const std::string& event) {
   const bool turns = row.largest_angle_difference.value_or(0) > scene.tolerance;
   const bool sinks = event.starts_with("sinks");
@@ -73,7 +67,10 @@ Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene) {
 }
 
 std::string event_of(const RunMetrics& row, const JudgedScene& scene) {
-  const std::string replicates = share_of_replicates(row);
+  // In how many runs it topples otherwise, where not in all or none.
+  const int other = row.draws_other_verdict.value_or(0), all = row.draws.value_or(1);
+  const std::string replicates =
+      other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
   if (const std::string fall = fall_of(row); !fall.empty())
     return replicates.empty() ? fall : fall + ", " + replicates;
   if (!replicates.empty()) return "topples otherwise " + replicates;
