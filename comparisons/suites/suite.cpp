@@ -22,17 +22,13 @@ std::uint64_t mebibytes(const Node& node) {
 
 constexpr std::string_view friction_key = "friction=";
 
-/// Of a text that begins with friction_key.
-Variant read_friction(const Node& node) {
+Variant read_variant(const Node& node) {
+  if (node.kind != Node::Kind::text || !node.text.starts_with(friction_key))
+    return {choice<Variant::Choice>(node, {"linear", "nonlinear", "paper", "consistent", "unilateral"})};
   const auto friction = number_in(std::string_view(node.text).substr(friction_key.size()));
   if (!friction || !(*friction >= 0 && *friction <= largest_friction))
     throw wrong_value(node, fmt::format("{}MU with a number from 0 to {}", friction_key, largest_friction));
   return {Variant::Choice::friction, 0, *friction};
-}
-
-Variant read_variant(const Node& node) {
-  if (node.kind == Node::Kind::text && node.text.starts_with(friction_key)) return read_friction(node);
-  return {choice<Variant::Choice>(node, {"linear", "nonlinear", "paper", "consistent", "unilateral"})};
 }
 
 std::vector<Variant> read_variants(const Node& array) {

@@ -23,12 +23,6 @@ UniformPair draw_uniform(const DrawIndex& index) {
   return {uniform(bits[0], bits[1]), uniform(bits[2], bits[3])};
 }
 
-/// Standard normal (Box & Muller 1958).
-double draw_normal(const DrawIndex& index) {
-  const auto [first, second] = draw_uniform(index);
-  return std::sqrt(-2 * std::log(first)) * std::cos(2 * std::numbers::pi * second);
-}
-
 }  // namespace
 
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
@@ -48,8 +42,10 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
 
 double draw(const Distribution& distribution, const DrawIndex& index) {
   const auto [kind, first, second] = distribution;
-  if (kind == Distribution::Kind::uniform) return first + (second - first) * draw_uniform(index).first;
-  const double normal = draw_normal(index);
+  const auto [one, other] = draw_uniform(index);
+  if (kind == Distribution::Kind::uniform) return first + (second - first) * one;
+  // Standard normal (Box & Muller 1958).
+  const double normal = std::sqrt(-2 * std::log(one)) * std::cos(2 * std::numbers::pi * other);
   return kind == Distribution::Kind::normal ? first + second * normal : first * std::exp(second * normal);
 }
 

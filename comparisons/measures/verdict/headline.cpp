@@ -34,13 +34,6 @@ EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<Ju
   return steps;
 }
 
-/// The coarsest, the middle one and the finest.
-std::vector<double> reported_steps(const EndsOfSteps& steps) {
-  std::vector<double> all = each_of(steps, &EndsOfSteps::value_type::first);
-  if (all.size() > 3) all = {all.front(), all[all.size() / 2], all.back()};
-  return all;
-}
-
 /// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
 /// by when as many as half of all have, so that steps at which few leave are not taken for those at which
 /// they leave soon.
@@ -203,6 +196,8 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
                                const std::vector<JudgedScene>& scenes) {
   const EndsOfSteps steps = ends_of(rows, scenes);
   if (steps.empty()) return "";
+  std::vector<double> reported = each_of(steps, &EndsOfSteps::value_type::first);
+  if (reported.size() > 3) reported = {reported.front(), reported[reported.size() / 2], reported.back()};
   const auto told = [&](double dt) { return quantity_text(dt, "s") + " " + leaving(steps.at(dt)); };
   const double tolerance = scenes.front().tolerance;
   const bool of_replicates =
@@ -210,8 +205,8 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   return fmt::format(
       "Engines leave the exact motion at a time step of {}{}; to leave it is to be off by more than {} or {:g} % of the least block "
       "height{}.",
-      text_of_each(reported_steps(steps), told, ", at "), horizons(rows, scenes),
-      quantity_text(tolerance, "rad"), 100 * tolerance, of_replicates ? ", in the median of replicates" : "");
+      text_of_each(reported, told, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"),
+      100 * tolerance, of_replicates ? ", in the median of replicates" : "");
 }
 
 std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::vector<JudgedScene>& scenes) {
