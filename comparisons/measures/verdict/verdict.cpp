@@ -32,28 +32,20 @@ std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
                      *exact.impacts + exact.slower_impacts.value_or(0), doubt);
 }
 
-using Measure = std::optional<double> RunMetrics::*;
-
-/// The least and the largest of a column at each step, the coarsest first.
-std::map<double, std::pair<double, double>, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows,
-                                                                   Measure measure) {
-  std::map<double, std::pair<double, double>, std::greater<>> list;
+/// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
+std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
+                    const char* unit, std::optional<double> RunMetrics::*measure,
+                    std::string (*text)(double, const std::string&, int) = quantity_text) {
+  std::map<double, std::pair<double, double>, std::greater<>> ranges;  // of each step, the coarsest first
   for (const ReplicatedRow& one : rows) {
     const std::optional<double>& value = one.row.*measure;
     if (!is_engine(one.row) || !value) continue;
-    auto& [least, most] = list.try_emplace(*one.row.dt, *value, *value).first->second;
+    auto& [least, most] = ranges.try_emplace(*one.row.dt, *value, *value).first->second;
     least = std::min(least, *value);
     most = std::max(most, *value);
   }
-  return list;
-}
-
-/// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
-std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
-                    const char* unit, Measure value,
-                    std::string (*text)(double, const std::string&, int) = quantity_text) {
   std::vector<std::string> parts;
-  for (const auto& [dt, range] : ranges(rows, value)) {
+  for (const auto& [dt, range] : ranges) {
     const std::string least = text(range.first, unit, 2), most = text(range.second, unit, 2);
     parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"),
                                 least == most ? least : fmt::format("{} to {}", least, most)));
@@ -63,8 +55,9 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
 
 /// Empty where nothing slips otherwise.
 std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
-  const auto list = ranges(rows, &RunMetrics::slip_error);
-  const bool same = std::ranges::all_of(list, [](const auto& one) { return one.second.second == 0; });
+  const bool same = std::ranges::none_of(rows, [](const ReplicatedRow& one) {
+    return is_engine(one.row) && one.row.slip_error.value_or(0) != 0;
+  });
   return same ? "" : by_step(rows, "Slips are off by at most: {}.", "m", &RunMetrics::slip_error);
 }
 
@@ -146,22 +139,21 @@ std::string convergence_sentence(const std::vector<SeriesFit>& fits, const std::
 /// errors, the first impact, slips, sequences of impacts, what distributions tell beyond the horizon, and
 /// what failed. A sentence each, empty where there is nothing to say.
 std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
-  std::vector<std::string> sentences;
   const auto exact =
       std::ranges::find_if(rows, [](const ReplicatedRow& one) { return one.row.engine == "exact"; });
   const bool solved = exact != rows.end() && exact->row.status == RunStatus::done;
-  sentences.push_back(solved ? exact_sentence(exact->row, scene)
-                             : "There is no exact motion to compare with.");
-  sentences.push_back(event_sentence(rows, {scene}, rows.size()));
   const std::string angles =
       by_step(rows, "RMS angle differences by step: {}.", "rad", &RunMetrics::rms_angle_difference);
-  sentences.push_back(angles);
-  if (!angles.empty())
-    sentences.push_back(by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
-                                &RunMetrics::rms_position_difference));
-  sentences.push_back(by_step(rows, "The first impact is off by (+: late): {}.", "s",
-                              &RunMetrics::first_impact_time_difference, signed_quantity_text));
-  sentences.push_back(slip_sentence(rows));
+  const std::string centres = by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
+                                      &RunMetrics::rms_position_difference);
+  std::vector<std::string> sentences{
+      solved ? exact_sentence(exact->row, scene) : "There is no exact motion to compare with.",
+      event_sentence(rows, {scene}, rows.size()),
+      angles,
+      angles.empty() ? "" : centres,
+      by_step(rows, "The first impact is off by (+: late): {}.", "s",
+              &RunMetrics::first_impact_time_difference, signed_quantity_text),
+      slip_sentence(rows)};
   add_sequences(rows, sentences);
   add_beyond(rows, scene, sentences);
   for (const auto& one : rows)
