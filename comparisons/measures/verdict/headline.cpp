@@ -126,22 +126,17 @@ std::string evidence(const std::vector<ReplicatedRow>& rows) {
              : fmt::format("{} to {} replicates", *counts.begin(), *counts.rbegin());
 }
 
-/// Of a scene among others.
-std::string place(const First& first) {
-  return first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
-}
-
 std::string part(const First& first, const std::string& by) {
-  if (first.sets.size() == 1) return place(first) + first.sets[0] + " is nearest to the exact motion";
-  if (first.all) return fmt::format("{}{} cannot tell which set is nearest{}", place(first), by, first.steps);
-  return fmt::format("{}{} are nearest, which {} cannot tell apart{}", place(first),
+  const std::string place = first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
+  if (first.sets.size() == 1) return place + first.sets[0] + " is nearest to the exact motion";
+  if (first.all) return fmt::format("{}{} cannot tell which set is nearest{}", place, by, first.steps);
+  return fmt::format("{}{} are nearest, which {} cannot tell apart{}", place,
                      joined_up_to(most_named, first.sets), by, first.steps);
 }
 
 /// The sets to which most others are shown to be nearer, where these are half of all or more; `over`: which
 /// scenes, where words before speak of one.
 std::string furthest(const std::vector<RankedSet>& ranking, const std::string& over) {
-  if (ranking.size() < 2) return "";
   const RankedSet& last = *std::ranges::max_element(ranking, {}, &RankedSet::rank);
   const std::size_t others = ranking.size() - 1, nearer = static_cast<std::size_t>(last.rank) - 1;
   std::vector<std::string> sets;
