@@ -18,8 +18,7 @@ constexpr std::size_t most_sets = 3;  ///< that a sentence names
 std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>& rows,
                                                 const std::vector<JudgedScene>& scenes) {
   std::vector<const RunMetrics*> list;
-  for (const ReplicatedRow& one : rows) {
-    const RunMetrics& row = one.row;
+  for (const RunMetrics& row : rows) {
     if (!is_engine(row) || !row.error || event_of(row, scene_in(scenes, row.scene)).empty()) continue;
     const auto same = [&](const RunMetrics* other) {
       return other->scene == row.scene && set_name(*other) == set_name(row);

@@ -22,9 +22,8 @@ using EndsOfSteps = std::map<double, Ends, std::greater<>>;
 
 EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
   EndsOfSteps steps;
-  for (const ReplicatedRow& one : rows) {
-    if (!can_be_ranked(one)) continue;
-    const RunMetrics& row = one.row;
+  for (const ReplicatedRow& row : rows) {
+    if (!can_be_ranked(row)) continue;
     const JudgedScene& scene = scene_in(scenes, row.scene);
     Ends& ends = steps[*row.dt];
     const bool whole = agrees(row, scene);
@@ -59,9 +58,9 @@ std::string horizons(const std::vector<ReplicatedRow>& rows, const std::vector<J
   std::vector<std::string> texts;
   for (const JudgedScene& scene : scenes) {
     const auto row = std::ranges::find_if(
-        rows, [&](const ReplicatedRow& one) { return one.row.scene == scene.name && can_be_ranked(one); });
-    if (row == rows.end() || row->row.horizon.value_or(scene.duration) >= scene.duration) continue;
-    texts.push_back(fmt::format("{} in {}", quantity_text(*row->row.horizon, "s"), scene.name));
+        rows, [&](const ReplicatedRow& one) { return one.scene == scene.name && can_be_ranked(one); });
+    if (row == rows.end() || row->horizon.value_or(scene.duration) >= scene.duration) continue;
+    texts.push_back(fmt::format("{} in {}", quantity_text(*row->horizon, "s"), scene.name));
   }
   return texts.empty() ? "" : " (the horizon: " + joined(texts) + ")";
 }
@@ -88,7 +87,7 @@ First first_of(const std::vector<RankedSet>& ranking) {
 std::string alone_at_steps(const std::vector<ReplicatedRow>& rows) {
   std::map<double, std::vector<ReplicatedRow>, std::greater<>> steps;
   for (const ReplicatedRow& one : rows)
-    if (one.row.dt) steps[*one.row.dt].push_back(one);
+    if (one.dt) steps[*one.dt].push_back(one);
   std::vector<std::string> texts;
   for (const auto& [dt, own] : steps) {
     const First first = first_of(rank_all(own));
@@ -158,7 +157,7 @@ std::string furthest(const std::vector<RankedSet>& ranking, const std::string& o
 std::string over_steps(const std::vector<ReplicatedRow>& rows) {
   std::set<double> steps;
   for (const ReplicatedRow& one : rows)
-    if (can_be_ranked(one)) steps.insert(*one.row.dt);
+    if (can_be_ranked(one)) steps.insert(*one.dt);
   return steps.size() > 1 ? "over all steps together " : "";
 }
 
@@ -183,7 +182,7 @@ const JudgedScene& scene_in(const std::vector<JudgedScene>& scenes, const std::s
 std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
   std::vector<ReplicatedRow> own;
   std::ranges::copy_if(rows, std::back_inserter(own),
-                       [&](const ReplicatedRow& one) { return one.row.scene == scene.name; });
+                       [&](const ReplicatedRow& one) { return one.scene == scene.name; });
   return own;
 }
 

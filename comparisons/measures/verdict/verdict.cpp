@@ -17,8 +17,8 @@ std::string phrase(const RunMetrics& row) {
 }
 
 std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& rows) {
-  const auto one = std::ranges::find_if(rows, [&](const auto& each) { return each.row.run == run; });
-  return one == rows.end() || !is_engine(one->row) ? run : phrase(one->row);
+  const auto one = std::ranges::find(rows, run, &RunMetrics::run);
+  return one == rows.end() || !is_engine(*one) ? run : phrase(*one);
 }
 
 std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
@@ -38,9 +38,9 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
                     std::string (*text)(double, const std::string&, int) = quantity_text) {
   std::map<double, std::pair<double, double>, std::greater<>> ranges;  // of each step, the coarsest first
   for (const ReplicatedRow& one : rows) {
-    const std::optional<double>& value = one.row.*measure;
-    if (!is_engine(one.row) || !value) continue;
-    auto& [least, most] = ranges.try_emplace(*one.row.dt, *value, *value).first->second;
+    const std::optional<double>& value = one.*measure;
+    if (!is_engine(one) || !value) continue;
+    auto& [least, most] = ranges.try_emplace(*one.dt, *value, *value).first->second;
     least = std::min(least, *value);
     most = std::max(most, *value);
   }
@@ -55,18 +55,17 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
 
 /// Empty where nothing slips otherwise.
 std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
-  const bool same = std::ranges::none_of(rows, [](const ReplicatedRow& one) {
-    return is_engine(one.row) && one.row.slip_error.value_or(0) != 0;
-  });
+  const bool same = std::ranges::none_of(
+      rows, [](const ReplicatedRow& one) { return is_engine(one) && one.slip_error.value_or(0) != 0; });
   return same ? "" : by_step(rows, "Slips are off by at most: {}.", "m", &RunMetrics::slip_error);
 }
 
 void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::string>& sentences) {
   std::size_t compared = 0, all = 0;
   for (const auto& one : rows) {
-    if (!is_engine(one.row) || !one.row.impacts_missed) continue;
+    if (!is_engine(one) || !one.impacts_missed) continue;
     ++compared;
-    if (one.row.impacts_missed == 0 && one.row.impacts_extra == 0) ++all;
+    if (one.impacts_missed == 0 && one.impacts_extra == 0) ++all;
   }
   if (compared > 0)
     sentences.push_back(fmt::format("Of {} {} the exact sequence of impacts, none missed and none extra.",
@@ -83,10 +82,10 @@ void add_beyond(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene
   double horizon = scene.duration;
   for (const ReplicatedRow& one : rows) {
     if (!can_be_ranked(one)) continue;
-    horizon = one.row.horizon.value_or(horizon);
+    horizon = one.horizon.value_or(horizon);
     ++compared;
     if (!one.peaks.empty() && mann_whitney(one.exact_peaks, one.peaks).p_value <= separation_level)
-      other.push_back(phrase(one.row));
+      other.push_back(phrase(one));
   }
   if (compared == 0 || horizon >= scene.duration) return;
   sentences.push_back(
@@ -139,15 +138,14 @@ std::string convergence_sentence(const std::vector<SeriesFit>& fits, const std::
 /// errors, the first impact, slips, sequences of impacts, what distributions tell beyond the horizon, and
 /// what failed. A sentence each, empty where there is nothing to say.
 std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
-  const auto exact =
-      std::ranges::find_if(rows, [](const ReplicatedRow& one) { return one.row.engine == "exact"; });
-  const bool solved = exact != rows.end() && exact->row.status == RunStatus::done;
+  const auto exact = std::ranges::find(rows, "exact", &RunMetrics::engine);
+  const bool solved = exact != rows.end() && exact->status == RunStatus::done;
   const std::string angles =
       by_step(rows, "RMS angle differences by step: {}.", "rad", &RunMetrics::rms_angle_difference);
   const std::string centres = by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
                                       &RunMetrics::rms_position_difference);
   std::vector<std::string> sentences{
-      solved ? exact_sentence(exact->row, scene) : "There is no exact motion to compare with.",
+      solved ? exact_sentence(*exact, scene) : "There is no exact motion to compare with.",
       event_sentence(rows, {scene}, rows.size()),
       angles,
       angles.empty() ? "" : centres,
@@ -157,15 +155,13 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
   add_sequences(rows, sentences);
   add_beyond(rows, scene, sentences);
   for (const auto& one : rows)
-    if (one.row.status != RunStatus::done)
-      sentences.push_back(
-          fmt::format("{} failed: {}.", one.row.dt ? phrase(one.row) : one.row.engine, one.row.reason));
+    if (one.status != RunStatus::done)
+      sentences.push_back(fmt::format("{} failed: {}.", one.dt ? phrase(one) : one.engine, one.reason));
   return sentences;
 }
 
 /// Whether blocks of an engine do not rest where those of the exact motion do, though nothing sinks or falls.
-bool row_is_off_at_rest(const ReplicatedRow& one, const std::vector<JudgedScene>& scenes) {
-  const RunMetrics& row = one.row;
+bool row_is_off_at_rest(const RunMetrics& row, const std::vector<JudgedScene>& scenes) {
   if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
   const JudgedScene& scene = scene_in(scenes, row.scene);
   return !agrees(row, scene) && event_of(row, scene).empty();
@@ -176,25 +172,24 @@ std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vec
   std::vector<std::string> at_rest;
   for (const JudgedScene& scene : scenes) {
     const bool rests = std::ranges::any_of(rows, [&](const ReplicatedRow& one) {
-      return one.row.scene == scene.name && one.row.motion && *one.row.motion <= rest_extent;
+      return one.scene == scene.name && one.motion && *one.motion <= rest_extent;
     });
     if (rests) at_rest.push_back(scene.name);
   }
   if (at_rest.empty()) return "";
   const ReplicatedRow* worst = nullptr;
   for (const ReplicatedRow& one : rows)
-    if (row_is_off_at_rest(one, scenes) && (worst == nullptr || *one.row.error > *worst->row.error))
-      worst = &one;
+    if (row_is_off_at_rest(one, scenes) && (worst == nullptr || *one.error > *worst->error)) worst = &one;
   return fmt::format("Nothing moves in {}, where no set is ranked{}.", joined(at_rest),
-                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(worst->row), worst->row.outcome));
+                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(*worst), worst->outcome));
 }
 
 /// Scenes whose exact motion is not the only one, or not one of blocks that only push.
 std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
   std::vector<std::string> doubts;
   for (const ReplicatedRow& one : rows)
-    if (one.row.engine == "exact" && !one.row.outcome.empty())
-      doubts.push_back(fmt::format("in {} the exact motion is {}", one.row.scene, one.row.outcome));
+    if (one.engine == "exact" && !one.outcome.empty())
+      doubts.push_back(fmt::format("in {} the exact motion is {}", one.scene, one.outcome));
   if (doubts.empty()) return "";
   return capitalised(joined(doubts)) + ".";
 }
