@@ -143,21 +143,16 @@ void add_positions(const Scene& scene, const History& exact, const std::vector<d
   row.sinking = support_of(bodies->penetration, bodies->unsupported_since).sinking;
 }
 
-std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, double slowest) {
-  std::vector<ImpactTime> list;
-  for (const ContactImpact& impact : impacts)
-    if (impact.speed >= slowest)
-      list.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
-  std::ranges::stable_sort(list, {}, &ImpactTime::time);
-  return list;
-}
-
 /// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its angles.
 void add_contact_impacts(const Scene& scene, const History& exact, const CandidateMotion& candidate,
                          const Difference& apart, double horizon, RunMetrics& row, RunFiles& files) {
   if (!candidate.bodies->contacts) return;
   const double slowest = chatter_speed(scene);
-  const auto told = told_impacts(candidate.bodies->contacts->impacts, slowest);
+  std::vector<ImpactTime> told;
+  for (const ContactImpact& impact : candidate.bodies->contacts->impacts)
+    if (impact.speed >= slowest)
+      told.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
+  std::ranges::stable_sort(told, {}, &ImpactTime::time);
   const auto expected = reported_impacts(exact, slowest);
   const auto alignment = align(expected, told, matching_windows(expected, apart, candidate.interval));
   set_counts(up_to(alignment, horizon), row.contact_impacts_matched, row.contact_impacts_missed,

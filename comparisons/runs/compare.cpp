@@ -26,7 +26,7 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
 void rank(const std::vector<ReplicatedRow*>& rows) {
   for (const RankedSet& set : rank_all(each_of(rows, [](const ReplicatedRow* row) { return *row; })))
     for (ReplicatedRow* one : rows)
-      if (set_name(one->row) == set_name(set) && one->row.status == RunStatus::done) one->row.rank = set.rank;
+      if (set_name(*one) == set_name(set) && one->status == RunStatus::done) one->rank = set.rank;
 }
 
 std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
@@ -48,9 +48,9 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     ReplicatedRow& one = reported.emplace_back(ReplicatedRow{nominal, {}});
     add_evidence(nominal, one);
     for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
-    if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one.row);
-    if (!is_engine(one.row)) continue;
-    one.row.outcome = outcome(one.row, scene_in(scenes, nominal.scene));
+    if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one);
+    if (!is_engine(one)) continue;
+    one.outcome = outcome(one, scene_in(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
   for (const auto& [cell, own] : cells) rank(own);
@@ -70,14 +70,14 @@ class RowTeller {
     const Cell cell = cell_of(job);
     std::vector<RunWithReplicates>& own = rows_[cell];
     own.push_back(row);
-    if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front().row);
+    if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front());
     if (--left_[cell] > 0) return;
-    std::vector<RunMetrics> rows = each_of(reported_rows(own, scenes_), &ReplicatedRow::row);
+    std::vector<ReplicatedRow> rows = reported_rows(own, scenes_);
     const auto place = [](const RunMetrics& one) {
       return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
     };
     std::ranges::stable_sort(rows, {}, place);
-    options_.rows(rows);
+    options_.rows({rows.begin(), rows.end()});
     rows_.erase(cell);
   }
 
@@ -242,11 +242,10 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
   RowTeller teller(jobs, scenes, options);
-  const DoneTasks made = carry_out(
-      jobs, folder, executor, options.command,
-      {options.progress, [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); }});
+  const auto tell = [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); };
+  const DoneTasks made = carry_out(jobs, folder, executor, options, tell);
   ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
-  CompareResult result{each_of(evidence.rows, &ReplicatedRow::row), made.reused, {}};
+  CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, made.reused, {}};
   evidence.fits = fit_runs(result.rows);
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);

@@ -26,19 +26,7 @@ Suite without_histories(const Suite& suite) {
   return lean;
 }
 
-/// The angles of a motion at rising times, row by row, up to where it ends.
-std::vector<double> angles_at_times(const History& motion, const std::vector<double>& times) {
-  std::vector<double> angles;
-  if (motion.size() < 2) return angles;
-  for (const double time : times) {
-    if (time > motion.times.back()) break;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(motion.blocks); ++k)
-      angles.push_back(angle_at(motion, k, time));
-  }
-  return angles;
-}
-
-/// One replicate; `angles` are those of angles_at_times().
+/// One replicate; `angles` are those at rising times, row by row, up to where its motion ends.
 RunMetrics make_replicate(const Job& job, int number, const std::vector<double>& times,
                           std::vector<double>& angles) {
   const Replicates& replicates = job.suite.replicates;
@@ -48,7 +36,9 @@ RunMetrics make_replicate(const Job& job, int number, const std::vector<double>&
     History motion;
     row = engine_metrics(job, replicate_scene(job.scene.scene, replicates, number),
                          replicate_step(job.dt, replicates, number), 0, files, &motion);
-    angles = angles_at_times(motion, times);
+    for (std::size_t i = 0; motion.size() > 1 && i < times.size() && times[i] <= motion.times.back(); ++i)
+      for (std::size_t k = 0; k < job.scene.scene.blocks.size(); ++k)
+        angles.push_back(angle_at(motion, k, times[i]));
   } catch (const std::exception& failure) {
     row = describe(job);
     row.status = RunStatus::failed;

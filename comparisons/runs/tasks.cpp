@@ -164,16 +164,17 @@ std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const
 }
 
 DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                    const std::string& command, const Listener& listener) {
+                    const CompareOptions& options,
+                    const std::function<void(std::size_t job, const RunWithReplicates&)>& row) {
   Runs runs(jobs, folder);
   const std::vector<std::size_t> order = order_of(jobs);
   double work = 0;
   for (const std::size_t i : order) work += expected_work(jobs, i);
-  ProgressCounter progress(order.size(), work, listener.progress);
+  ProgressCounter progress(order.size(), work, options.progress);
   const auto finish = [&](std::size_t task, bool made) {
     progress.finish(runs.name(task), expected_work(jobs, task), made);
     const std::size_t job = task_of(task, jobs.size()).job;
-    if (runs.finish_task(job)) listener.row(job, runs.rows()[job]);
+    if (runs.finish_task(job)) row(job, runs.rows()[job]);
   };
   std::vector<std::size_t> tasks;
   std::size_t reused = 0;
@@ -185,7 +186,9 @@ DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& f
     if (i < jobs.size()) ++reused;
     finish(i, false);
   }
-  const auto compute = [&](std::size_t i) { return compute_task(jobs, i, command, executor.count()); };
+  const auto compute = [&](std::size_t i) {
+    return compute_task(jobs, i, options.command, executor.count());
+  };
   const auto deliver = [&](std::size_t i, const std::string& text) {
     runs.deliver(i, text);
     finish(i, true);

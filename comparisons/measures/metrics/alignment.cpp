@@ -88,10 +88,9 @@ constexpr double window_steps = 3;
 /// Half the time to the nearest exact impact of the same interface, s.
 double widest_window(const std::vector<ImpactTime>& exact, std::size_t number) {
   double widest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    if (i == number || exact[i].interface != exact[number].interface) continue;
-    widest = std::min(widest, 0.5 * std::abs(exact[i].time - exact[number].time));
-  }
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    if (i != number && exact[i].interface == exact[number].interface)
+      widest = std::min(widest, 0.5 * std::abs(exact[i].time - exact[number].time));
   return widest;
 }
 

@@ -66,17 +66,6 @@ void add_open_questions(const History& history, std::vector<std::string>& lines)
   }
 }
 
-/// tr M⁻¹K for unit springs at both ends of each interface.
-double unit_trace(const Scene& scene) {
-  double sum = 0;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const double half_width = interface_half_width(scene, static_cast<int>(k));
-    sum += 2 * spring_compliance(scene.blocks[k], half_width, scene.springs.tangential);
-    if (k > 0) sum += 2 * spring_compliance(scene.blocks[k - 1], half_width, scene.springs.tangential);
-  }
-  return sum;
-}
-
 /// The state of a sample, whose closed interfaces have no relative motion but rounding.
 State<double> state_at(const History& history, std::size_t sample) {
   State<double> state{history.patterns[sample], relative(vector_of(history.angles_at(sample))),
@@ -229,7 +218,13 @@ Scene with_springs(Scene scene, const std::vector<double>& friction, const Corne
 }
 
 double spring_factor(const Scene& scene, const CornerSpring& spring, double most) {
-  const double per_rate = scene.duration / steps_per_rate / most, trace = unit_trace(scene);
+  double trace = 0;  // of M⁻¹K for unit springs at both ends of each interface
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double half_width = interface_half_width(scene, static_cast<int>(k));
+    trace += 2 * spring_compliance(scene.blocks[k], half_width, scene.springs.tangential);
+    if (k > 0) trace += 2 * spring_compliance(scene.blocks[k - 1], half_width, scene.springs.tangential);
+  }
+  const double per_rate = scene.duration / steps_per_rate / most;
   const double damped = trace * spring.damping * per_rate;
   const double swinging = trace * spring.stiffness * per_rate * per_rate;
   return std::max({1.0, damped, swinging});

@@ -85,12 +85,11 @@ std::optional<SlipDifference> slip_difference(const History& first, const Histor
   const std::size_t count = common_samples(first, second);
   SlipDifference result;
   for (std::size_t i = 0; i < count; ++i) {
+    const auto one = first.row(first.slips, i), other = second.row(second.slips, i);
     result.last.reset();
-    for (int k = 0; k < first.blocks; ++k) {
-      if (first.patterns[i][k] == Contact::apart) continue;
-      const std::size_t at = i * static_cast<std::size_t>(first.blocks) + static_cast<std::size_t>(k);
-      result.last = std::max(result.last.value_or(0), std::abs(second.slips[at] - first.slips[at]));
-    }
+    for (std::size_t k = 0; k < one.size(); ++k)
+      if (first.patterns[i].contacts[k] != Contact::apart)
+        result.last = std::max(result.last.value_or(0), std::abs(other[k] - one[k]));
     result.largest = std::max(result.largest, result.last.value_or(0));
   }
   return result;

@@ -154,10 +154,9 @@ std::string reported_toppling(const History& history) {
 
 std::string observed_toppling(const Scene& scene, const History& history) {
   const auto last = history.angles_at(history.size() - 1);
-  for (std::size_t k = 0; k < last.size(); ++k) {
-    if (std::abs(last[k]) <= toppling_angle(scene, static_cast<int>(k))) continue;
-    return fmt::format("block {} at {} s", k + 1, history.times.back());
-  }
+  for (std::size_t k = 0; k < last.size(); ++k)
+    if (std::abs(last[k]) > toppling_angle(scene, static_cast<int>(k)))
+      return fmt::format("block {} at {} s", k + 1, history.times.back());
   return "";
 }
 

@@ -35,39 +35,36 @@ void write_all(int descriptor, std::string_view text, const std::filesystem::pat
 
 struct Kind {
   const char* name;
-  std::vector<const char*> derived;  ///< from runs, or by a command that has none
+  std::initializer_list<const char*> derived;  ///< from runs, or by a command that has none
 };
 
 /// In the order of Results.
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> list{
-      {"one motion",
-       {"summary.json", "history.csv", "events.csv", "reactions.csv", "energies.csv", "corners.csv",
-        "ground.csv", "branches.csv", "branches", "figures", "report.html"}},
-      {"a comparison",
-       {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "spread.csv", "ranking.csv",
-        "ground", "figures", "report.html"}},
-      {"a lesson",
-       {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
-        "fits.csv", "distributions.csv", "ground", "figures", "report.html"}},
-      {"advice", {"advice.json", "advice.csv", "figures", "report.html"}},
-      {"a study of stability",
-       {"stability.json", "stability.csv", "steps.csv", "comparison.json", "comparison.csv", "fits.csv",
-        "distributions.csv", "ground", "figures", "report.html"}},
-      {"a study of impact laws",
-       {"impact-laws.json", "impact-laws.csv", "impact-laws-engines.csv", "figures", "report.html"}},
-      {"a sweep",
-       {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
-        "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}},
-      {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
-      {"results held together", {"diff.json", "diff.csv"}},
-      {"a canon", {"canon.json", "canon.csv", "report.html"}},
-      {"a course", {"index.html", "glossary.html", "course.json"}},
-      {"problem sheets", {}},
-      {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
-  };
-  return list;
-}
+constexpr Kind kinds[]{
+    {"one motion",
+     {"summary.json", "history.csv", "events.csv", "reactions.csv", "energies.csv", "corners.csv",
+      "ground.csv", "branches.csv", "branches", "figures", "report.html"}},
+    {"a comparison",
+     {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "spread.csv", "ranking.csv",
+      "ground", "figures", "report.html"}},
+    {"a lesson",
+     {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
+      "fits.csv", "distributions.csv", "ground", "figures", "report.html"}},
+    {"advice", {"advice.json", "advice.csv", "figures", "report.html"}},
+    {"a study of stability",
+     {"stability.json", "stability.csv", "steps.csv", "comparison.json", "comparison.csv", "fits.csv",
+      "distributions.csv", "ground", "figures", "report.html"}},
+    {"a study of impact laws",
+     {"impact-laws.json", "impact-laws.csv", "impact-laws-engines.csv", "figures", "report.html"}},
+    {"a sweep",
+     {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
+      "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}},
+    {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
+    {"results held together", {"diff.json", "diff.csv"}},
+    {"a canon", {"canon.json", "canon.csv", "report.html"}},
+    {"a course", {"index.html", "glossary.html", "course.json"}},
+    {"problem sheets", {}},
+    {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
+};
 
 namespace fs = std::filesystem;
 
@@ -169,7 +166,7 @@ void write_file(const std::filesystem::path& file, const std::function<void(cons
 
 ResultsFolder::ResultsFolder(const fs::path& folder, Results results)
     : folder_(folder), made_(make_folders(folder)), lock_(folder) {
-  const Kind& kind = kinds().at(static_cast<std::size_t>(results));
+  const Kind& kind = kinds[static_cast<std::size_t>(results)];
   std::string found;
   std::getline(std::ifstream(folder / mark_name), found);
   if (!found.empty() && found != kind.name)

@@ -27,15 +27,11 @@ std::string ground_of(const Scene& scene) {
 
 /// Sizes and masses, bottom to top.
 Json stack_json(const Scene& scene) {
-  Json list = Json::array();
-  for (const Block& block : scene.blocks)
-    list.push_back({{"width", 2 * block.half_width},
-                    {"height", 2 * block.half_height},
-                    {"mass", block.mass},
-                    {"inertia", block.inertia},
-                    {"offset_x", block.offset_x},
-                    {"offset_y", block.offset_y}});
-  return list;
+  return each_of(scene.blocks, [](const Block& block) {
+    return Json{
+        {"width", 2 * block.half_width}, {"height", 2 * block.half_height}, {"mass", block.mass},
+        {"inertia", block.inertia},      {"offset_x", block.offset_x},      {"offset_y", block.offset_y}};
+  });
 }
 
 }  // namespace

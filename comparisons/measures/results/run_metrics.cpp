@@ -16,17 +16,13 @@ constexpr std::array<const char*, 6> status_names{"done",   "failed",     "not f
                                                   "signal", "time limit", "memory limit"};
 
 template <class Value>
-Json json_of(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json json_of(const std::string& value) {
-  return value;
-}
-
-template <class Enumeration>
-requires std::is_enum_v<Enumeration> Json json_of(Enumeration value) {
-  return name(value);
+Json json_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return name(value);
+  else if constexpr (std::is_same_v<Value, std::string>)
+    return value;
+  else
+    return value ? Json(*value) : Json();
 }
 
 void read_cell(const Json& cell, std::optional<double>& value) {

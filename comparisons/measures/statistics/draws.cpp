@@ -23,12 +23,6 @@ UniformPair draw_uniform(const DrawIndex& index) {
   return {uniform(bits[0], bits[1]), uniform(bits[2], bits[3])};
 }
 
-/// Standard normal (Box & Muller 1958).
-double draw_normal(const DrawIndex& index) {
-  const auto [first, second] = draw_uniform(index);
-  return std::sqrt(-2 * std::log(first)) * std::cos(2 * std::numbers::pi * second);
-}
-
 }  // namespace
 
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
@@ -47,17 +41,12 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
 }
 
 double draw(const Distribution& distribution, const DrawIndex& index) {
-  const double first = distribution.first;
-  const double second = distribution.second;
-  switch (distribution.kind) {
-    case Distribution::Kind::uniform:
-      return first + (second - first) * draw_uniform(index).first;
-    case Distribution::Kind::normal:
-      return first + second * draw_normal(index);
-    case Distribution::Kind::lognormal:
-      return first * std::exp(second * draw_normal(index));
-  }
-  return first;
+  const auto [kind, first, second] = distribution;
+  const auto [one, other] = draw_uniform(index);
+  if (kind == Distribution::Kind::uniform) return first + (second - first) * one;
+  // Standard normal (Box & Muller 1958).
+  const double normal = std::sqrt(-2 * std::log(one)) * std::cos(2 * std::numbers::pi * other);
+  return kind == Distribution::Kind::normal ? first + second * normal : first * std::exp(second * normal);
 }
 
 double median(const Distribution& distribution) {

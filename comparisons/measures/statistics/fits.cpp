@@ -29,14 +29,6 @@ std::vector<Series> series_of(const std::vector<RunMetrics>& rows) {
   return list;
 }
 
-StepFit fit_of(const Series& series, const char* quantity) {
-  std::vector<StepError> errors;
-  for (const RunMetrics* row : series)
-    if (const Json error = column_named(quantity).cell(*row); !error.is_null())
-      errors.push_back({*row->dt, std::abs(error.get<double>())});
-  return fit_steps(errors);
-}
-
 }  // namespace
 
 std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
@@ -44,8 +36,13 @@ std::vector<SeriesFit> fit_runs(const std::vector<RunMetrics>& rows) {
   for (const Series& series : series_of(rows)) {
     if (series.size() < least_steps) continue;
     const RunMetrics& row = *series.front();
-    for (const char* quantity : quantities)
-      fits.push_back({row.scene, row.engine, row.solver, row.settings, quantity, fit_of(series, quantity)});
+    for (const char* quantity : quantities) {
+      std::vector<StepError> errors;
+      for (const RunMetrics* one : series)
+        if (const Json error = column_named(quantity).cell(*one); !error.is_null())
+          errors.push_back({*one->dt, std::abs(error.get<double>())});
+      fits.push_back({row.scene, row.engine, row.solver, row.settings, quantity, fit_steps(errors)});
+    }
   }
   return fits;
 }

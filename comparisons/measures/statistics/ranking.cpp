@@ -27,23 +27,16 @@ struct Error {
 using Errors = std::map<Cell, Error>;
 using Sets = std::map<Name, Errors>;
 
-/// Scenes that an engine's row shows to be at rest, or to have no errors.
-std::set<std::string> moving_scenes(const std::vector<ReplicatedRow>& rows) {
-  std::set<std::string> scenes;
-  for (const ReplicatedRow& one : rows)
-    if (can_be_ranked(one)) scenes.insert(one.row.scene);
-  return scenes;
-}
-
 Sets sets_of(const std::vector<ReplicatedRow>& all) {
   const std::vector<ReplicatedRow> rows = rows_that_count(all);
-  const std::set<std::string> moving = moving_scenes(rows);
+  std::set<std::string> moving;  // scenes
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) moving.insert(one.scene);
   Sets sets;
-  for (const ReplicatedRow& one : rows) {
-    const RunMetrics& row = one.row;
+  for (const ReplicatedRow& row : rows) {
     if (!row.dt || row.settings.empty() || !moving.contains(row.scene)) continue;
     Error error{INFINITY, {INFINITY}};
-    if (row.status == RunStatus::done && row.error) error = {std::max(*row.error, least_error), one.errors};
+    if (row.status == RunStatus::done && row.error) error = {std::max(*row.error, least_error), row.errors};
     for (double& value : error.replicates) value = std::max(value, least_error);
     sets[{row.engine, row.solver, row.settings}][{row.scene, *row.dt}] = std::move(error);
   }
@@ -127,15 +120,14 @@ std::vector<RankedSet> ranked(const Sets& sets) {
 
 }  // namespace
 
-bool can_be_ranked(const ReplicatedRow& one) {
-  const RunMetrics& row = one.row;
+bool can_be_ranked(const RunMetrics& row) {
   return row.dt && !row.settings.empty() && row.status == RunStatus::done && row.error &&
          row.motion.value_or(0) > rest_extent;
 }
 
 std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows) {
   const auto is_single = [](const ReplicatedRow& one) { return one.errors.size() < 2; };
-  const auto is_done = [](const ReplicatedRow& one) { return one.row.status == RunStatus::done; };
+  const auto is_done = [](const ReplicatedRow& one) { return one.status == RunStatus::done; };
   std::vector<ReplicatedRow> list = rows;
   if (!std::ranges::all_of(rows, is_single))
     std::erase_if(list, [&](const ReplicatedRow& one) { return is_single(one) && is_done(one); });

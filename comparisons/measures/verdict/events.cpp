@@ -4,22 +4,46 @@
 
 #include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 
-// What happens in engines and not in the exact motion, in a sentence.
+// What happens in engines and not in the exact motion.
 
 namespace rockstack {
 namespace {
 
 constexpr std::size_t most_sets = 3;  ///< that a sentence names
 
+std::string fall_of(const RunMetrics& row) {
+  if (row.toppling_verdict == TopplingVerdict::exact_alone)
+    return "stands, though in the exact motion a block falls";
+  if (row.toppling_verdict != TopplingVerdict::engine_alone) return "";
+  return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
+}
+
+/// How deep a block has sunk in.
+struct Sunk {
+  double depth = 0;    ///< m
+  bool stays = false;  ///< to the end, not for a moment
+};
+
+/// Where it stays so by more than told_sinking of the least block height, or is deeper by the tolerance for a
+/// moment; nought elsewhere.
+Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene) {
+  const double off = row.largest_position_difference.value_or(0);
+  const double at_the_end = std::min(row.sinking.value_or(0), off);
+  const double deepest = std::min(row.penetration.value_or(0), off);
+  if (deepest > scene.tolerance * scene.least_height && deepest > 2 * at_the_end) return {deepest, false};
+  if (at_the_end > told_sinking * scene.least_height) return {at_the_end, true};
+  return {};
+}
+
 /// The row of each set in which something happens that does not in the exact motion, with the largest error.
 std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>& rows,
                                                 const std::vector<JudgedScene>& scenes) {
   std::vector<const RunMetrics*> list;
-  for (const ReplicatedRow& one : rows) {
-    const RunMetrics& row = one.row;
+  for (const RunMetrics& row : rows) {
     if (!is_engine(row) || !row.error || event_of(row, scene_in(scenes, row.scene)).empty()) continue;
     const auto same = [&](const RunMetrics* other) {
       return other->scene == row.scene && set_name(*other) == set_name(row);
@@ -57,22 +81,35 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
 
 }  // namespace
 
+std::string event_of(const RunMetrics& row, const JudgedScene& scene) {
+  // In how many runs it topples otherwise, where not in all or none.
+  const int other = row.draws_other_verdict.value_or(0), all = row.draws.value_or(1);
+  const std::string replicates =
+      other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
+  if (const std::string fall = fall_of(row); !fall.empty())
+    return replicates.empty() ? fall : fall + ", " + replicates;
+  if (!replicates.empty()) return "topples otherwise " + replicates;
+  if (const Sunk sunk = sunk_in(row, scene); sunk.depth > 0)
+    return "sinks in by " + quantity_text(sunk.depth, "m", 2) + (sunk.stays ? "" : " for a moment");
+  const bool pivots = row.law == name(Law::paper) || row.law == name(Law::consistent);
+  const bool rises = pivots && row.motion > rest_extent && row.gap > scene.tolerance * scene.least_height;
+  return rises ? "rises by " + quantity_text(*row.gap, "m", 2) : "";
+}
+
 std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes,
                            std::size_t most) {
   const std::vector<const RunMetrics*> events = rows_with_events(rows, scenes);
   if (events.empty()) return "";
   if (events.size() > most) return counted_events(events, scenes);
-  std::vector<std::string> parts;
-  for (const RunMetrics* row : events) {
+  const auto told = [&](const RunMetrics* row) {
     const std::string event = event_of(*row, scene_in(scenes, row->scene));
     const char* subject = event.starts_with("block")                                 ? ""
                           : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
                                                                                      : "it ";
-    parts.push_back(fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene,
-                                quantity_text(*row->dt, "s"), subject, event));
-  }
-  parts.front().front() = 'W';
-  return fmt::format("{}.", fmt::join(parts, "; "));
+    return fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene, quantity_text(*row->dt, "s"),
+                       subject, event);
+  };
+  return capitalised(text_of_each(events, told, "; ")) + ".";
 }
 
 }  // namespace rockstack

@@ -22,9 +22,8 @@ using EndsOfSteps = std::map<double, Ends, std::greater<>>;
 
 EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
   EndsOfSteps steps;
-  for (const ReplicatedRow& one : rows) {
-    if (!can_be_ranked(one)) continue;
-    const RunMetrics& row = one.row;
+  for (const ReplicatedRow& row : rows) {
+    if (!can_be_ranked(row)) continue;
     const JudgedScene& scene = scene_in(scenes, row.scene);
     Ends& ends = steps[*row.dt];
     const bool whole = agrees(row, scene);
@@ -32,13 +31,6 @@ EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<Ju
     ends.beyond = ends.beyond || (whole && row.horizon.value_or(scene.duration) < scene.duration);
   }
   return steps;
-}
-
-/// The coarsest, the middle one and the finest.
-std::vector<double> reported_steps(const EndsOfSteps& steps) {
-  std::vector<double> all = each_of(steps, &EndsOfSteps::value_type::first);
-  if (all.size() > 3) all = {all.front(), all[all.size() / 2], all.back()};
-  return all;
 }
 
 /// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
@@ -66,9 +58,9 @@ std::string horizons(const std::vector<ReplicatedRow>& rows, const std::vector<J
   std::vector<std::string> texts;
   for (const JudgedScene& scene : scenes) {
     const auto row = std::ranges::find_if(
-        rows, [&](const ReplicatedRow& one) { return one.row.scene == scene.name && can_be_ranked(one); });
-    if (row == rows.end() || row->row.horizon.value_or(scene.duration) >= scene.duration) continue;
-    texts.push_back(fmt::format("{} in {}", quantity_text(*row->row.horizon, "s"), scene.name));
+        rows, [&](const ReplicatedRow& one) { return one.scene == scene.name && can_be_ranked(one); });
+    if (row == rows.end() || row->horizon.value_or(scene.duration) >= scene.duration) continue;
+    texts.push_back(fmt::format("{} in {}", quantity_text(*row->horizon, "s"), scene.name));
   }
   return texts.empty() ? "" : " (the horizon: " + joined(texts) + ")";
 }
@@ -95,7 +87,7 @@ First first_of(const std::vector<RankedSet>& ranking) {
 std::string alone_at_steps(const std::vector<ReplicatedRow>& rows) {
   std::map<double, std::vector<ReplicatedRow>, std::greater<>> steps;
   for (const ReplicatedRow& one : rows)
-    if (one.row.dt) steps[*one.row.dt].push_back(one);
+    if (one.dt) steps[*one.dt].push_back(one);
   std::vector<std::string> texts;
   for (const auto& [dt, own] : steps) {
     const First first = first_of(rank_all(own));
@@ -133,22 +125,17 @@ std::string evidence(const std::vector<ReplicatedRow>& rows) {
              : fmt::format("{} to {} replicates", *counts.begin(), *counts.rbegin());
 }
 
-/// Of a scene among others.
-std::string place(const First& first) {
-  return first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
-}
-
 std::string part(const First& first, const std::string& by) {
-  if (first.sets.size() == 1) return place(first) + first.sets[0] + " is nearest to the exact motion";
-  if (first.all) return fmt::format("{}{} cannot tell which set is nearest{}", place(first), by, first.steps);
-  return fmt::format("{}{} are nearest, which {} cannot tell apart{}", place(first),
+  const std::string place = first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
+  if (first.sets.size() == 1) return place + first.sets[0] + " is nearest to the exact motion";
+  if (first.all) return fmt::format("{}{} cannot tell which set is nearest{}", place, by, first.steps);
+  return fmt::format("{}{} are nearest, which {} cannot tell apart{}", place,
                      joined_up_to(most_named, first.sets), by, first.steps);
 }
 
 /// The sets to which most others are shown to be nearer, where these are half of all or more; `over`: which
 /// scenes, where words before speak of one.
 std::string furthest(const std::vector<RankedSet>& ranking, const std::string& over) {
-  if (ranking.size() < 2) return "";
   const RankedSet& last = *std::ranges::max_element(ranking, {}, &RankedSet::rank);
   const std::size_t others = ranking.size() - 1, nearer = static_cast<std::size_t>(last.rank) - 1;
   std::vector<std::string> sets;
@@ -170,7 +157,7 @@ std::string furthest(const std::vector<RankedSet>& ranking, const std::string& o
 std::string over_steps(const std::vector<ReplicatedRow>& rows) {
   std::set<double> steps;
   for (const ReplicatedRow& one : rows)
-    if (can_be_ranked(one)) steps.insert(*one.row.dt);
+    if (can_be_ranked(one)) steps.insert(*one.dt);
   return steps.size() > 1 ? "over all steps together " : "";
 }
 
@@ -195,7 +182,7 @@ const JudgedScene& scene_in(const std::vector<JudgedScene>& scenes, const std::s
 std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
   std::vector<ReplicatedRow> own;
   std::ranges::copy_if(rows, std::back_inserter(own),
-                       [&](const ReplicatedRow& one) { return one.row.scene == scene.name; });
+                       [&](const ReplicatedRow& one) { return one.scene == scene.name; });
   return own;
 }
 
@@ -203,17 +190,17 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
                                const std::vector<JudgedScene>& scenes) {
   const EndsOfSteps steps = ends_of(rows, scenes);
   if (steps.empty()) return "";
-  std::vector<std::string> parts;
-  for (const double dt : reported_steps(steps))
-    parts.push_back(fmt::format("{} {}", quantity_text(dt, "s"), leaving(steps.at(dt))));
+  std::vector<double> reported = each_of(steps, &EndsOfSteps::value_type::first);
+  if (reported.size() > 3) reported = {reported.front(), reported[reported.size() / 2], reported.back()};
+  const auto told = [&](double dt) { return quantity_text(dt, "s") + " " + leaving(steps.at(dt)); };
   const double tolerance = scenes.front().tolerance;
   const bool of_replicates =
       std::ranges::any_of(rows, [](const ReplicatedRow& one) { return one.errors.size() > 1; });
   return fmt::format(
       "Engines leave the exact motion at a time step of {}{}; to leave it is to be off by more than {} or {:g} % of the least block "
       "height{}.",
-      fmt::join(parts, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"), 100 * tolerance,
-      of_replicates ? ", in the median of replicates" : "");
+      text_of_each(reported, told, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"),
+      100 * tolerance, of_replicates ? ", in the median of replicates" : "");
 }
 
 std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::vector<JudgedScene>& scenes) {

@@ -3,23 +3,9 @@
 #include <fmt/format.h>
 
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack {
 namespace {
-
-std::string fall_of(const RunMetrics& row) {
-  if (row.toppling_verdict == TopplingVerdict::exact_alone)
-    return "stands, though in the exact motion a block falls";
-  if (row.toppling_verdict != TopplingVerdict::engine_alone) return "";
-  return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
-}
-
-/// In how many runs it topples otherwise, where not in all or none.
-std::string share_of_replicates(const RunMetrics& row) {
-  const int other = row.draws_other_verdict.value_or(0), all = row.draws.value_or(1);
-  return other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
-}
 
 std::string at_rest(const RunMetrics& row, const JudgedScene& scene, const std::string& event) {
   const bool turns = row.largest_angle_difference.value_or(0) > scene.tolerance;
@@ -61,27 +47,6 @@ double agreement_end(const RunMetrics& row, const JudgedScene& scene) {
   if (agrees(row, scene)) return horizon;
   return std::min(
       {horizon, row.agreement_time.value_or(horizon), row.position_agreement_time.value_or(horizon)});
-}
-
-Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene) {
-  const double off = row.largest_position_difference.value_or(0);
-  const double at_the_end = std::min(row.sinking.value_or(0), off);
-  const double deepest = std::min(row.penetration.value_or(0), off);
-  if (deepest > scene.tolerance * scene.least_height && deepest > 2 * at_the_end) return {deepest, false};
-  if (at_the_end > told_sinking * scene.least_height) return {at_the_end, true};
-  return {};
-}
-
-std::string event_of(const RunMetrics& row, const JudgedScene& scene) {
-  const std::string replicates = share_of_replicates(row);
-  if (const std::string fall = fall_of(row); !fall.empty())
-    return replicates.empty() ? fall : fall + ", " + replicates;
-  if (!replicates.empty()) return "topples otherwise " + replicates;
-  if (const Sunk sunk = sunk_in(row, scene); sunk.depth > 0)
-    return "sinks in by " + quantity_text(sunk.depth, "m", 2) + (sunk.stays ? "" : " for a moment");
-  const bool pivots = row.law == name(Law::paper) || row.law == name(Law::consistent);
-  const bool rises = pivots && row.motion > rest_extent && row.gap > scene.tolerance * scene.least_height;
-  return rises ? "rises by " + quantity_text(*row.gap, "m", 2) : "";
 }
 
 std::string outcome(const RunMetrics& row, const JudgedScene& scene) {

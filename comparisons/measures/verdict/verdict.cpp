@@ -17,8 +17,8 @@ std::string phrase(const RunMetrics& row) {
 }
 
 std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& rows) {
-  const auto one = std::ranges::find_if(rows, [&](const auto& each) { return each.row.run == run; });
-  return one == rows.end() || !is_engine(one->row) ? run : phrase(one->row);
+  const auto one = std::ranges::find(rows, run, &RunMetrics::run);
+  return one == rows.end() || !is_engine(*one) ? run : phrase(*one);
 }
 
 std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
@@ -32,28 +32,20 @@ std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
                      *exact.impacts + exact.slower_impacts.value_or(0), doubt);
 }
 
-using Measure = std::optional<double> RunMetrics::*;
-
-/// The least and the largest of a column at each step, the coarsest first.
-std::map<double, std::pair<double, double>, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows,
-                                                                   Measure measure) {
-  std::map<double, std::pair<double, double>, std::greater<>> list;
+/// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
+std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
+                    const char* unit, std::optional<double> RunMetrics::*measure,
+                    std::string (*text)(double, const std::string&, int) = quantity_text) {
+  std::map<double, std::pair<double, double>, std::greater<>> ranges;  // of each step, the coarsest first
   for (const ReplicatedRow& one : rows) {
-    const std::optional<double>& value = one.row.*measure;
-    if (!is_engine(one.row) || !value) continue;
-    auto& [least, most] = list.try_emplace(*one.row.dt, *value, *value).first->second;
+    const std::optional<double>& value = one.*measure;
+    if (!is_engine(one) || !value) continue;
+    auto& [least, most] = ranges.try_emplace(*one.dt, *value, *value).first->second;
     least = std::min(least, *value);
     most = std::max(most, *value);
   }
-  return list;
-}
-
-/// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
-std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
-                    const char* unit, Measure value,
-                    std::string (*text)(double, const std::string&, int) = quantity_text) {
   std::vector<std::string> parts;
-  for (const auto& [dt, range] : ranges(rows, value)) {
+  for (const auto& [dt, range] : ranges) {
     const std::string least = text(range.first, unit, 2), most = text(range.second, unit, 2);
     parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"),
                                 least == most ? least : fmt::format("{} to {}", least, most)));
@@ -63,17 +55,17 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
 
 /// Empty where nothing slips otherwise.
 std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
-  const auto list = ranges(rows, &RunMetrics::slip_error);
-  const bool same = std::ranges::all_of(list, [](const auto& one) { return one.second.second == 0; });
+  const bool same = std::ranges::none_of(
+      rows, [](const ReplicatedRow& one) { return is_engine(one) && one.slip_error.value_or(0) != 0; });
   return same ? "" : by_step(rows, "Slips are off by at most: {}.", "m", &RunMetrics::slip_error);
 }
 
 void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::string>& sentences) {
   std::size_t compared = 0, all = 0;
   for (const auto& one : rows) {
-    if (!is_engine(one.row) || !one.row.impacts_missed) continue;
+    if (!is_engine(one) || !one.impacts_missed) continue;
     ++compared;
-    if (one.row.impacts_missed == 0 && one.row.impacts_extra == 0) ++all;
+    if (one.impacts_missed == 0 && one.impacts_extra == 0) ++all;
   }
   if (compared > 0)
     sentences.push_back(fmt::format("Of {} {} the exact sequence of impacts, none missed and none extra.",
@@ -90,10 +82,10 @@ void add_beyond(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene
   double horizon = scene.duration;
   for (const ReplicatedRow& one : rows) {
     if (!can_be_ranked(one)) continue;
-    horizon = one.row.horizon.value_or(horizon);
+    horizon = one.horizon.value_or(horizon);
     ++compared;
     if (!one.peaks.empty() && mann_whitney(one.exact_peaks, one.peaks).p_value <= separation_level)
-      other.push_back(phrase(one.row));
+      other.push_back(phrase(one));
   }
   if (compared == 0 || horizon >= scene.duration) return;
   sentences.push_back(
@@ -146,34 +138,30 @@ std::string convergence_sentence(const std::vector<SeriesFit>& fits, const std::
 /// errors, the first impact, slips, sequences of impacts, what distributions tell beyond the horizon, and
 /// what failed. A sentence each, empty where there is nothing to say.
 std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
-  std::vector<std::string> sentences;
-  const auto exact =
-      std::ranges::find_if(rows, [](const ReplicatedRow& one) { return one.row.engine == "exact"; });
-  const bool solved = exact != rows.end() && exact->row.status == RunStatus::done;
-  sentences.push_back(solved ? exact_sentence(exact->row, scene)
-                             : "There is no exact motion to compare with.");
-  sentences.push_back(event_sentence(rows, {scene}, rows.size()));
+  const auto exact = std::ranges::find(rows, "exact", &RunMetrics::engine);
+  const bool solved = exact != rows.end() && exact->status == RunStatus::done;
   const std::string angles =
       by_step(rows, "RMS angle differences by step: {}.", "rad", &RunMetrics::rms_angle_difference);
-  sentences.push_back(angles);
-  if (!angles.empty())
-    sentences.push_back(by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
-                                &RunMetrics::rms_position_difference));
-  sentences.push_back(by_step(rows, "The first impact is off by (+: late): {}.", "s",
-                              &RunMetrics::first_impact_time_difference, signed_quantity_text));
-  sentences.push_back(slip_sentence(rows));
+  const std::string centres = by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
+                                      &RunMetrics::rms_position_difference);
+  std::vector<std::string> sentences{
+      solved ? exact_sentence(*exact, scene) : "There is no exact motion to compare with.",
+      event_sentence(rows, {scene}, rows.size()),
+      angles,
+      angles.empty() ? "" : centres,
+      by_step(rows, "The first impact is off by (+: late): {}.", "s",
+              &RunMetrics::first_impact_time_difference, signed_quantity_text),
+      slip_sentence(rows)};
   add_sequences(rows, sentences);
   add_beyond(rows, scene, sentences);
   for (const auto& one : rows)
-    if (one.row.status != RunStatus::done)
-      sentences.push_back(
-          fmt::format("{} failed: {}.", one.row.dt ? phrase(one.row) : one.row.engine, one.row.reason));
+    if (one.status != RunStatus::done)
+      sentences.push_back(fmt::format("{} failed: {}.", one.dt ? phrase(one) : one.engine, one.reason));
   return sentences;
 }
 
 /// Whether blocks of an engine do not rest where those of the exact motion do, though nothing sinks or falls.
-bool row_is_off_at_rest(const ReplicatedRow& one, const std::vector<JudgedScene>& scenes) {
-  const RunMetrics& row = one.row;
+bool row_is_off_at_rest(const RunMetrics& row, const std::vector<JudgedScene>& scenes) {
   if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
   const JudgedScene& scene = scene_in(scenes, row.scene);
   return !agrees(row, scene) && event_of(row, scene).empty();
@@ -184,28 +172,26 @@ std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vec
   std::vector<std::string> at_rest;
   for (const JudgedScene& scene : scenes) {
     const bool rests = std::ranges::any_of(rows, [&](const ReplicatedRow& one) {
-      return one.row.scene == scene.name && one.row.motion && *one.row.motion <= rest_extent;
+      return one.scene == scene.name && one.motion && *one.motion <= rest_extent;
     });
     if (rests) at_rest.push_back(scene.name);
   }
   if (at_rest.empty()) return "";
   const ReplicatedRow* worst = nullptr;
   for (const ReplicatedRow& one : rows)
-    if (row_is_off_at_rest(one, scenes) && (worst == nullptr || *one.row.error > *worst->row.error))
-      worst = &one;
+    if (row_is_off_at_rest(one, scenes) && (worst == nullptr || *one.error > *worst->error)) worst = &one;
   return fmt::format("Nothing moves in {}, where no set is ranked{}.", joined(at_rest),
-                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(worst->row), worst->row.outcome));
+                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(*worst), worst->outcome));
 }
 
 /// Scenes whose exact motion is not the only one, or not one of blocks that only push.
 std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
   std::vector<std::string> doubts;
   for (const ReplicatedRow& one : rows)
-    if (one.row.engine == "exact" && !one.row.outcome.empty())
-      doubts.push_back(fmt::format("in {} the exact motion is {}", one.row.scene, one.row.outcome));
+    if (one.engine == "exact" && !one.outcome.empty())
+      doubts.push_back(fmt::format("in {} the exact motion is {}", one.scene, one.outcome));
   if (doubts.empty()) return "";
-  doubts.front().front() = 'I';
-  return joined(doubts) + ".";
+  return capitalised(joined(doubts)) + ".";
 }
 
 std::string together(const std::string& first, std::string second) {

@@ -35,16 +35,6 @@ bool agrees(const RunMetrics& row, const JudgedScene& scene);
 /// Until when neither is, s; the horizon where the row agrees.
 double agreement_end(const RunMetrics& row, const JudgedScene& scene);
 
-/// How deep a block has sunk in.
-struct Sunk {
-  double depth = 0;    ///< m
-  bool stays = false;  ///< to the end, not for a moment
-};
-
-/// Where it stays so by more than told_sinking of the least block height, or is deeper by the tolerance for a
-/// moment; nought elsewhere.
-Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene);
-
 /// What happens in a run that does not in the exact motion, as a verb with what it needs: "block 2 has fallen
 /// off at 0.4 s", "sinks in by 86 mm", of a law without lift-off "rises by 20 mm"; empty where nothing does.
 std::string event_of(const RunMetrics& row, const JudgedScene& scene);
