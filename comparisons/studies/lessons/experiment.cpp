@@ -33,10 +33,7 @@ Scene block_of(Scene scene, const Measured& one, double ratio) {
 }
 
 std::vector<double> impact_times(const Scene& scene) {
-  std::vector<double> times;
-  for (const Event& event : solve(scene).events)
-    if (event.kind == EventKind::impact) times.push_back(event.time);
-  return times;
+  return each_of(impacts_of(solve(scene)), &Event::time);
 }
 
 Table shapes() {

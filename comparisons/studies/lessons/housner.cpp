@@ -94,7 +94,7 @@ LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& r
                       {"bullet_latest", fixed(*bullet.largest_impact_time_difference, 2)},
                       {"ode_latest", fixed(*ode.largest_impact_time_difference, 2)},
                       {"bullet_missed", std::to_string(*bullet.impacts_missed)},
-                      {"impacts", std::to_string(count_impacts(history))}},
+                      {"impacts", std::to_string(impacts_of(history).size())}},
           .tables = {{"periods", periods(scene, c)}, {"swings", swings(scene, c)}},
           .player = {.time = landing.time - 0.1, .speed = 0.1, .gain = 2}};
 }

@@ -104,8 +104,10 @@ const Event* first_event(const History& history, EventKind kind) {
   return found == history.events.end() ? nullptr : &*found;
 }
 
-std::size_t count_impacts(const History& history) {
-  return static_cast<std::size_t>(std::ranges::count(history.events, EventKind::impact, &Event::kind));
+std::vector<Event> impacts_of(const History& history) {
+  std::vector<Event> impacts = history.events;
+  std::erase_if(impacts, [](const Event& event) { return event.kind != EventKind::impact; });
+  return impacts;
 }
 
 std::string fixed(double value, int digits) {

@@ -84,7 +84,7 @@ const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::strin
 /// The first event of a kind, or nullptr.
 const Event* first_event(const History& history, EventKind kind);
 
-std::size_t count_impacts(const History& history);
+std::vector<Event> impacts_of(const History& history);
 
 /// A number with that many digits after the point, and a true minus sign: "−0.4816".
 std::string fixed(double value, int digits);

@@ -8,11 +8,6 @@ namespace {
 constexpr double iteration_step = 1e-3;  // s
 constexpr double finest_step = 2e-5;     // s, of single precision beside double
 
-/// Until when a run agrees: the last sample counts as the end.
-std::string agreement_cell(const RunMetrics& row, double duration) {
-  return *row.agreement_time + *row.dt > duration ? "to the end" : cell(*row.agreement_time);
-}
-
 /// The least and the largest error of an engine's first impact over its steps, each in its own steps.
 std::string shares(const std::vector<RunMetrics>& rows, const std::string& engine) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -29,9 +24,12 @@ Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
                "agrees within tolerance until (s)"}};
   for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene.name && row.rms_angle_difference)
-      table.rows.push_back({row.engine + " " + row.solver, cell(*row.dt),
-                            row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
-                            cell(*row.rms_angle_difference), agreement_cell(row, scene.scene.duration)});
+      table.rows.push_back(
+          {row.engine + " " + row.solver, cell(*row.dt),
+           row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
+           cell(*row.rms_angle_difference),
+           // The last sample counts as the end.
+           *row.agreement_time + *row.dt > scene.scene.duration ? "to the end" : cell(*row.agreement_time)});
   return table;
 }
 

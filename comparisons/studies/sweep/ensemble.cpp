@@ -94,11 +94,6 @@ Distribution read_distribution(const Node& node) {
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
-std::vector<std::string> read_keys(const Node& node) {
-  if (node.kind == Node::Kind::text) return {node.text};
-  return each_of(entries(node, "a key of the scene, or an array of such keys"), text);
-}
-
 /// The one way of giving values that a table [[vary]] has.
 const Node& way(const Node& table) {
   const Node* found = nullptr;
@@ -180,7 +175,10 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   Variation variation;
   variation.place = table.place;
   const Node& key = required(table, "key", "a key of the scene");
-  variation.keys = read_keys(key);
+  if (key.kind == Node::Kind::text)
+    variation.keys = {key.text};
+  else
+    variation.keys = each_of(entries(key, "a key of the scene, or an array of such keys"), text);
   // Whatever the value of these, the exact motion is the same.
   const auto is_label = [](const std::string& one) { return one == "title" || one == "engine.depth"; };
   if (find(table, "group") == nullptr && std::ranges::all_of(variation.keys, is_label))

@@ -27,10 +27,10 @@ double ratio_at_impact(const Asked& asked) {
 }
 
 double fifth_impact(const Asked& asked) {
-  int left = 5;
-  for (const Event& event : asked.history.events)
-    if (event.kind == EventKind::impact && --left == 0) return event.time;
-  throw std::runtime_error(fmt::format("{}: there are no five impacts", asked.scene.title));
+  const std::vector<Event> impacts = impacts_of(asked.history);
+  if (impacts.size() < 5)
+    throw std::runtime_error(fmt::format("{}: there are no five impacts", asked.scene.title));
+  return impacts[4].time;
 }
 
 /// What pivots need of friction, beyond what there is.
@@ -76,7 +76,7 @@ const std::vector<Quantity>& quantities() {
       {"fifth-impact", fifth_impact},
       {"kept-energy", kept_energy},
       {"lost-energy", [](const Asked& a) { return 1 - kept_energy(a); }},
-      {"impacts", [](const Asked& a) { return static_cast<double>(count_impacts(a.history)); }},
+      {"impacts", [](const Asked& a) { return static_cast<double>(impacts_of(a.history).size()); }},
       {"base-after", [](const Asked& a) { return std::abs(first(a, EventKind::impact).after.front()); }},
       {"slenderness", [](const Asked& a) { return slenderness(a.scene, 0); }},
       {"force-friction", [](const Asked& a) { return contact_need(a.scene).force.friction; }},
