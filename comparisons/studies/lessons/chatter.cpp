@@ -49,7 +49,7 @@ Table seen_by_engines(const Scene& scene, std::size_t exact) {
   for (const char* engine : {"bullet", "ode"})
     for (const double dt : {1e-2, 1e-3, 1e-4})
       table.rows.push_back(
-          {engine, cell(dt), std::to_string(observed_impacts(answer(engine, "tuned", scene, dt), 0).size())});
+          {engine, cell(dt), std::to_string(observed_impacts(answer(engine, scene, dt), 0).size())});
   return table;
 }
 

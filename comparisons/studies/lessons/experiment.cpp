@@ -72,7 +72,7 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
   const double by_shape = fifth(block_of(scene, concrete, shape)),
                by_ratio = fifth(block_of(scene, concrete, found)),
                on_rubber = fifth(block_of(scene, rubber, rubber.share * shape));
-  const RunMetrics& ode = find_run(rows, "ode", "tuned", 1e-3);
+  const RunMetrics& ode = find_run(rows, "ode", 1e-3);
   return {.numbers = {{"shape", fixed(shape, 4)},
                       {"concrete", fixed(found, 4)},
                       {"rubber", fixed(rubber.share * shape, 4)},

@@ -72,8 +72,7 @@ LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& r
   const Event& landing = *first_event(history, EventKind::impact);
   const ImpactEnergies energies = impact_energies(scene, landing);
   const double share = scene.initial.angles.front() / c.alpha;
-  const RunMetrics &bullet = find_run(rows, "bullet", "tuned", 1e-3),
-                   &ode = find_run(rows, "ode", "tuned", 1e-3);
+  const RunMetrics &bullet = find_run(rows, "bullet", 1e-3), &ode = find_run(rows, "ode", 1e-3);
   const double stored = energy_above_rest(scene, landing.from, scene.initial.angles, {0});
   return {.numbers = {{"alpha", fixed(c.alpha, 4)},
                       {"R", fixed(c.R, 4)},

@@ -54,8 +54,8 @@ const Lesson& find_lesson(const std::string& name) {
       fmt::format("teach {}: must be one of {}{}", name, fmt::join(names, ", "), did_you_mean(name, names)));
 }
 
-History answer(const std::string& engine, const std::string& settings, const Scene& scene, double dt,
-               const Parameters& changes) {
+History answer(const std::string& engine, const Scene& scene, double dt, const Parameters& changes,
+               const std::string& settings) {
   const EngineSeries series = make_series(find_engine(engine), settings, {dt}, changes);
   return simulate(*series.engine, scene, dt, series.parameters).history;
 }
@@ -88,14 +88,13 @@ double weight_of(const Scene& scene) {
   return weight;
 }
 
-const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
-                           const std::string& settings, double dt) {
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine, double dt) {
   const auto found = std::ranges::find_if(rows, [&](const RunMetrics& row) {
-    return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == settings &&
+    return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == "tuned" &&
            row.dt == dt;
   });
   if (found == rows.end())
-    throw std::logic_error(fmt::format("lesson: no run of {}, {}, {} s", engine, settings, dt));
+    throw std::logic_error(fmt::format("lesson: no run of {}, tuned, {} s", engine, dt));
   return *found;
 }
 

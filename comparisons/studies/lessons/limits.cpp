@@ -15,7 +15,7 @@ History with_demands(const Scene& scene) {
 /// How far an engine on a floor of that friction is from the exact motion, which does not slip; RMS, rad.
 double slip_error(Scene scene, const char* engine, double friction, double dt) {
   scene.friction = {friction};
-  return error_of(scene, answer(engine, "tuned", scene, dt));
+  return error_of(scene, answer(engine, scene, dt));
 }
 
 Table slipping(const Scene& scene) {
@@ -61,8 +61,8 @@ LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& ro
                   {"least_share", percent(force.least_normal / weight, 1)},
                   {"weight", fixed(weight, 0)},
                   {"slippery", fixed(scene.friction.front(), 2)},
-                  {"bullet_until", fixed(*find_run(rows, "bullet", "tuned", sample_step).agreement_time, 2)},
-                  {"ode_until", fixed(*find_run(rows, "ode", "tuned", sample_step).agreement_time, 2)},
+                  {"bullet_until", fixed(*find_run(rows, "bullet", sample_step).agreement_time, 2)},
+                  {"ode_until", fixed(*find_run(rows, "ode", sample_step).agreement_time, 2)},
                   {"bullet_rough", fixed(slip_error(scene, "bullet", 0.5, sample_step), 4)},
                   {"bullet_rough_finer", fixed(slip_error(scene, "bullet", 0.5, finer_step), 4)},
                   {"finer_step", fixed(1e3 * finer_step, 1)},
@@ -70,8 +70,7 @@ LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& ro
                   {"tolerance", fixed(suite.tolerance, 2)}},
       .tables = {{"slipping", slipping(scene)}, {"lifting", lifting(scene)}},
       // When the engines have left the exact motion far enough for the eye.
-      .player = {
-          .time = *find_run(rows, "bullet", "tuned", sample_step).agreement_time, .speed = 0.25, .gain = 3}};
+      .player = {.time = *find_run(rows, "bullet", sample_step).agreement_time, .speed = 0.25, .gain = 3}};
 }
 
 }  // namespace rockstack

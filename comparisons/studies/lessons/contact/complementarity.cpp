@@ -75,8 +75,7 @@ Table early_motions(const Scene& jams, const Scene& several, const BranchTree& t
   add("exact, on stiff springs", "", early_cells(on_springs(jams)), on_springs(several));
   for (const char* engine : {"ode:step", "ode:quickstep", "bullet"})
     for (const double dt : {1e-3, 1e-4})
-      add(engine, cell(dt), early_cells(answer(engine, "tuned", jams, dt)),
-          answer(engine, "tuned", several, dt));
+      add(engine, cell(dt), early_cells(answer(engine, jams, dt)), answer(engine, several, dt));
   return table;
 }
 
@@ -109,7 +108,7 @@ LessonValues complementarity_values(const Suite& suite, const std::vector<RunMet
   const BranchTree early = solve_branches(lasting(several, reading), sampled, most);
   const double braked = early.branches.at(1).history.events.front().time;
   const double jammed = first_event(exact_answer(jams), EventKind::impact)->after.front();
-  const double chosen = answer("ode:quickstep", "tuned", lasting(several, reading), 1e-3).velocities.back();
+  const double chosen = answer("ode:quickstep", lasting(several, reading), 1e-3).velocities.back();
   const double r = block.half_height / block.half_width;
   return {
       .numbers = {{"angle", fixed(angle, 1)},
