@@ -52,13 +52,10 @@ double chance_matched(const Asked& asked) {
   return asked["exact"] * (1 - std::pow(1 - share, asked["seen"]));
 }
 
-struct Quantity {
-  const char* name;
-  double (*value)(const Asked& asked);
-};
+using Quantity = double(const Asked& asked);
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> list{
+const std::map<std::string, Quantity*>& quantities() {
+  static const std::map<std::string, Quantity*> list{
       // Of a scene's exact solution. SI units.
       {"first-impact", [](const Asked& a) { return first(a, EventKind::impact).time; }},
       {"opening", [](const Asked& a) { return first(a, EventKind::opening).time; }},
@@ -132,12 +129,12 @@ Asked asked_about(const std::string& scene, const std::vector<std::string>& chan
 }
 
 double quantity(const std::string& name, const Asked& asked) {
-  const auto found = std::ranges::find(quantities(), name, &Quantity::name);
-  return found != quantities().end() ? found->value(asked) : asked[name];
+  const auto found = quantities().find(name);
+  return found != quantities().end() ? found->second(asked) : asked[name];
 }
 
 std::vector<std::string> quantity_names() {
-  return each_of(quantities(), [](const Quantity& one) { return std::string(one.name); });
+  return each_of(quantities(), [](const auto& one) { return one.first; });
 }
 
 }  // namespace rockstack
