@@ -60,19 +60,14 @@ AdviceListener listener(const AdviceRequest& request, const Common& common) {
   return listener;
 }
 
-/// What holds after histories have parted.
-void print_beyond(const Advice& advice) {
-  for (const DistributionDistance& one : advice.beyond)
-    fmt::print("  whole scene, {}: exact mean {:.4g}, this solver {:.4g}; distance {:.2f}, {}\n",
-               one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
-               one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
-}
-
 void print_advice(const Advice& advice, const AdviseArguments& arguments, const AdviceRequest& request,
                   double duration, const Common& common) {
   fmt::print("\n{}\n", fmt::join(advice_sentences(request, advice, duration), "\n"));
   if (advice.pick < 0) return;
-  print_beyond(advice);
+  for (const DistributionDistance& one : advice.beyond)  // after histories have parted
+    fmt::print("  whole scene, {}: exact mean {:.4g}, this solver {:.4g}; distance {:.2f}, {}\n",
+               one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
+               one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
   const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
   std::string changes;
   for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);

@@ -77,12 +77,10 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
                        const Common& common) {
   const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
   if (common.json) {
-    Json list = Json::array();
-    for (const ImpactShare& kind : kinds)
-      list.push_back({{"kind", name(kind.kind)},
-                      {"impacts", kind.impacts},
-                      {"differ", kind.differ},
-                      {"none", kind.none}});
+    const Json list = each_of(kinds, [](const ImpactShare& kind) {
+      return Json{
+          {"kind", name(kind.kind)}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}};
+    });
     fmt::print("{}\n", Json{{"kinds", list}, {"folder", folder.string()}}.dump(2));
     return;
   }

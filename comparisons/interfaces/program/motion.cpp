@@ -57,13 +57,6 @@ int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
   return std::ranges::any_of(tree.branches, given_up) ? 1 : 0;
 }
 
-/// Which one it was where a name stands for several.
-void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
-  if (!common.talks()) return;
-  const std::vector<std::string> solvers = each_of(engines, &WorkerEngine::solver);
-  fmt::print("engine: {}, the first of {}\n", engines.front()->full_name(), fmt::join(solvers, ", "));
-}
-
 }  // namespace
 
 int solve_command(const SolveArguments& arguments, const Common& common) {
@@ -99,7 +92,9 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::motion);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
-  if (named.size() > 1) print_first_of(named, common);
+  if (named.size() > 1 && common.talks())
+    fmt::print("engine: {}, the first of {}\n", engine.full_name(),
+               fmt::join(each_of(named, &WorkerEngine::solver), ", "));
   print_history(scene.scene, history, support, arguments.out, common);
   if (arguments.plots) show_report(arguments.out, common);
   return 0;

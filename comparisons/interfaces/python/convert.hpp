@@ -2,7 +2,6 @@
 
 #include <pybind11/numpy.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -14,6 +13,7 @@
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/input/document.hpp"
+#include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/module.hpp"
 
 namespace rockstack::python {

@@ -24,8 +24,7 @@ py::dict to_dict(const Setting& setting) {
 }
 
 py::dict to_dict(const WorkerEngine& engine) {
-  py::list settings;
-  for (const Setting& setting : engine.settings) settings.append(to_dict(setting));
+  const auto settings = each_of(engine.settings, [](const Setting& setting) { return to_dict(setting); });
   return py::dict("name"_a = engine.name, "solver"_a = engine.solver, "version"_a = engine.version,
                   "licence"_a = engine.licence, "settings"_a = settings);
 }
@@ -75,8 +74,9 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
                         warnings, record, py::none());
 }
 
-py::list canon(const std::string& engine_name, const std::string& settings,
-               const std::optional<std::vector<std::string>>& scenes, int draws, const py::object& tell) {
+std::vector<py::dict> canon(const std::string& engine_name, const std::string& settings,
+                            const std::optional<std::vector<std::string>>& scenes, int draws,
+                            const py::object& tell) {
   require_settings(settings);
   const WorkerEngine& engine = engine_named(engine_name);
   Suite suite = read_suite(find_file("canon", "suites"), {});
@@ -102,17 +102,15 @@ py::list canon(const std::string& engine_name, const std::string& settings,
         }
       },
       progress);
-  py::list answers;
-  for (const CanonAnswer& answer : list) {
+  return each_of(list, [](const CanonAnswer& answer) {
     std::vector<double> amounts(canon_steps.size(), std::nan("")), steps_off = amounts;
     for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
       amounts[i] = answer.deviations[i].amount();
       steps_off[i] = answer.deviations[i].time / canon_steps[i];
     }
-    answers.append(py::dict("scene"_a = answer.scene, "verdict"_a = answer.verdict,
-                            "reason"_a = answer.reason, "amounts"_a = amounts, "steps_off"_a = steps_off));
-  }
-  return answers;
+    return py::dict("scene"_a = answer.scene, "verdict"_a = answer.verdict, "reason"_a = answer.reason,
+                    "amounts"_a = amounts, "steps_off"_a = steps_off);
+  });
 }
 
 /// A scene made in Python with its name and text, or what names a scene or a suite.
@@ -161,19 +159,14 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
         result = compare(suites, out, {.command = "rockstack.compare", .jobs = jobs, .progress = follow});
       },
       progress);
-  Json rows = Json::array();
-  for (const RunMetrics& row : result.rows) rows.push_back(row);
-  return rows.dump();
+  return Json(result.rows).dump();
 }
 
 }  // namespace
 
 void add_engines(py::module_& core) {
-  core.def("engines", [] {
-    py::list list;
-    for (const WorkerEngine& engine : engines()) list.append(to_dict(engine));
-    return list;
-  });
+  core.def("engines",
+           [] { return each_of(engines(), [](const WorkerEngine& engine) { return to_dict(engine); }); });
   core.def("simulate", &simulate_one);
   core.def("canon", &canon);
   py::class_<SceneChoice>(core, "SceneChoice")

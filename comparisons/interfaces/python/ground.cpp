@@ -76,21 +76,14 @@ std::pair<py::array_t<double>, py::array_t<double>> spectrum(
   if (!(damping >= 0 && damping < 1))
     throw InputError("damping = " + number_text(damping) + ": must be a number from 0, below 1");
   for (const double period : periods.value_or(std::vector<double>())) require_period(motion, period);
-  std::vector<double> at, heights;
+  std::vector<Response> responses;
   {
     const py::gil_scoped_release free;
-    std::vector<Response> responses;
-    if (periods) {
-      for (const double period : *periods) responses.push_back(response(motion, period, damping));
-    } else {
-      responses = response_spectrum(motion, damping);
-    }
-    for (const Response& one : responses) {
-      at.push_back(one.period);
-      heights.push_back(one.pseudo_acceleration);
-    }
+    responses = periods ? each_of(*periods, [&](double period) { return response(motion, period, damping); })
+                        : response_spectrum(motion, damping);
   }
-  return {copied(at), copied(heights)};
+  return {copied(each_of(responses, &Response::period)),
+          copied(each_of(responses, &Response::pseudo_acceleration))};
 }
 
 std::pair<double, double> base_line(const GroundMotion& motion) {

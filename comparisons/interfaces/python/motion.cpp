@@ -2,7 +2,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -111,10 +110,9 @@ py::object reactions(const HeldMotion& motion) {
 }
 
 /// Times and interfaces of what the numbers could not tell.
-py::list doubts(const std::vector<BasicGraze<double>>& list) {
-  py::list result;
-  for (const auto& doubt : list) result.append(py::make_tuple(doubt.time, name(doubt.kind), doubt.interface));
-  return result;
+std::vector<py::tuple> doubts(const std::vector<BasicGraze<double>>& list) {
+  return each_of(
+      list, [](const auto& doubt) { return py::make_tuple(doubt.time, name(doubt.kind), doubt.interface); });
 }
 
 }  // namespace

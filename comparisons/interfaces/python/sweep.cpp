@@ -22,11 +22,10 @@ class SweepTable {
     std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
     std::ranges::stable_sort(columns, {}, [](const OutcomeColumn& column) { return column.value.index(); });
     for (const OutcomeColumn& column : columns) add_outcome(column);
-    for (const Axis& axis : ensemble.axes) {
-      py::list names;
-      for (const std::size_t v : axis.variations) names.append(ensemble.variations[v].name());
-      axes_.append(py::make_tuple(names, axis.length));
-    }
+    for (const Axis& axis : ensemble.axes)
+      axes_.append(py::make_tuple(
+          each_of(axis.variations, [&](std::size_t v) { return ensemble.variations[v].name(); }),
+          axis.length));
     axes_.append(py::make_tuple(py::list(), ensemble.samples));
   }
 
@@ -67,9 +66,7 @@ class SweepTable {
     add<std::int8_t>(column.name, [of = *mode](const RunResult& result) {
       return result.outcome ? static_cast<int>(result.outcome->*of) : -1;
     });
-    py::list names;
-    for (const MotionMode one : motion_modes) names.append(name(one));
-    words_[py::str(column.name)] = names;
+    words_[py::str(column.name)] = each_of(motion_modes, [](MotionMode one) { return name(one); });
   }
 
   /// The values that runs have of one variation: numbers, or texts by their number in a list.

@@ -10,6 +10,9 @@
 namespace rockstack {
 namespace {
 
+/// The steps that are tried, s.
+const std::vector<double> advised_steps{2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5};
+
 Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   Suite suite;
   suite.title = scene.scene.title;
@@ -19,7 +22,7 @@ Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   suite.limits = request.limits;
   suite.replicates = request.replicates;
   for (const WorkerEngine* engine : request.engines)
-    suite.series.push_back(make_series(*engine, "tuned", advised_steps()));
+    suite.series.push_back(make_series(*engine, "tuned", advised_steps));
   return suite;
 }
 
@@ -89,10 +92,11 @@ double expected_time(const RunMetrics& row, double error) {
 }
 
 /// The search that is expected to end soonest, or nullptr where all are over.
-Search* most_promising(std::vector<Search>& searches, std::size_t steps) {
+Search* most_promising(std::vector<Search>& searches) {
   Search* best = nullptr;
   for (Search& search : searches)
-    if (!search.over && search.next < steps && (best == nullptr || search.promise < best->promise))
+    if (!search.over && search.next < advised_steps.size() &&
+        (best == nullptr || search.promise < best->promise))
       best = &search;
   return best;
 }
@@ -127,10 +131,6 @@ Json json_of(const Trial& trial) {
 
 }  // namespace
 
-std::vector<double> advised_steps() {
-  return {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5};
-}
-
 bool meets(const RunMetrics& row, double error) {
   return row.status == RunStatus::done && row.largest_angle_difference &&
          *row.largest_angle_difference <= error && row.relative_position_difference.value_or(0) <= error &&
@@ -159,10 +159,10 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
   const Suite suite = suite_of(predictable, request);
   std::vector<Search> searches(suite.series.size());
   const EngineSeries* picked = nullptr;
-  const std::vector<double> steps = advised_steps();
-  while (Search* const search = most_promising(searches, steps.size())) {
+  while (Search* const search = most_promising(searches)) {
     const EngineSeries& series = suite.series[static_cast<std::size_t>(search - searches.data())];
-    const double dt = steps[search->next], before = search->next > 0 ? steps[search->next - 1] : dt;
+    const double dt = advised_steps[search->next],
+                 before = search->next > 0 ? advised_steps[search->next - 1] : dt;
     const double begin = seconds_since(start), left = request.within - begin;
     std::optional<Trial> made;
     if (search->took * before / dt <= left) {

@@ -69,9 +69,6 @@ struct AdviceListener {
   std::function<void(const Trial&)> trial = [](const Trial&) {};  ///< that is done
 };
 
-/// The steps that are tried, from large to small, s.
-std::vector<double> advised_steps();
-
 /// True where a run is done, topples as the exact solution does, and stays within the error by angles and
 /// centres.
 bool meets(const RunMetrics& row, double error);

@@ -33,10 +33,7 @@ Scene block_of(Scene scene, const Measured& one, double ratio) {
 }
 
 std::vector<double> impact_times(const Scene& scene) {
-  std::vector<double> times;
-  for (const Event& event : solve(scene).events)
-    if (event.kind == EventKind::impact) times.push_back(event.time);
-  return times;
+  return each_of(impacts_of(solve(scene)), &Event::time);
 }
 
 Table shapes() {
@@ -75,7 +72,7 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
   const double by_shape = fifth(block_of(scene, concrete, shape)),
                by_ratio = fifth(block_of(scene, concrete, found)),
                on_rubber = fifth(block_of(scene, rubber, rubber.share * shape));
-  const RunMetrics& ode = find_run(rows, "ode", "tuned", 1e-3);
+  const RunMetrics& ode = find_run(rows, "ode", 1e-3);
   return {.numbers = {{"shape", fixed(shape, 4)},
                       {"concrete", fixed(found, 4)},
                       {"rubber", fixed(rubber.share * shape, 4)},

@@ -72,8 +72,7 @@ LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& r
   const Event& landing = *first_event(history, EventKind::impact);
   const ImpactEnergies energies = impact_energies(scene, landing);
   const double share = scene.initial.angles.front() / c.alpha;
-  const RunMetrics &bullet = find_run(rows, "bullet", "tuned", 1e-3),
-                   &ode = find_run(rows, "ode", "tuned", 1e-3);
+  const RunMetrics &bullet = find_run(rows, "bullet", 1e-3), &ode = find_run(rows, "ode", 1e-3);
   const double stored = energy_above_rest(scene, landing.from, scene.initial.angles, {0});
   return {.numbers = {{"alpha", fixed(c.alpha, 4)},
                       {"R", fixed(c.R, 4)},
@@ -94,7 +93,7 @@ LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& r
                       {"bullet_latest", fixed(*bullet.largest_impact_time_difference, 2)},
                       {"ode_latest", fixed(*ode.largest_impact_time_difference, 2)},
                       {"bullet_missed", std::to_string(*bullet.impacts_missed)},
-                      {"impacts", std::to_string(count_impacts(history))}},
+                      {"impacts", std::to_string(impacts_of(history).size())}},
           .tables = {{"periods", periods(scene, c)}, {"swings", swings(scene, c)}},
           .player = {.time = landing.time - 0.1, .speed = 0.1, .gain = 2}};
 }

@@ -54,8 +54,8 @@ const Lesson& find_lesson(const std::string& name) {
       fmt::format("teach {}: must be one of {}{}", name, fmt::join(names, ", "), did_you_mean(name, names)));
 }
 
-History answer(const std::string& engine, const std::string& settings, const Scene& scene, double dt,
-               const Parameters& changes) {
+History answer(const std::string& engine, const Scene& scene, double dt, const Parameters& changes,
+               const std::string& settings) {
   const EngineSeries series = make_series(find_engine(engine), settings, {dt}, changes);
   return simulate(*series.engine, scene, dt, series.parameters).history;
 }
@@ -88,14 +88,13 @@ double weight_of(const Scene& scene) {
   return weight;
 }
 
-const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
-                           const std::string& settings, double dt) {
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine, double dt) {
   const auto found = std::ranges::find_if(rows, [&](const RunMetrics& row) {
-    return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == settings &&
+    return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == "tuned" &&
            row.dt == dt;
   });
   if (found == rows.end())
-    throw std::logic_error(fmt::format("lesson: no run of {}, {}, {} s", engine, settings, dt));
+    throw std::logic_error(fmt::format("lesson: no run of {}, tuned, {} s", engine, dt));
   return *found;
 }
 
@@ -104,8 +103,10 @@ const Event* first_event(const History& history, EventKind kind) {
   return found == history.events.end() ? nullptr : &*found;
 }
 
-std::size_t count_impacts(const History& history) {
-  return static_cast<std::size_t>(std::ranges::count(history.events, EventKind::impact, &Event::kind));
+std::vector<Event> impacts_of(const History& history) {
+  std::vector<Event> impacts = history.events;
+  std::erase_if(impacts, [](const Event& event) { return event.kind != EventKind::impact; });
+  return impacts;
 }
 
 std::string fixed(double value, int digits) {

@@ -4,13 +4,6 @@
 namespace rockstack {
 namespace {
 
-std::vector<Event> first_impacts(const History& history, std::size_t count) {
-  std::vector<Event> list;
-  for (const Event& event : history.events)
-    if (event.kind == EventKind::impact && list.size() < count) list.push_back(event);
-  return list;
-}
-
 Table balance(const Scene& scene, const std::vector<Event>& impacts) {
   Table table{{"time (s)", "interface", "pattern", "energy before (J)", "energy after (J)",
                "energy of the jump (J)", "before − after − jump (J)", "share lost"}};
@@ -47,7 +40,8 @@ Table candidates(const Scene& scene, const Event& event) {
 
 LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
-  const std::vector<Event> impacts = first_impacts(exact_answer(scene), 8);
+  std::vector<Event> impacts = impacts_of(exact_answer(scene));
+  impacts.resize(std::min<std::size_t>(impacts.size(), 8));
   const Event& first = impacts.front();
   const ImpactEnergies e = impact_energies(scene, first);
   double worst = 0;

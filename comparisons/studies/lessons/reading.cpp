@@ -16,7 +16,7 @@ std::vector<double> errors_of(const char* engine, const char* settings, const Sc
   errors.reserve(draws);
   for (int i = 0; i < draws; ++i) {
     const double dt = nominal * (1 + widest * (2.0 * i / (draws - 1) - 1));
-    errors.push_back(error_of(scene, answer(engine, settings, scene, dt)));
+    errors.push_back(error_of(scene, answer(engine, scene, dt, {}, settings)));
   }
   return errors;
 }
@@ -54,7 +54,7 @@ LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& r
                             bullet = errors_of("bullet", "tuned", scene),
                             plain = errors_of("ode", "default", scene);
   const MannWhitney engines = mann_whitney(ode, bullet), sets = mann_whitney(ode, plain);
-  const RunMetrics& tuned = find_run(rows, "ode", "tuned", nominal);
+  const RunMetrics& tuned = find_run(rows, "ode", nominal);
   return {.numbers = {{"draws", std::to_string(draws)},
                       {"matched", std::to_string(*tuned.impacts_matched)},
                       {"matchable", std::to_string(*tuned.impacts_matched + *tuned.impacts_missed)},

@@ -116,8 +116,8 @@ Peaks peaks_over_seeds(const NamedScene& named) {
     const Scene scene = read_shipped(named.name, {fmt::format("ground.horizontal.synthetic={}", seed)});
     peaks.exact.push_back(solve(scene, {.peaks = true}).peaks[1]);
     peaks.changed.push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
-    peaks.bullet.push_back(peak_angles(answer("bullet", "tuned", scene, engine_step))[1]);
-    peaks.ode.push_back(peak_angles(answer("ode", "tuned", scene, engine_step))[1]);
+    peaks.bullet.push_back(peak_angles(answer("bullet", scene, engine_step))[1]);
+    peaks.ode.push_back(peak_angles(answer("ode", scene, engine_step))[1]);
   }
   return peaks;
 }
@@ -172,8 +172,8 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
                     {"factor", fixed(std::exp(line.rate), 0)},
                     {"from", fixed(line.from, 1)},
                     {"until", fixed(line.until, 1)},
-                    {"bullet_until", agreement(find_run(rows, "bullet", "tuned", engine_step))},
-                    {"ode_until", agreement(find_run(rows, "ode", "tuned", engine_step))},
+                    {"bullet_until", agreement(find_run(rows, "bullet", engine_step))},
+                    {"ode_until", agreement(find_run(rows, "ode", engine_step))},
                     {"tolerance", fixed(suite.tolerance, 2)},
                     {"seeds", std::to_string(seeds)},
                     {"changed_distance", fixed(changed_test.distance, 3)},
@@ -185,8 +185,8 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
       {"partings",
        partings(exact.times, {{"exact, ground changed by 1e-9 (s)", unseen},
                               {"exact, ground changed by 1e-6 (s)", seen},
-                              {"Bullet, 1 ms (s)", from_exact(answer("bullet", "tuned", scene, engine_step))},
-                              {"ODE, 1 ms (s)", from_exact(answer("ode", "tuned", scene, engine_step))}})},
+                              {"Bullet, 1 ms (s)", from_exact(answer("bullet", scene, engine_step))},
+                              {"ODE, 1 ms (s)", from_exact(answer("ode", scene, engine_step))}})},
       {"quantiles", quantiles(peaks)}};
   values.measured = {{"parted_exact", parted_at}};
   values.player = {.time = parted_at, .speed = 0.25, .gain = 5};

@@ -62,8 +62,8 @@ Table solvers(const Scene& scene, const History& exact) {
     table.rows.push_back({label, cell(first_gap(history)), cell(angle_at(history, 1, quoted_time))});
   };
   add("exact", exact);
-  add("Bullet, tuned, 0.1 ms", answer("bullet", "tuned", scene, 1e-4));
-  add("ODE, tuned, 0.1 ms", answer("ode", "tuned", scene, 1e-4));
+  add("Bullet, tuned, 0.1 ms", answer("bullet", scene, 1e-4));
+  add("ODE, tuned, 0.1 ms", answer("ode", scene, 1e-4));
   return table;
 }
 
@@ -93,8 +93,8 @@ LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>
                       {"printed_energy", fixed(printed.energy, 3)},
                       {"gain", percent(printed.energy - 1, 0)},
                       {"loss", percent(1 - right.energy, 0)},
-                      {"bullet_rms", power(*find_run(rows, "bullet", "tuned", 1e-4).rms_angle_difference, 1)},
-                      {"ode_rms", power(*find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference, 1)}},
+                      {"bullet_rms", power(*find_run(rows, "bullet", 1e-4).rms_angle_difference, 1)},
+                      {"ode_rms", power(*find_run(rows, "ode", 1e-4).rms_angle_difference, 1)}},
           .tables = {{"readings", readings(scene)},
                      {"events", first_events(history)},
                      {"solvers", solvers(scene, history)}},

@@ -125,7 +125,7 @@ Table at_rest(Scene scene) {
     table.rows.push_back(
         {one.engine, one.words, rigid ? "rigid" : power(one.stiffness, 2), rigid ? "" : power(one.damping, 2),
          power(depth, 3),
-         there ? power(-answer(one.engine, "default", scene, contact_step, one.changes).gaps.back(), 3)
+         there ? power(-answer(one.engine, scene, contact_step, one.changes, "default").gaps.back(), 3)
                : "not in this build"});
   }
   return table;
@@ -148,7 +148,7 @@ double speed_back(const History& history) {
 /// ODE on that spring: two points bear a corner.
 double speed_back_in_ode(const Scene& scene, const CornerSpring& corner, double dt) {
   const Parameters spring{{"contactStiffness", corner.stiffness / 2}, {"contactDamping", corner.damping / 2}};
-  return speed_back(answer("ode", "default", scene, dt, spring));
+  return speed_back(answer("ode", scene, dt, spring, "default"));
 }
 
 /// Landings on springs of one stiffness, from undamped to more than critically damped. Without friction
@@ -194,7 +194,7 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   for (const auto& [engine, settings, label, changes] : choices()) {
     std::vector<double>& list = bounces.emplace_back();
     for (const Fall& fall : every)
-      list.push_back(rebound(answer(engine, settings, fall.scene, contact_step, changes), fall.landing));
+      list.push_back(rebound(answer(engine, fall.scene, contact_step, changes, settings), fall.landing));
     table.rows.push_back({label, cell(median(list)), cell(quantile(list, 0)), cell(quantile(list, 1))});
   }
   return {.numbers = {{"alpha", fixed(alpha, 3)},

@@ -8,11 +8,6 @@ namespace {
 constexpr double iteration_step = 1e-3;  // s
 constexpr double finest_step = 2e-5;     // s, of single precision beside double
 
-/// Until when a run agrees: the last sample counts as the end.
-std::string agreement_cell(const RunMetrics& row, double duration) {
-  return *row.agreement_time + *row.dt > duration ? "to the end" : cell(*row.agreement_time);
-}
-
 /// The least and the largest error of an engine's first impact over its steps, each in its own steps.
 std::string shares(const std::vector<RunMetrics>& rows, const std::string& engine) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -29,20 +24,23 @@ Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
                "agrees within tolerance until (s)"}};
   for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene.name && row.rms_angle_difference)
-      table.rows.push_back({row.engine + " " + row.solver, cell(*row.dt),
-                            row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
-                            cell(*row.rms_angle_difference), agreement_cell(row, scene.scene.duration)});
+      table.rows.push_back(
+          {row.engine + " " + row.solver, cell(*row.dt),
+           row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
+           cell(*row.rms_angle_difference),
+           // The last sample counts as the end.
+           *row.agreement_time + *row.dt > scene.scene.duration ? "to the end" : cell(*row.agreement_time)});
   return table;
 }
 
 Table over_iterations(const Scene& scene) {
   Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}};
   for (const double count : {2.0, 5.0, 20.0, 100.0, 500.0})
-    table.rows.push_back({cell(count),
-                          cell(error_of(scene, answer("ode:quickstep", "tuned", scene, iteration_step,
-                                                      {{"quickStepNumIterations", count}}))),
-                          cell(error_of(scene, answer("bullet", "tuned", scene, iteration_step,
-                                                      {{"numIterations", count}})))});
+    table.rows.push_back(
+        {cell(count),
+         cell(error_of(scene,
+                       answer("ode:quickstep", scene, iteration_step, {{"quickStepNumIterations", count}}))),
+         cell(error_of(scene, answer("bullet", scene, iteration_step, {{"numIterations", count}})))});
   return table;
 }
 
@@ -125,8 +123,8 @@ Table by_steps(const Scene& scene) {
 
 /// Slope of the first impact's error between two steps, in logarithms.
 double slope(const std::vector<RunMetrics>& rows, const std::string& engine, double large, double small) {
-  const double first = std::abs(*find_run(rows, engine, "tuned", large).first_impact_time_difference);
-  const double second = std::abs(*find_run(rows, engine, "tuned", small).first_impact_time_difference);
+  const double first = std::abs(*find_run(rows, engine, large).first_impact_time_difference);
+  const double second = std::abs(*find_run(rows, engine, small).first_impact_time_difference);
   return std::log(first / second) / std::log(large / small);
 }
 
@@ -135,38 +133,38 @@ double slope(const std::vector<RunMetrics>& rows, const std::string& engine, dou
 LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const NamedScene& scene = suite.scenes.front();
   const auto rms = [&](const char* engine, double dt) {
-    return power(*find_run(rows, engine, "tuned", dt).rms_angle_difference, 1);
+    return power(*find_run(rows, engine, dt).rms_angle_difference, 1);
   };
   const auto finer = [&](const char* engine) {
-    return power(error_of(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
+    return power(error_of(scene.scene, answer(engine, scene.scene, finest_step)), 1);
   };
   const double first_impact = first_event(exact_answer(scene.scene), EventKind::impact)->time;
-  return {.numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
-                      {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
-                      {"bullet_shares", shares(rows, "bullet")},
-                      {"ode_shares", shares(rows, "ode")},
-                      {"ode_share",
-                       fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
-                      {"tolerance", fixed(suite.tolerance, 2)},
-                      {"bullet_coarse", rms("bullet", 1e-2)},
-                      {"bullet_fine", rms("bullet", 1e-4)},
-                      {"ode_coarse", rms("ode", 1e-2)},
-                      {"ode_fine", rms("ode", 1e-4)},
-                      {"single_fine", rms("bullet-single", 1e-4)},
-                      {"bullet_middle", rms("bullet", 1e-3)},
-                      {"single_middle", rms("bullet-single", 1e-3)},
-                      {"single_finer", finer("bullet-single")},
-                      {"double_finer", finer("bullet")},
-                      {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
-                      {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
-          .tables = {{"steps", over_steps(rows, scene)},
-                     {"iterations", over_iterations(scene.scene)},
-                     {"by_steps", by_steps(read_shipped("housner-block"))}},
-          .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
-          .measured = {{"first_impact_in_steps",
-                        *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
-                       {"rms_fall", *find_run(rows, "ode", "tuned", 1e-2).rms_angle_difference /
-                                        *find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference}}};
+  return {
+      .numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
+                  {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
+                  {"bullet_shares", shares(rows, "bullet")},
+                  {"ode_shares", shares(rows, "ode")},
+                  {"ode_share", fixed(*find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3, 2)},
+                  {"tolerance", fixed(suite.tolerance, 2)},
+                  {"bullet_coarse", rms("bullet", 1e-2)},
+                  {"bullet_fine", rms("bullet", 1e-4)},
+                  {"ode_coarse", rms("ode", 1e-2)},
+                  {"ode_fine", rms("ode", 1e-4)},
+                  {"single_fine", rms("bullet-single", 1e-4)},
+                  {"bullet_middle", rms("bullet", 1e-3)},
+                  {"single_middle", rms("bullet-single", 1e-3)},
+                  {"single_finer", finer("bullet-single")},
+                  {"double_finer", finer("bullet")},
+                  {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
+                  {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
+      .tables = {{"steps", over_steps(rows, scene)},
+                 {"iterations", over_iterations(scene.scene)},
+                 {"by_steps", by_steps(read_shipped("housner-block"))}},
+      .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
+      .measured = {
+          {"first_impact_in_steps", *find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3},
+          {"rms_fall", *find_run(rows, "ode", 1e-2).rms_angle_difference /
+                           *find_run(rows, "ode", 1e-4).rms_angle_difference}}};
 }
 
 }  // namespace rockstack

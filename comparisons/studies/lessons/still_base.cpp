@@ -60,8 +60,8 @@ LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>
                       {"loss_consistent", percent(impact_energies(scene, other).share_lost(), 1)},
                       {"lift_paper", fixed(lift(paper, first.time), 4)},
                       {"lift_consistent", fixed(lift(consistent, first.time), 4)},
-                      {"lift_bullet", fixed(lift(answer("bullet", "tuned", scene, 1e-4), first.time), 4)},
-                      {"lift_ode", fixed(lift(answer("ode", "tuned", scene, 1e-4), first.time), 4)}},
+                      {"lift_bullet", fixed(lift(answer("bullet", scene, 1e-4), first.time), 4)},
+                      {"lift_ode", fixed(lift(answer("ode", scene, 1e-4), first.time), 4)}},
           .tables = {{"candidates", patterns_after(scene, first)}},
           .player = {.time = first.time - 0.01, .speed = 0.05, .gain = 10}};
 }

@@ -14,6 +14,12 @@ Value number_value(double number, const std::string& place) {
   return {{.kind = Node::Kind::number, .place = place, .number = number}, number_text(number)};
 }
 
+/// Whether a value is a record's path, by any of the keys.
+bool is_record(const Variation& variation, const Value& value) {
+  return value.node.kind == Node::Kind::text &&
+         std::ranges::any_of(variation.keys, [](const std::string& key) { return key.ends_with(".record"); });
+}
+
 void describe_record(const std::filesystem::path& name, MotionLibrary& library, std::string& text) {
   const auto motion = library.record(name);
   text += number_text(motion->interval);
@@ -31,10 +37,8 @@ void describe_records(const SceneDocument& document, MotionLibrary& library, std
 }
 
 std::vector<Value> read_values(const Node& array) {
-  if (array.kind != Node::Kind::array || array.children.empty())
-    throw wrong_value(array, "an array of numbers or texts");
   std::vector<Value> values;
-  for (const Node& child : array.children) {
+  for (const Node& child : entries(array, "an array of numbers or texts")) {
     if (child.kind != Node::Kind::number && child.kind != Node::Kind::text)
       throw wrong_value(child, "a number or a text");
     values.push_back({child, child.kind == Node::Kind::text ? child.text : number_text(child.number)});
@@ -94,11 +98,6 @@ Distribution read_distribution(const Node& node) {
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
-std::vector<std::string> read_keys(const Node& node) {
-  if (node.kind == Node::Kind::text) return {node.text};
-  return each_of(entries(node, "a key of the scene, or an array of such keys"), text);
-}
-
 /// The one way of giving values that a table [[vary]] has.
 const Node& way(const Node& table) {
   const Node* found = nullptr;
@@ -113,11 +112,6 @@ const Node& way(const Node& table) {
 }
 
 }  // namespace
-
-bool Variation::is_record(const Value& value) const {
-  return value.node.kind == Node::Kind::text &&
-         std::ranges::any_of(keys, [](const std::string& key) { return key.ends_with(".record"); });
-}
 
 std::size_t run_count(const Ensemble& ensemble) {
   std::size_t count = ensemble.samples;
@@ -169,7 +163,7 @@ std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
   for (const Variation& variation : ensemble.variations) {
     text += json_of(variation).dump() + "\n";
     for (const Value& value : variation.values)
-      if (variation.is_record(value)) describe_record(ensemble.base.folder / value.node.text, library, text);
+      if (is_record(variation, value)) describe_record(ensemble.base.folder / value.node.text, library, text);
   }
   for (const Axis& axis : ensemble.axes) text += Json(axis.variations).dump() + "\n";
   return text;
@@ -180,7 +174,10 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   Variation variation;
   variation.place = table.place;
   const Node& key = required(table, "key", "a key of the scene");
-  variation.keys = read_keys(key);
+  if (key.kind == Node::Kind::text)
+    variation.keys = {key.text};
+  else
+    variation.keys = each_of(entries(key, "a key of the scene, or an array of such keys"), text);
   // Whatever the value of these, the exact motion is the same.
   const auto is_label = [](const std::string& one) { return one == "title" || one == "engine.depth"; };
   if (find(table, "group") == nullptr && std::ranges::all_of(variation.keys, is_label))
@@ -193,7 +190,7 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   else
     variation.distribution = read_distribution(given);
   for (Value& value : variation.values)
-    if (variation.is_record(value))
+    if (is_record(variation, value))
       value.node.text = std::filesystem::absolute(folder / value.node.text).string();
   return variation;
 }

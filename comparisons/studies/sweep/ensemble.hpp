@@ -27,8 +27,6 @@ struct Variation {
   std::string place;                         ///< file:line of the table
 
   const std::string& name() const { return keys.front(); }
-  /// Whether a value is a record's path, by any of the keys.
-  bool is_record(const Value& value) const;
 };
 
 /// One direction of the grid: variations that take their values in step.
@@ -85,8 +83,6 @@ Json json_of(const Variation& variation);
 /// A text that is the same for ensembles whose runs are the same: the base scene, all variations, the
 /// contents of the records, and the version, compiler and flags of this program.
 std::string identity(const Ensemble& ensemble, MotionLibrary& library);
-
-inline constexpr double most_runs = 1e9;  ///< of an ensemble
 
 /// One table [[vary]]; paths of records are relative to `folder`. @throws InputError with place, key, value
 /// and range.

@@ -64,9 +64,7 @@ void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
 
 void read_variations(Ensemble& ensemble, const Node& root) {
   const Node& tables = required(root, "vary", "at least one table [[vary]]");
-  if (tables.kind != Node::Kind::array || tables.children.empty())
-    throw wrong_value(tables, "an array of tables, [[vary]]");
-  for (const Node& table : tables.children) {
+  for (const Node& table : entries(tables, "an array of tables, [[vary]]")) {
     Variation variation = read_variation(table, ensemble.file.parent_path());
     require_new_keys(ensemble, variation);
     ensemble.variations.push_back(std::move(variation));
@@ -85,6 +83,8 @@ void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& 
                                      variation.place));
   }
 }
+
+constexpr double most_runs = 1e9;
 
 void read_drawing(Ensemble& ensemble, const Node& root) {
   const bool draws = std::ranges::any_of(

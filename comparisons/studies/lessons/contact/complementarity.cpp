@@ -49,13 +49,6 @@ std::vector<std::string> early_cells(const History& history) {
   return {fixed(history.velocities.back(), 4), fixed(1e3 * moved, 2)};
 }
 
-/// The scene after an impulse has stopped its slip.
-Scene stuck_at_once(Scene scene) {
-  scene.initial.velocities = {rate_once_stuck(scene)};
-  scene.initial.slip_velocities = {0};
-  return scene;
-}
-
 /// The motions that obey, and what engines do with the scene where none but an impulse does, and with the one
 /// where several do.
 Table early_motions(const Scene& jams, const Scene& several, const BranchTree& tree) {
@@ -71,16 +64,18 @@ Table early_motions(const Scene& jams, const Scene& several, const BranchTree& t
                     branch.start ? shown_pattern(branch.start->ways[branch.start->taken])
                                  : shown_pattern(branch.history.events.front().to)),
         "", {"", ""}, branch.history);
+  Scene stuck = several;
+  stuck.initial.velocities = {rate_once_stuck(several)};
+  stuck.initial.slip_velocities = {0};
   add("exact, after an impulse that stops the slip", "", early_cells(exact_answer(jams)),
-      exact_answer(stuck_at_once(several)));
+      exact_answer(stuck));
   const auto on_springs = [](const Scene& scene) {
     return exact_answer(with_springs(scene, scene.friction, stiff_spring));
   };
   add("exact, on stiff springs", "", early_cells(on_springs(jams)), on_springs(several));
   for (const char* engine : {"ode:step", "ode:quickstep", "bullet"})
     for (const double dt : {1e-3, 1e-4})
-      add(engine, cell(dt), early_cells(answer(engine, "tuned", jams, dt)),
-          answer(engine, "tuned", several, dt));
+      add(engine, cell(dt), early_cells(answer(engine, jams, dt)), answer(engine, several, dt));
   return table;
 }
 
@@ -113,7 +108,7 @@ LessonValues complementarity_values(const Suite& suite, const std::vector<RunMet
   const BranchTree early = solve_branches(lasting(several, reading), sampled, most);
   const double braked = early.branches.at(1).history.events.front().time;
   const double jammed = first_event(exact_answer(jams), EventKind::impact)->after.front();
-  const double chosen = answer("ode:quickstep", "tuned", lasting(several, reading), 1e-3).velocities.back();
+  const double chosen = answer("ode:quickstep", lasting(several, reading), 1e-3).velocities.back();
   const double r = block.half_height / block.half_width;
   return {
       .numbers = {{"angle", fixed(angle, 1)},

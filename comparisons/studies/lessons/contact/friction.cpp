@@ -31,7 +31,7 @@ Scene before_impact(Scene scene, double friction) {
 /// Angular velocity after over before the first impact, by an engine, read a fifth of the time later.
 double engine_ratio(const char* engine, const Scene& scene, const Event& impact) {
   constexpr double dt = 1e-5;
-  const History history = answer(engine, "tuned", scene, dt);
+  const History history = answer(engine, scene, dt);
   const double later = 1.2 * impact.time;
   std::size_t at = 0;
   while (at + 1 < history.size() && history.times[at] < later) ++at;

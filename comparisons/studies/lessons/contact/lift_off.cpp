@@ -50,24 +50,19 @@ Table flight(const Scene& scene, const Throw& thrown, double landing) {
 }
 
 /// The block slides from the start, at `speed`, and is thrown on its way.
-Scene sliding(Scene scene, double speed, double friction) {
-  scene.initial.slip_velocities = {speed};
-  scene.friction = {friction};
-  scene.duration = 1.1 * speed / (friction * scene.gravity);
-  return scene;
-}
-
-Table slides(const Scene& scene, const Throw& thrown, double speed) {
+Table slides(Scene scene, const Throw& thrown, double speed) {
   Table table{{"friction", "after the landing (m/s): v₀ − μ g t", "exact solver", "stops at (s): v₀/(μ g)",
                "exact solver", "slides (m): closed form", "exact solver", "without the throw (m)"}};
   for (const double friction : {0.1, 0.2, 0.4}) {
-    const Scene moving = sliding(scene, speed, friction);
+    scene.initial.slip_velocities = {speed};
+    scene.friction = {friction};
+    scene.duration = 1.1 * speed / (friction * scene.gravity);
     const Slide form = slide_through(thrown, speed, friction, scene.gravity);
-    const History history = solve(moving, {.sample_times = {moving.duration}});
+    const History history = solve(scene, {.sample_times = {scene.duration}});
     const double landing = first_event(history, EventKind::impact)->time;
     constexpr double later = 1e-9;  // s: the speed falls by 1e-8 m/s
     table.rows.push_back({cell(friction), cell(form.after_landing),
-                          cell(rates_at(moving, landing + later).along), cell(form.stop),
+                          cell(rates_at(scene, landing + later).along), cell(form.stop),
                           cell(history.events.back().time), cell(form.distance), cell(history.slips.back()),
                           cell(speed * speed / (2 * friction * scene.gravity))});
   }

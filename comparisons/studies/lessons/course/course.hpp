@@ -77,7 +77,7 @@ Asked asked_about(const std::string& scene, const std::vector<std::string>& chan
 /// @throws InputError for a name that is none, std::runtime_error where what is asked about never happens.
 double quantity(const std::string& name, const Asked& asked);
 
-/// All names, in order, besides those of numbers.
+/// All names besides those of numbers.
 std::vector<std::string> quantity_names();
 
 /// Solves a question whose numbers are given: {"name", "text", "parts": [{"ask", "choices", "unit", "within",

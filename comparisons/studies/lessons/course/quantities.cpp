@@ -27,10 +27,10 @@ double ratio_at_impact(const Asked& asked) {
 }
 
 double fifth_impact(const Asked& asked) {
-  int left = 5;
-  for (const Event& event : asked.history.events)
-    if (event.kind == EventKind::impact && --left == 0) return event.time;
-  throw std::runtime_error(fmt::format("{}: there are no five impacts", asked.scene.title));
+  const std::vector<Event> impacts = impacts_of(asked.history);
+  if (impacts.size() < 5)
+    throw std::runtime_error(fmt::format("{}: there are no five impacts", asked.scene.title));
+  return impacts[4].time;
 }
 
 /// What pivots need of friction, beyond what there is.
@@ -52,13 +52,10 @@ double chance_matched(const Asked& asked) {
   return asked["exact"] * (1 - std::pow(1 - share, asked["seen"]));
 }
 
-struct Quantity {
-  const char* name;
-  double (*value)(const Asked& asked);
-};
+using Quantity = double(const Asked& asked);
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> list{
+const std::map<std::string, Quantity*>& quantities() {
+  static const std::map<std::string, Quantity*> list{
       // Of a scene's exact solution. SI units.
       {"first-impact", [](const Asked& a) { return first(a, EventKind::impact).time; }},
       {"opening", [](const Asked& a) { return first(a, EventKind::opening).time; }},
@@ -76,7 +73,7 @@ const std::vector<Quantity>& quantities() {
       {"fifth-impact", fifth_impact},
       {"kept-energy", kept_energy},
       {"lost-energy", [](const Asked& a) { return 1 - kept_energy(a); }},
-      {"impacts", [](const Asked& a) { return static_cast<double>(count_impacts(a.history)); }},
+      {"impacts", [](const Asked& a) { return static_cast<double>(impacts_of(a.history).size()); }},
       {"base-after", [](const Asked& a) { return std::abs(first(a, EventKind::impact).after.front()); }},
       {"slenderness", [](const Asked& a) { return slenderness(a.scene, 0); }},
       {"force-friction", [](const Asked& a) { return contact_need(a.scene).force.friction; }},
@@ -132,12 +129,12 @@ Asked asked_about(const std::string& scene, const std::vector<std::string>& chan
 }
 
 double quantity(const std::string& name, const Asked& asked) {
-  const auto found = std::ranges::find(quantities(), name, &Quantity::name);
-  return found != quantities().end() ? found->value(asked) : asked[name];
+  const auto found = quantities().find(name);
+  return found != quantities().end() ? found->second(asked) : asked[name];
 }
 
 std::vector<std::string> quantity_names() {
-  return each_of(quantities(), [](const Quantity& one) { return std::string(one.name); });
+  return each_of(quantities(), [](const auto& one) { return one.first; });
 }
 
 }  // namespace rockstack
