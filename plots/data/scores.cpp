@@ -32,6 +32,16 @@ double left_of_error(const Comparison& comparison, const Run& run) {
              : std::nan("");
 }
 
+/// The step that most runs were made at, of those that have an exact motion beside them; the smallest of such
+/// steps, s; NaN where there are none.
+double common_step(const Comparison& comparison) {
+  std::map<double, std::size_t> counts;
+  for (const Run& run : comparison.runs)
+    if (is_compared(run)) ++counts[*run.dt];
+  if (counts.empty()) return std::nan("");
+  return std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first;
+}
+
 }  // namespace
 
 StepEnds step_ends(const Comparison& comparison, const Run& run) {
@@ -66,18 +76,6 @@ const std::vector<SolverQuestion>& solver_questions() {
        }},
   };
   return questions;
-}
-
-const Run& Score::worst() const {
-  return runs[static_cast<std::size_t>(std::ranges::max_element(values) - values.begin())];
-}
-
-double common_step(const Comparison& comparison) {
-  std::map<double, std::size_t> counts;
-  for (const Run& run : comparison.runs)
-    if (is_compared(run)) ++counts[*run.dt];
-  if (counts.empty()) return std::nan("");
-  return std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first;
 }
 
 std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question) {

@@ -42,13 +42,12 @@ std::string in_decades(double value) {
 }
 
 constexpr auto shade = "#ECECEC";
-constexpr double small_part = 0.01;
 
-/// How far apart the least and the greatest of all angles are, rad.
-double range_of(const History& history) {
+/// A small part of how far apart the least and the greatest of all angles are, rad.
+double small_angle(const History& history) {
   if (history.angles.empty()) return 0;
   const auto [low, high] = std::ranges::minmax_element(history.angles);
-  return *high - *low;
+  return 0.01 * (*high - *low);
 }
 
 /// The first time from which on no angle is further from its last than that, s.
@@ -115,31 +114,9 @@ std::string logarithmic_range(const std::string& axis, double low, double high, 
          logarithmic_tics(axis, low, high, pixels);
 }
 
-double SignedLog::place(double value) const {
-  const double size = std::abs(value) / std::pow(10, first);
-  const double height = size <= 1 ? size : 1 + std::log10(size);
-  return std::copysign(height, value);
-}
-
-std::string SignedLog::tics(double height) const {
-  constexpr double room = 26;  // pixels a number
-  const double unit = height / (2 * edge());
-  const int stride = std::max(1 + (last - first) / 4, static_cast<int>(std::ceil(room / unit)));
-  std::string text = "'0' 0";
-  for (int power = last; power >= first && (power - first + 1) * unit >= room; power -= stride)
-    text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
-  return text;
-}
-
-SignedLog signed_log(double low, double high) {
-  constexpr int most_decades = 8;
-  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
-  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
-}
-
 TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs) {
   constexpr double room = 1.08, least = 1e-9;
-  const double tolerance = runs.empty() ? 0 : small_part * range_of(*history_of(runs.front()));
+  const double tolerance = runs.empty() ? 0 : small_angle(*history_of(runs.front()));
   double moves = 0, end = least;
   for (const Run& run : runs) {
     const auto history = history_of(run);

@@ -49,13 +49,11 @@ std::string script(const Drawing& drawing) {
   return text;
 }
 
-/// gnuplot's complaint in one line.
 std::string complaint(const fs::path& folder) {
   std::string text = contents(folder / "errors");
   for (char& c : text)
     if (c == '\n' || c == '\t') c = ' ';
-  constexpr std::size_t longest = 400;
-  return text.substr(text.size() - std::min(text.size(), longest));
+  return text.substr(text.size() - std::min<std::size_t>(text.size(), 400));
 }
 
 /// Frames one by one: into one file that loops, and where `film` is set into a picture each.
@@ -93,11 +91,9 @@ void run_gnuplot(const fs::path& folder, const std::string& script, const fs::pa
     pipe << script;
   }
   const std::string status = contents(folder / "status");
-  constexpr auto not_found = "127\n";
-  constexpr auto out_of_time = "124\n";
-  if (status == out_of_time)
+  if (status == "124\n")
     throw std::runtime_error(fmt::format("gnuplot has not drawn {} within {} s", stem.string(), time_limit));
-  if (status == not_found)
+  if (status == "127\n")
     throw std::runtime_error(
         fmt::format("cannot draw {}: gnuplot is not installed, or not in PATH", stem.string()));
   if (status != "0\n")

@@ -79,7 +79,8 @@ class Sheet {
 
   double below_ = 0;  ///< pixels used so far
   double width_, right_;
-  std::string title_, question_, blocks_;
+  std::string title_, blocks_;
+  std::vector<std::string> question_;
   Legend legend_;
   std::vector<Panel> panels_;
   std::vector<std::pair<std::string, std::string>> notes_;  ///< with their colours
@@ -110,7 +111,8 @@ void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::v
 double aside(std::size_t series, std::size_t of);
 
 /// Settings of a panel whose horizontal axis is labelled in the panel under it.
-std::string without_horizontal_labels();
+inline const std::string without_horizontal_labels =
+    std::string("set xtics textcolor rgb '") + unseen + "'\nunset xlabel\n";
 
 /// A sheet with one frame that says why there is nothing to show.
 Drawing empty_sheet(const std::string& title, const std::string& text);

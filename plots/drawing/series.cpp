@@ -102,7 +102,7 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
     sheet.row(panel.height, panel.space,
               {{"set format x '%g'\n" + panel.axes(panel_width - (full_width - width), panel.height) +
                     (panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across))
-                                    : without_horizontal_labels()) +
+                                    : without_horizontal_labels) +
                     fmt::format("set ylabel {} noenhanced offset 0.5\n",
                                 in_quotes(width < full_width ? panel.short_up : panel.up)) +
                     panel.few,
@@ -117,25 +117,31 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
                 panel.short_up, panel.left);
 }
 
-Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look) {
-  const std::string colour = style_of(run).colour;
-  Series series{line_label(run), colour, {plot_of(block, curve_style(run, order))}};
-  if (run.exact()) {
-    series.context = {plot_of(block, exact_context)};
-    return series;
+void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look) {
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (curves[i].size() == 0) continue;
+    const std::string name = fmt::format("{}_{}", stem, i), colour = style_of(runs[i]).colour;
+    sheet.data(data_block(name, curves[i]));
+    // Marks of neighbours are set apart by their order.
+    Series& one =
+        series.emplace_back(Series{line_label(runs[i]), colour, {plot_of(name, curve_style(runs[i], i))}});
+    if (runs[i].exact())
+      one.context = {plot_of(name, exact_context)};
+    else
+      one.alone = {plot_of(name, fmt::format("with lines lw {} lc rgb '{}'", look.width, colour))};
+    if (look.together && !runs[i].exact())
+      one.context = {plot_of(name, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
   }
-  series.alone = {plot_of(block, fmt::format("with lines lw {} lc rgb '{}'", look.width, colour))};
-  if (look.together)
-    series.context = {plot_of(block, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
-  return series;
+  add_series(sheet, panel, series, are_many(runs));
 }
 
 Series mark_series(const Run& run, const std::string& block, double size) {
-  constexpr double small = 1.1;
   return {line_label(run),
           style_of(run).colour,
           {plot_of(block, mark_style(run, size))},
-          {plot_of(block, mark_style(run, small))},
+          {plot_of(block, mark_style(run, 1.1))},
           {plot_of(block, fmt::format("with points pt 7 ps 0.6*mark lc rgb '{}'", context_colour))}};
 }
 

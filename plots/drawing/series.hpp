@@ -35,14 +35,16 @@ Reach extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, 
 /// Adds one panel, or where they are many a small one for each series that has one.
 void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many);
 
-/// A curve of a run, of a data block; the exact one lies under all others, wherever they are. Marks of
-/// neighbours are set apart by `order`. Lines are `width` thick in a panel of their own, where curves of
-/// others are seen if `together`.
+/// How curves of engines look in panels of their own: so thick, and where `together` over those of others.
 struct CurveLook {
   double width = 1.5;
   bool together = false;
 };
-Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look = {});
+
+/// Adds a panel, or many, of a curve a run, of those that have one; the exact one lies under all others,
+/// wherever they are. Their data blocks begin with `stem`.
+void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look = {});
 
 /// The marks of a run, of a size; smaller where it has a panel of its own.
 Series mark_series(const Run& run, const std::string& block, double size);

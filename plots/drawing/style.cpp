@@ -51,9 +51,6 @@ constexpr std::array<NamedStyle, 28> named{{
     {"measured", "#C2187A", cross, "(1,6)"},
 }};
 
-constexpr std::array<std::string_view, 9> tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
-                                                "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
-
 /// A number that a text always gives (Fowler, Noll & Vo's FNV-1a, 32 bits).
 std::size_t number_of(const std::string& text) {
   std::uint32_t hash = 2166136261U;
@@ -109,10 +106,6 @@ std::string paler(const std::string& colour, double strength) {
     text += fmt::format("{:02X}", static_cast<int>(std::lround(white + (own - white) * strength)));
   }
   return text;
-}
-
-std::string pattern_tint(std::size_t index) {
-  return std::string(tints[index % tints.size()]);
 }
 
 std::string curve_style(const Run& run, std::size_t order) {

@@ -21,7 +21,7 @@ struct SceneSubject {
   /// A sheet with the scene's title, the figure's question and the answer.
   Sheet sheet(const Legend& legend, const std::string& answer) const;
   /// The scene's title over the reason why there is nothing to show.
-  Drawing nothing(const std::string& reason) const;
+  Drawing nothing(const std::string& reason) const { return empty_sheet(heading(scene), reason); }
 
   /// The exact run and the engines' runs that figures over time show, of these only those that have all of
   /// some files.
@@ -83,7 +83,9 @@ struct Figure {
   std::variant<OfScene, OfComparison, OfFolder> of;
 
   /// A sheet with a title, the question and the answer.
-  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
+  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const {
+    return {heading, legend, question + " " + answer};
+  }
 };
 
 /// All figures, in the order of pages.
@@ -121,10 +123,6 @@ std::vector<Run> all_runs(const Shown& shown);
 
 /// The marks of runs, of a size; of too many for one panel nothing.
 Legend mark_legend(const std::vector<Run>& runs, double size);
-
-/// Adds a panel, or many, of a curve a run, of those that have one. Their data blocks begin with `stem`.
-void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
-                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look = {});
 
 /// Ranges and numbers of a panel over two logarithmic axes, of so many pixels.
 std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height);

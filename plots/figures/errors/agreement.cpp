@@ -1,4 +1,5 @@
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -28,6 +29,10 @@ struct CommonAxes {
 
 bool is_shown(const Run& run) {
   return is_engine(run) && !is_variant(run);
+}
+
+SceneScale scale_of(const Comparison& comparison, const ComparedScene& scene) {
+  return {least_height(scene.stack), scene.duration, comparison.tolerance};
 }
 
 /// Of engines alone, those of the set that the verdict ranks first before all others.
@@ -68,7 +73,6 @@ CommonAxes frame_of(const Comparison& comparison) {
   return frame;
 }
 
-/// A run of a scene with its place.
 struct Place {
   const Run* run;
   double height;

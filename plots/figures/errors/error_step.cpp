@@ -11,7 +11,6 @@ struct Errors {
   std::optional<double> RunMetrics::*upper = nullptr;
 };
 
-/// The errors of one series, and their fit.
 struct ErrorLine {
   Run run;  ///< any of the line
   std::string label;
@@ -51,7 +50,6 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
   return lines;
 }
 
-/// The fitted curve between the smallest and the largest step.
 Curve fitted_curve(const ErrorLine& line) {
   constexpr int points = 60;
   const double first = line.errors.front()[0], last = line.errors.back()[0];
@@ -63,7 +61,6 @@ Curve fitted_curve(const ErrorLine& line) {
   return curve;
 }
 
-/// Half a decade of room around all marks.
 std::string ranges(const std::vector<ErrorLine>& lines, double width, double height) {
   Reach across, up;
   for (const ErrorLine& line : lines)
@@ -74,7 +71,6 @@ std::string ranges(const std::vector<ErrorLine>& lines, double width, double hei
   return logarithmic_axes(across.wider_times(1.6), up.wider_times(1.6), width, height);
 }
 
-/// The least error of all, with its step.
 std::string answer(const std::vector<ErrorLine>& lines, const Errors& errors) {
   std::vector<double> least{0, 1e300};
   for (const ErrorLine& line : lines)

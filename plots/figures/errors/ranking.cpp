@@ -81,7 +81,6 @@ Reach reach_of(const std::vector<Run>& runs, const Ranges& ranges) {
   return with_log_room({std::max(reach.low, least_error), std::max(reach.high, least_error)});
 }
 
-/// A run's error, its quartiles and its whole range over replicates.
 void add_run(Plots& plots, const Run& run, std::size_t row, const Ranges& ranges) {
   const double error = *run.error;
   const auto [least, greatest] = range_of(run, ranges);
@@ -93,7 +92,6 @@ void add_run(Plots& plots, const Run& run, std::size_t row, const Ranges& ranges
              "using 1:2 " + mark_style(run, 1.4)});
 }
 
-/// Which rows share the first rank, step by step.
 std::string answer(const std::vector<Run>& runs, const std::vector<double>& steps) {
   std::vector<std::string> parts;
   for (const double dt : steps) {

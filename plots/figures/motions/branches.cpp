@@ -83,7 +83,6 @@ std::string answer_of(const std::vector<BranchRow>& rows) {
 
 }  // namespace
 
-/// The angles of all branches, and where they leave each other.
 Drawings branches(const FolderSubject& subject) {
   const std::vector<BranchRow> rows = read_branches(subject.folder);
   Legend legend;
@@ -104,7 +103,7 @@ Drawings branches(const FolderSubject& subject) {
       angles.add(angle_of(rows[i], k, bins),
                  {fmt::format("using 1:2 with lines lw 2 lc rgb '{}'", colour_of(i))});
     sheet.panel(panel_height(blocks + 1), 16,
-                range + without_horizontal_labels() + grid_lines +
+                range + without_horizontal_labels + grid_lines +
                     fmt::format("set ylabel '{} (rad)' offset 0.5\n", angle_name(k + 1)),
                 angles.list());
   }

@@ -9,16 +9,10 @@ namespace {
 constexpr auto line_style = "with lines lw 1.5 lc rgb '#0B4F8A'";
 constexpr auto ground_grid = "set grid lt 1 dt solid lw 1 lc rgb '#DADADA'\n";
 
-/// A value with its time, to be marked.
 struct Peak {
   double value = 0;
   double time = 0;  ///< s
 };
-
-Peak peak_of(const Curve& curve) {
-  const auto peak = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
-  return {*peak, curve.times[static_cast<std::size_t>(peak - curve.values.begin())]};
-}
 
 /// A mark where a curve is furthest from zero, and its words in the panel's other right corner, that far from
 /// the edge.
@@ -42,12 +36,13 @@ std::string symmetric_range(double reach) {
 }
 
 void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, const TimeAxis& axis, bool last) {
-  const Peak peak = peak_of(curve);
+  const auto at = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
+  const Peak peak{*at, curve.times[static_cast<std::size_t>(at - curve.values.begin())]};
   sheet.data(data_block(name, thin(curve, bins_for(2))));
   sheet.panel(220, 16,
               ground_grid + time_range(axis) + symmetric_range(reach_of(std::abs(peak.value))) +
                   fmt::format("set ylabel '{} (m/s²)' offset 0.5\n", name) +
-                  (last ? time_numbers : without_horizontal_labels()) + peak_mark(peak, "m/s²", 0.1),
+                  (last ? time_numbers : without_horizontal_labels) + peak_mark(peak, "m/s²", 0.1),
               {plot_of(name, line_style)});
 }
 
@@ -98,7 +93,7 @@ void add_history(Sheet& sheet, const std::string& name, const std::string& base,
   const double reach = reach_of(largest) * scale.factor;
   const std::string unit = scale.prefix + base;
   add_over_time(sheet, height, name, scaled(curve, scale.factor), facts.at("significant_5_95"),
-                without_horizontal_labels() + fmt::format("set ylabel '{} ({})' offset 0.5\n", name, unit) +
+                without_horizontal_labels + fmt::format("set ylabel '{} ({})' offset 0.5\n", name, unit) +
                     symmetric_range(reach) + linear_tics("y", -reach, reach, height) +
                     peak_mark({peak.at("value").get<double>() * scale.factor, peak.at("time")}, unit, 0.12));
 }
@@ -151,8 +146,6 @@ Drawing ground_motion(const SceneSubject& subject) {
   return sheet.finish();
 }
 
-/// Acceleration, velocity and displacement with the significant duration, the growth of the Arias intensity,
-/// and the response spectrum.
 Drawings record(const FolderSubject& subject) {
   const fs::path& results = subject.folder;
   const auto columns =

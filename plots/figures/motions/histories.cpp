@@ -20,6 +20,10 @@ std::string impact_ticks(const std::vector<double>& times, double end, double wi
   return text;
 }
 
+/// Pale enough for black letters.
+constexpr std::array tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
+                           "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
+
 /// One box a span, named where it is wide enough in a figure so many pixels wide; spans under a pixel belong
 /// to the one before.
 std::string pattern_band(const std::vector<PatternSpan>& spans, double end, double width) {
@@ -34,7 +38,7 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end, doub
     const std::size_t tint = tint_of.try_emplace(pattern, tint_of.size()).first->second;
     text += fmt::format(
         "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder behind\n",
-        plain(from), plain(to), pattern_tint(tint));
+        plain(from), plain(to), tints.at(tint % tints.size()));
     const double letter = end / 95;
     if (to - from > letter * full_width / width * static_cast<double>(pattern.size() + 1))
       text += fmt::format("set label {} noenhanced at {}, graph 0.5 center font ',12' front\n",

@@ -98,7 +98,6 @@ std::string flights_of(const Run& run, int blocks, double end) {
   return "apart: " + text_of_each(times, std::identity(), ", ") + more;
 }
 
-/// The largest slip of a run, and at which interface.
 std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<SlipPanel>& slips) {
   const auto largest = [&](const SlipPanel& slip) { return slip.curves[run].largest(); };
   const auto most = std::ranges::max_element(slips, {}, largest);
