@@ -139,18 +139,15 @@ std::string titles_after(const Json& lesson) {
 /// What a lesson's page and its slides share.
 Values lesson_values(const fs::path& results, const Comparison& comparison, const Json& lesson) {
   const std::string text = text_at(lesson, "text");
-  return {{"title", escaped_at(lesson, "title")},
-          {"name", escaped_at(lesson, "name")},
-          {"number", lesson.at("number").dump()},
-          {"count", lesson.at("count").dump()},
-          {"minutes", lesson.at("minutes").dump()},
-          {"after", titles_after(lesson)},
-          {"navigation", navigation(lesson)},
-          {"aims", list_of(lesson.at("aims"))},
-          {"references", list_of(lesson.at("references"))},
-          {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
-          {"command", escaped(comparison.command)},
-          {"environment", definition_list(comparison.environment)}};
+  Values values{{"after", titles_after(lesson)},
+                {"navigation", navigation(lesson)},
+                {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
+                {"command", escaped(comparison.command)},
+                {"environment", definition_list(comparison.environment)}};
+  for (const char* key : {"title", "name"}) values[key] = escaped_at(lesson, key);
+  for (const char* key : {"number", "count", "minutes"}) values[key] = lesson.at(key).dump();
+  for (const char* key : {"aims", "references"}) values[key] = list_of(lesson.at(key));
+  return values;
 }
 
 std::string page_of(const std::string& title, Values values, const char* kind, std::string_view content,
