@@ -16,13 +16,6 @@ struct Study {
   std::vector<std::string> tables = {};  ///< files to be shown, where they are there
 };
 
-/// Empty where the results do not say. Of a sweep it stands beside its results, which are the same bytes
-/// whatever the command.
-std::string command_of(const fs::path& results, const Json& description) {
-  const fs::path timing = results / "timing.json";
-  return description.value("command", fs::exists(timing) ? read_json(timing).value("command", "") : "");
-}
-
 /// Writes the page of a description; a missing or wrong entry names its file.
 void write_study(const fs::path& results, const char* file, const std::function<Study(const Json&)>& read) {
   read_json(results / file, [&](const Json& json) {
@@ -39,7 +32,10 @@ void write_study(const fs::path& results, const char* file, const std::function<
     std::erase_if(facts, [](const auto& fact) {
       return fact.first == "command" || fact.first == "title" || fact.first.starts_with("trials.");
     });
-    const std::string command = command_of(results, json);
+    // Of a sweep the command stands beside its results, which are the same bytes whatever it is.
+    const fs::path timing = results / "timing.json";
+    const std::string command =
+        json.value("command", fs::exists(timing) ? read_json(timing).value("command", "") : "");
     const std::string content =
         filled_in(study_html,
                   {{"title", escaped(study.title)},
