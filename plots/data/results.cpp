@@ -133,10 +133,6 @@ void KeptFiles::make_room_for(const fs::path& file) {
   bytes_ += size;
 }
 
-bool ComparedScene::has(const std::string& result) const {
-  return std::ranges::find(results, result) != results.end();
-}
-
 std::string heading(const ComparedScene& scene) {
   return scene.law.empty() ? scene.title : fmt::format("{}, law {}", scene.title, scene.law);
 }

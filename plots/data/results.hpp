@@ -90,7 +90,7 @@ struct ComparedScene : RecordedScene {
   bool frictions = false;                  ///< whether the exact solver ran with other friction too
   bool alone = false;                      ///< one motion by itself: no run stands beside another
 
-  bool has(const std::string& result) const;
+  bool has(const std::string& result) const { return std::ranges::find(results, result) != results.end(); }
   /// Until when histories can be compared, s.
   double horizon() const { return std::isnan(predictable_time) ? duration : predictable_time; }
 };

@@ -32,16 +32,6 @@ double left_of_error(const Comparison& comparison, const Run& run) {
              : std::nan("");
 }
 
-/// The step that most runs were made at, of those that have an exact motion beside them; the smallest of such
-/// steps, s; NaN where there are none.
-double common_step(const Comparison& comparison) {
-  std::map<double, std::size_t> counts;
-  for (const Run& run : comparison.runs)
-    if (is_compared(run)) ++counts[*run.dt];
-  if (counts.empty()) return std::nan("");
-  return std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first;
-}
-
 }  // namespace
 
 StepEnds step_ends(const Comparison& comparison, const Run& run) {
@@ -79,10 +69,14 @@ const std::vector<SolverQuestion>& solver_questions() {
 }
 
 std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question) {
-  const double dt = common_step(comparison);
+  // The common step is that which most runs have, the smallest of such.
+  std::map<double, std::size_t> counts;
+  for (const Run& run : comparison.runs)
+    if (is_compared(run)) ++counts[*run.dt];
+  const auto common = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
   std::map<std::string, Score> groups;
   for (const Run& run : comparison.runs) {
-    if (!is_compared(run) || run.dt != dt) continue;
+    if (!is_compared(run) || run.dt != common->first) continue;
     const double value = question.value(comparison, run);
     if (!std::isfinite(value)) continue;
     Score& score = groups[line_label(run)];

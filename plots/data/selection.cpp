@@ -26,13 +26,10 @@ std::string settings_of_line(const Run& run) {
 
 /// Whether the runs that a suite gave iterations have one step: these make a line then, and else steps do.
 bool iterations_make_lines(const std::vector<Run>& runs) {
-  const Run* given = nullptr;
-  for (const Run& run : runs) {
-    if (iterations_of(run) == 0) continue;
-    if (given != nullptr && given->dt != run.dt) return false;
-    given = &run;
-  }
-  return given != nullptr;
+  std::set<std::optional<double>> steps;
+  for (const Run& run : runs)
+    if (iterations_of(run) != 0) steps.insert(run.dt);
+  return steps.size() == 1;
 }
 
 }  // namespace

@@ -43,13 +43,6 @@ std::string in_decades(double value) {
 
 constexpr auto shade = "#ECECEC";
 
-/// A small part of how far apart the least and the greatest of all angles are, rad.
-double small_angle(const History& history) {
-  if (history.angles.empty()) return 0;
-  const auto [low, high] = std::ranges::minmax_element(history.angles);
-  return 0.01 * (*high - *low);
-}
-
 /// The first time from which on no angle is further from its last than that, s.
 double end_of_motion(const History& history, double tolerance) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
@@ -116,7 +109,11 @@ std::string logarithmic_range(const std::string& axis, double low, double high, 
 
 TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs) {
   constexpr double room = 1.08, least = 1e-9;
-  const double tolerance = runs.empty() ? 0 : small_angle(*history_of(runs.front()));
+  double tolerance = 0;
+  if (const auto first = runs.empty() ? nullptr : history_of(runs.front()); first && !first->angles.empty()) {
+    const auto [low, high] = std::ranges::minmax_element(first->angles);
+    tolerance = 0.01 * (*high - *low);
+  }
   double moves = 0, end = least;
   for (const Run& run : runs) {
     const auto history = history_of(run);

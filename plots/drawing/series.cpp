@@ -100,7 +100,7 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
     append(panel.over, plots);
     const double width = sheet.width();
     sheet.row(panel.height, panel.space,
-              {{"set format x '%g'\n" + panel.axes(panel_width - (full_width - width), panel.height) +
+              {{"set format x '%g'\n" + panel.axes(sheet.panel_width(), panel.height) +
                     (panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across))
                                     : without_horizontal_labels) +
                     fmt::format("set ylabel {} noenhanced offset 0.5\n",
@@ -118,7 +118,7 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
 }
 
 void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
-                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look) {
+                const std::vector<Curve>& curves, const std::string& stem, std::optional<double> together) {
   std::vector<Series> series;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (curves[i].size() == 0) continue;
@@ -130,8 +130,9 @@ void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& 
     if (runs[i].exact())
       one.context = {plot_of(name, exact_context)};
     else
-      one.alone = {plot_of(name, fmt::format("with lines lw {} lc rgb '{}'", look.width, colour))};
-    if (look.together && !runs[i].exact())
+      one.alone = {
+          plot_of(name, fmt::format("with lines lw {} lc rgb '{}'", together.value_or(1.5), colour))};
+    if (together && !runs[i].exact())
       one.context = {plot_of(name, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
   }
   add_series(sheet, panel, series, are_many(runs));

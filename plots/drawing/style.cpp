@@ -58,22 +58,19 @@ std::size_t number_of(const std::string& text) {
   return hash >> 4U;
 }
 
-/// Of the exact motion with a friction of its own: the slipperier, the redder.
-struct FrictionStyle {
-  double least;  ///< the coefficient from which on it is this one
-  NamedStyle style;
-};
-constexpr std::array<FrictionStyle, 5> frictions{{{1, {"", "#0072B2", square, "solid"}},
-                                                  {0.45, {"", "#117733", triangle, "(12,9)"}},
-                                                  {0.25, {"", "#C04A00", circle, "(8,7,1,7)"}},
-                                                  {0.12, {"", "#882255", diamond, "(5,8)"}},
-                                                  {0, {"", "#332288", pentagon, "(12,8,1,8)"}}}};
+/// Of the exact motion with a friction of its own, from that coefficient on: the slipperier, the redder.
+constexpr std::array<std::pair<double, NamedStyle>, 5> frictions{
+    {{1, {"", "#0072B2", square, "solid"}},
+     {0.45, {"", "#117733", triangle, "(12,9)"}},
+     {0.25, {"", "#C04A00", circle, "(8,7,1,7)"}},
+     {0.12, {"", "#882255", diamond, "(5,8)"}},
+     {0, {"", "#332288", pentagon, "(12,8,1,8)"}}}};
 
 NamedStyle of_friction(const std::string& solver) {
   const double value = std::strtod(solver.c_str() + solver.find('=') + 1, nullptr);
   return std::find_if(frictions.begin(), frictions.end() - 1,
-                      [&](const FrictionStyle& one) { return value >= one.least; })
-      ->style;
+                      [&](const auto& one) { return value >= one.first; })
+      ->second;
 }
 
 }  // namespace

@@ -133,10 +133,6 @@ TimeAxis SceneSubject::time_axis(const std::vector<Run>& runs, Legend& legend) c
   return axis;
 }
 
-void SceneSubject::add_replicates_note(Sheet& sheet) const {
-  if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note);
-}
-
 std::vector<Run> all_runs(const Shown& shown) {
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
@@ -147,9 +143,11 @@ Legend mark_legend(const std::vector<Run>& runs, double size) {
   return legend_of(runs, [&](const Run& run, std::size_t) { return mark_style(run, size); });
 }
 
-std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height) {
-  return logarithmic_range("x", across.low, across.high, width) +
-         logarithmic_range("y", up.low, up.high, height) + grid_lines;
+std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up) {
+  return [across, up](double width, double height) {
+    return logarithmic_range("x", across.low, across.high, width) +
+           logarithmic_range("y", up.low, up.high, height) + grid_lines;
+  };
 }
 
 std::string number_block(const std::string& name, const Numbers& lines) {

@@ -220,7 +220,7 @@ Drawing drawn(Sheet sheet, const Comparison& comparison, const CommonAxes& frame
     add_scenes(sheet, comparison, frame, from, std::min(from + beside, scenes));
   if (scenes < comparison.scenes.size())
     sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()));
-  if (!frame.note.empty()) sheet.note(frame.note);
+  sheet.note(frame.note);
   return sheet.finish();
 }
 

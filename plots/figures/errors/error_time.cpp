@@ -54,18 +54,16 @@ Numbers numbers_of(const CostLine& line) {
   });
 }
 
-/// Whether the errors of two neighbouring runs tell a trend: their quartiles over replicates differ, and
+/// The lines between neighbours whose errors tell a trend: their quartiles over replicates differ, and
 /// without replicates histories can be compared to the end. Elsewhere a line between them would mean nothing.
-bool differ(const Cost& a, const Cost& b, bool comparable) {
-  const bool spread = a.lower < a.upper || b.lower < b.upper;
-  return spread ? a.upper < b.lower || b.upper < a.lower : comparable;
-}
-
 Numbers pieces(const CostLine& line, bool comparable) {
   Numbers numbers;
-  for (std::size_t i = 1; i < line.costs.size(); ++i)
-    if (const Cost& a = line.costs[i - 1], &b = line.costs[i]; differ(a, b, comparable))
+  for (std::size_t i = 1; i < line.costs.size(); ++i) {
+    const Cost &a = line.costs[i - 1], &b = line.costs[i];
+    const bool spread = a.lower < a.upper || b.lower < b.upper;
+    if (spread ? a.upper < b.lower || b.upper < a.lower : comparable)
       numbers.push_back({a.time, a.error, b.time, b.error});
+  }
   return numbers;
 }
 
@@ -236,17 +234,15 @@ Drawing error_time(const SceneSubject& subject) {
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
   const std::vector<Slope> slopes = slopes_of(lines, frame);
   const std::string guides = slope_guides(slopes, !many);
-  const auto axes = [&](double width, double up) {
-    return logarithmic_axes(frame.across, frame.up, width, up);
-  };
+  const auto axes = logarithmic_axes(frame.across, frame.up);
   const double height = subject.height(520, 520);
   const char* across = many ? "stepping time a second (s)" : "stepping time for one second of motion (s)";
   SeriesPanel panel{across, "RMS angle difference (rad)", "RMS (rad)", true, axes, height, 0};
   panel.under = many ? std::vector{context_marks("all")} : floors(lines);
-  panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, subject.panel(), height);
+  panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, sheet.panel_width(), height);
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);
-  subject.add_replicates_note(sheet);
+  sheet.note(draws_note(subject.comparison, subject.scene.name));
   if (!subject.on_slide) add_notes(sheet, lines, !slopes.empty(), many);
   return sheet.finish();
 }

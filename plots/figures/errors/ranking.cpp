@@ -120,12 +120,6 @@ Reach reach_of(const std::vector<Score>& list) {
   return with_log_room({std::max(reach.low, reach.high / decades), reach.high});
 }
 
-std::string words_of(const Score& score, std::size_t scenes) {
-  const std::size_t answered = score.runs.size();
-  return line_label(score.runs.front()) +
-         (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : "");
-}
-
 /// All solvers by their answers to one question: a row a solver and set, a small mark a scene, a large one
 /// their median. Precondition: there is a score.
 Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question, std::vector<Score> list) {
@@ -143,7 +137,9 @@ Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question
   for (const Score& score : list) {
     const Run& run = score.runs.front();
     const auto row = static_cast<double>(panel.words.size());
-    panel.words.push_back(words_of(score, scenes));
+    const std::size_t answered = score.runs.size();
+    panel.words.push_back(line_label(run) +
+                          (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : ""));
     const auto mark = [&](double value) { return std::vector{std::max(value, reach.low), row}; };
     plots.add(each_of(score.values, mark),
               {fmt::format("using 1:2 with points pt 2 ps 0.7 lc rgb '{}'", style_of(run).colour)});

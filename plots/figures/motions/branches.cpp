@@ -76,11 +76,6 @@ void add_tree(Sheet& sheet, const std::vector<BranchRow>& rows, const std::strin
               tree.list());
 }
 
-std::string answer_of(const std::vector<BranchRow>& rows) {
-  const auto unlike = std::ranges::count_if(rows, [](const BranchRow& row) { return std::isnan(row.like); });
-  return fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike);
-}
-
 }  // namespace
 
 Drawings branches(const FolderSubject& subject) {
@@ -89,8 +84,10 @@ Drawings branches(const FolderSubject& subject) {
   for (std::size_t i = 0; i < std::min(rows.size(), colours.size()); ++i)
     legend.emplace_back(fmt::format("with lines lw 3 lc rgb '{}'", colour_of(i)),
                         fmt::format("branch {}", i + 1));
-  Sheet sheet =
-      subject.figure.sheet(read_json(subject.folder / "summary.json").at("title"), legend, answer_of(rows));
+  const auto unlike = std::ranges::count_if(rows, [](const BranchRow& row) { return std::isnan(row.like); });
+  Sheet sheet = subject.figure.sheet(
+      read_json(subject.folder / "summary.json").at("title"), legend,
+      fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike));
   constexpr double room = 1.2;  // of time, for words behind the end
   double end = 0;
   for (const BranchRow& row : rows) end = std::max(end, row.end);

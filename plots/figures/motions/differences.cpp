@@ -68,7 +68,7 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
     };
     SeriesPanel panel{"time (s)", words, words, false, axes, height, 20};
     panel.under = {fmt::format("{} with lines {} notitle", plain(tolerance), tolerance_style)};
-    add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), {2.5, true});
+    add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), 2.5);
   }
 }
 

@@ -108,7 +108,7 @@ Drawing energy(const SceneSubject& subject) {
   const char* apart = subject.on_slide ? "apart (J)" : "engine − exact (J)";
   SeriesPanel panel{"time (s)", "engine − exact, median (J)", apart, true, axes, low, 20};
   panel.under = {zero_line};
-  add_curves(sheet, panel, shown.engines, differences, "apart", {2, true});
+  add_curves(sheet, panel, shown.engines, differences, "apart", 2);
   return sheet.finish();
 }
 

@@ -78,7 +78,7 @@ Drawings advice(const FolderSubject& subject) {
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
   legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
   Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
-  const double width = subject.panel();
+  const double width = sheet.panel_width();
   LabelledPanel labelled{width, tall, {}};
   Plots trials(sheet, "trials");
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -106,7 +106,7 @@ Drawings advice(const FolderSubject& subject) {
   std::vector<std::string> plots = trials.list();
   plots.insert(plots.begin(), fmt::format("{} {} notitle", plain(error), limit_style));
   sheet.panel(tall, 0,
-              logarithmic_axes(across, up, width, tall) +
+              logarithmic_axes(across, up)(width, tall) +
                   "set logscale xy\nset xlabel 'computing time of stepping (s)'\n"
                   "set ylabel 'largest difference (rad, least heights)'\n" +
                   placed_labels(labelled),

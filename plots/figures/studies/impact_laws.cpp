@@ -237,7 +237,7 @@ Drawings law_engines(const FolderSubject& subject) {
     beyond += std::ranges::count_if(list[i].at, [&](const auto& mark) { return frame.inside(mark) != mark; });
   }
   const auto axes = [&](double width, double height) {
-    return "set samples 200\n" + logarithmic_axes(frame.across, frame.up, width, height);
+    return "set samples 200\n" + logarithmic_axes(frame.across, frame.up)(width, height);
   };
   const char* across = many ? "from law paper" : "from law paper, over the largest rate before";
   SeriesPanel panel{across, "from law consistent", "from consistent", true, axes, 640, 0};
