@@ -45,17 +45,12 @@ constexpr auto shade = "#ECECEC";
 
 /// The first time from which on no angle is further from its last than that, s.
 double end_of_motion(const History& history, double tolerance) {
-  const auto blocks = static_cast<std::size_t>(history.blocks);
+  if (history.size() == 0) return 0;
+  const auto last = history.angles_at(history.size() - 1);
+  const auto is_near = [&](double a, double b) { return !(std::abs(a - b) > tolerance); };
   std::size_t row = history.size();
-  const auto rests = [&](std::size_t at) {
-    for (std::size_t k = 0; k < blocks; ++k)
-      if (std::abs(history.angles[at * blocks + k] - history.angles[(history.size() - 1) * blocks + k]) >
-          tolerance)
-        return false;
-    return true;
-  };
-  while (row > 0 && rests(row - 1)) --row;
-  return history.size() == 0 ? 0 : history.times[std::min(row, history.size() - 1)];
+  while (row > 0 && std::ranges::equal(history.angles_at(row - 1), last, is_near)) --row;
+  return history.times[std::min(row, history.size() - 1)];
 }
 
 }  // namespace

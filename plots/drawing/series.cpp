@@ -45,21 +45,15 @@ std::vector<Box> line_boxes(const LabelledPanel& panel) {
   return boxes;
 }
 
-/// Where a label stands: its box, and on which side of the mark.
-struct LabelPlace {
-  Box box;
-  double side;
-};
-
 constexpr double half_height = 8;  ///< of a word
 
 double width_of(const LabelledMark& mark) {
   return 9.5 * static_cast<double>(mark.word.size()) + 4;
 }
 
-/// The first of four corners of a mark that is free of all boxes.
-std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const LabelledMark& mark,
-                                      const std::vector<Box>& taken, const std::vector<Box>& lines) {
+/// Where a label stands: at the first of four corners of a mark that is free of all boxes.
+std::optional<Box> free_corner(const LabelledPanel& panel, const LabelledMark& mark,
+                               const std::vector<Box>& taken, const std::vector<Box>& lines) {
   const double width = width_of(mark);
   constexpr double aside = 11, rise = 12;
   for (const double side : {1.0, -1.0})
@@ -68,7 +62,7 @@ std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const Labelled
       const Box box{std::min(near, far), std::max(near, far), mark.y + lift - half_height,
                     mark.y + lift + half_height};
       const bool inside = box.left > 0 && box.right < panel.width && box.low > 0 && box.high < panel.height;
-      if (inside && !meets_any(box, taken) && !meets_any(box, lines)) return LabelPlace{box, side};
+      if (inside && !meets_any(box, taken) && !meets_any(box, lines)) return box;
     }
   return std::nullopt;
 }
@@ -181,14 +175,14 @@ std::string placed_labels(const LabelledPanel& panel) {
   std::string text;
   for (const std::vector<LabelledMark>& line : panel.lines)
     for (const LabelledMark& mark : line) {
-      std::optional<LabelPlace> place = free_corner(panel, mark, taken, crossed);
-      if (!place) place = free_corner(panel, mark, taken, {});
-      if (!place) continue;
-      const auto& [box, side] = *place;
-      taken.push_back(box);
+      std::optional<Box> box = free_corner(panel, mark, taken, crossed);
+      if (!box) box = free_corner(panel, mark, taken, {});
+      if (!box) continue;
+      const bool right = box->left > mark.x;
+      taken.push_back(*box);
       text += fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
-                          mark.word, plain((side > 0 ? box.left : box.right) / panel.width),
-                          plain((box.low + box.high) / 2 / panel.height), side > 0 ? "left" : "right",
+                          mark.word, plain((right ? box->left : box->right) / panel.width),
+                          plain((box->low + box->high) / 2 / panel.height), right ? "left" : "right",
                           mark.colour);
     }
   return text;
