@@ -25,26 +25,24 @@ Figure figure(const std::string& name, const decltype(Figure::of)& of) {
 
 std::vector<Figure> all_figures() {
   // What a scene's results must have.
-  static constexpr auto sampled = [](const auto& scene) { return scene.has("histories"); };
+  static constexpr auto sampled = [](auto& scene) { return scene.has("histories"); };
   // Whether runs stand beside each other at all times.
-  static constexpr auto compared = [](const auto& scene) { return sampled(scene) && !scene.alone; };
-  static constexpr auto tested = [](const auto& scene) { return sampled(scene) && !scene.readings.empty(); };
-  static constexpr auto slips = [](const auto& scene) { return sampled(scene) && scene.slips; };
-  static constexpr auto frictions = [](const auto& scene) { return sampled(scene) && scene.frictions; };
-  static constexpr auto both_equations = [](const auto& scene) {
-    return sampled(scene) && scene.both_equations;
-  };
-  static constexpr auto bodies = [](const auto& scene) { return sampled(scene) && scene.has("bodies"); };
-  static constexpr auto impacts = [](const auto& scene) { return scene.has("impacts"); };
-  static constexpr auto shaken = [](const auto& scene) { return !scene.ground_motion.empty(); };
-  static constexpr auto losses = [](const auto& scene) {
+  static constexpr auto compared = [](auto& scene) { return sampled(scene) && !scene.alone; };
+  static constexpr auto tested = [](auto& scene) { return sampled(scene) && !scene.readings.empty(); };
+  static constexpr auto slips = [](auto& scene) { return sampled(scene) && scene.slips; };
+  static constexpr auto frictions = [](auto& scene) { return sampled(scene) && scene.frictions; };
+  static constexpr auto both_equations = [](auto& scene) { return sampled(scene) && scene.both_equations; };
+  static constexpr auto bodies = [](auto& scene) { return sampled(scene) && scene.has("bodies"); };
+  static constexpr auto impacts = [](auto& scene) { return scene.has("impacts"); };
+  static constexpr auto shaken = [](auto& scene) { return !scene.ground_motion.empty(); };
+  static constexpr auto losses = [](auto& scene) {
     return bodies(scene) && impacts(scene) && !shaken(scene);
   };
-  static constexpr auto errors = [](const auto& scene) { return scene.has("angles"); };
-  static constexpr auto patterns = [](const auto& scene) { return scene.has("patterns"); };
-  static constexpr auto split = [](const auto& scene) { return scene.split; };
-  static constexpr auto fitted = [](const auto& scene) { return scene.fitted; };
-  static constexpr auto perturbed = [](const auto& scene) { return scene.perturbed; };
+  static constexpr auto errors = [](auto& scene) { return scene.has("angles"); };
+  static constexpr auto patterns = [](auto& scene) { return scene.has("patterns"); };
+  static constexpr auto split = [](auto& scene) { return scene.split; };
+  static constexpr auto fitted = [](auto& scene) { return scene.fitted; };
+  static constexpr auto perturbed = [](auto& scene) { return scene.perturbed; };
   std::vector<Figure> list{
 #include "plots/figures/entries.inc"
   };

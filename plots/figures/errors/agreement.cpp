@@ -21,8 +21,7 @@ struct CommonAxes {
   }
   /// Where the line of a set and step lies, from the row's middle.
   double height(std::size_t set, double dt) const {
-    constexpr double part = 0.27;
-    return static_cast<double>(set) + part * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
+    return static_cast<double>(set) + 0.27 * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
   }
   double place(double dt) const { return static_cast<double>(std::ranges::find(steps, dt) - steps.begin()); }
 };
@@ -138,8 +137,7 @@ Reach size_axis(const Comparison& comparison) {
 
 /// A scene's axis ends behind its horizon, or with the motion where rows that agree so long do so to the end.
 TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
-  constexpr double beyond = 1.15;
-  const double whole = std::min(scene.duration, beyond * scene.horizon());
+  const double whole = std::min(scene.duration, 1.15 * scene.horizon());
   const std::vector<Run> exact = shown_runs(comparison, scene.name).exact;
   double end = scene.has("histories") && !exact.empty() ? time_axis(scene, exact).end : whole;
   const SceneScale scale = scale_of(comparison, scene);

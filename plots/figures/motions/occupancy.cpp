@@ -25,8 +25,7 @@ Occupancy read_occupancy(const Run& run) {
 }
 
 double share_in(const Shares& shares, const std::string& pattern) {
-  const auto found = shares.find(pattern);
-  return found == shares.end() ? 0 : found->second;
+  return shares.contains(pattern) ? shares.at(pattern) : 0;
 }
 
 Shares largest_shares(const std::vector<Occupancy>& all) {

@@ -20,8 +20,6 @@ double sum(const std::vector<LawCell>& cells, double LawCell::*count) {
   return total;
 }
 
-constexpr double least_share = 0.01;  ///< of a kind's impacts that a map is drawn for
-
 std::vector<LawMap> maps_of(const std::vector<LawCell>& cells) {
   std::vector<std::vector<LawCell>> by_kind;
   for (const LawCell& cell : cells)
@@ -32,7 +30,7 @@ std::vector<LawMap> maps_of(const std::vector<LawCell>& cells) {
        {std::pair{"laws differ", &LawCell::differ}, {"no pattern consistent", &LawCell::none}})
     for (const std::vector<LawCell>& own : by_kind) {
       const double shown = sum(own, count), all = sum(own, &LawCell::impacts);
-      if (shown >= least_share * all && shown > 0)
+      if (shown >= 0.01 * all && shown > 0)  // a map of less would say nothing
         maps.push_back({heading, own.front().kind, own, count, 100 * shown / all});
     }
   return maps;
@@ -121,16 +119,6 @@ std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
   return list;
 }
 
-/// The shortest step of each solver has large marks.
-std::map<std::string, double> shortest_steps(const std::vector<Marks>& list) {
-  std::map<std::string, double> steps;
-  for (const Marks& marks : list) {
-    double& shortest = steps.emplace(line_label(marks.run), value_of(marks.run.dt)).first->second;
-    shortest = std::min(shortest, value_of(marks.run.dt));
-  }
-  return steps;
-}
-
 /// Where values lie but for those far away, which must not press the rest together: on a logarithmic axis all
 /// within one and a half times the middle half's extent beyond it (Tukey 1977), with room.
 Reach reach_of(const std::vector<double>& values) {
@@ -170,7 +158,11 @@ constexpr auto border_style = "with lines lw 2 dt (8,8) lc rgb '#606060'";
 
 /// A series a solver, by its label, in the order of the file; small marks where a step is not its shortest.
 std::vector<Series> series_of(const std::vector<Marks>& list, Legend& legend) {
-  const auto shortest = shortest_steps(list);
+  std::map<std::string, double> shortest;
+  for (const Marks& marks : list) {
+    double& dt = shortest.emplace(line_label(marks.run), value_of(marks.run.dt)).first->second;
+    dt = std::min(dt, value_of(marks.run.dt));
+  }
   std::vector<Series> series;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Run& run = list[i].run;
