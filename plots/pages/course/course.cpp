@@ -70,6 +70,7 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
   for (const Json& problem : sheet.at("problems")) problems += problem_text(problem, with_answers);
   const std::string lesson = escaped_at(sheet, "lesson"), title = text_at(sheet, "title");
   const std::string seed = sheet.at("seed").dump(), kind = with_answers ? "Key" : "Problem sheet";
+  const char* name_line = "<p class=\"name\">Name: <span class=\"blank\"></span></p>";
   const std::string note =
       with_answers
           ? fmt::format(
@@ -78,18 +79,15 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
                 lesson, seed)
           : "Angles in rad, clockwise positive; gravity is 9.81 m/s². Give answers to the digits that your "
             "way of computing supports, and say what you assumed.";
-  return page(
-      fmt::format("{}: {} {}", title, kind, seed), "sheet",
-      filled_in(sheet_html,
-                {{"kind", kind},
-                 {"lesson", element("code", lesson)},
-                 {"seed", seed},
-                 {"title", escaped(title)},
-                 {"name_line",
-                  with_answers ? "" : element("p", "Name: <span class=\"blank\"></span>", " class=\"name\"")},
-                 {"problems", problems},
-                 {"note", note},
-                 {"css", std::string(sheet_css)}}));
+  return page(fmt::format("{}: {} {}", title, kind, seed), "sheet",
+              filled_in(sheet_html, {{"kind", kind},
+                                     {"lesson", element("code", lesson)},
+                                     {"seed", seed},
+                                     {"title", escaped(title)},
+                                     {"name_line", with_answers ? "" : name_line},
+                                     {"problems", problems},
+                                     {"note", note},
+                                     {"css", std::string(sheet_css)}}));
 }
 
 }  // namespace
