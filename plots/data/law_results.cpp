@@ -3,28 +3,6 @@
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack::plots {
-namespace {
-
-void read_runs(const fs::path& file, LawResults& results) {
-  CsvLine row(file);
-  results.columns = row.names();
-  while (row.next()) {
-    LawRun& one = results.runs.emplace_back();
-    one.run.scene = row.text("case");
-    one.run.engine = row.text("engine");
-    one.run.solver = row.text("solver");
-    one.run.settings = row.text("settings");
-    one.run.status = row.text("status") == "done" ? RunStatus::done : RunStatus::failed;
-    one.run.reason = row.text("reason");
-    one.run.dt = row.value("dt");
-    one.cells = row.cells();
-    one.follows = row.text("follows");
-    one.from_paper = row.value("from_paper");
-    one.from_consistent = row.value("from_consistent");
-  }
-}
-
-}  // namespace
 
 LawResults read_law_results(const fs::path& results) {
   LawResults read;
@@ -37,7 +15,22 @@ LawResults read_law_results(const fs::path& results) {
                           row.value("aspect_ratio_from"), row.value("aspect_ratio_to"),
                           row.value("mass_ratio_from"), row.value("mass_ratio_to"), row.value("impacts"),
                           row.value("differ"), row.value("none")});
-  read_runs(results / "impact-laws-engines.csv", read);
+  CsvLine row(results / "impact-laws-engines.csv");
+  read.columns = row.names();
+  while (row.next()) {
+    LawRun& one = read.runs.emplace_back();
+    one.run.scene = row.text("case");
+    one.run.engine = row.text("engine");
+    one.run.solver = row.text("solver");
+    one.run.settings = row.text("settings");
+    one.run.status = row.text("status") == "done" ? RunStatus::done : RunStatus::failed;
+    one.run.reason = row.text("reason");
+    one.run.dt = row.value("dt");
+    one.cells = row.cells();
+    one.follows = row.text("follows");
+    one.from_paper = row.value("from_paper");
+    one.from_consistent = row.value("from_consistent");
+  }
   return read;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "analytic/scene/input/document.hpp"
-#include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -134,14 +133,6 @@ void KeptFiles::make_room_for(const fs::path& file) {
   bytes_ += size;
 }
 
-bool ComparedScene::has(const std::string& result) const {
-  return std::ranges::find(results, result) != results.end();
-}
-
-JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {
-  return {scene.name, least_height(scene.stack), scene.duration, comparison.tolerance};
-}
-
 std::string heading(const ComparedScene& scene) {
   return scene.law.empty() ? scene.title : fmt::format("{}, law {}", scene.title, scene.law);
 }
@@ -149,10 +140,6 @@ std::string heading(const ComparedScene& scene) {
 Comparison read_comparison(const fs::path& results) {
   return read_json(results / "comparison.json",
                    [&](const Json& json) { return comparison_of(json, results); });
-}
-
-Facts read_summary(const Run& run) {
-  return read_json(run.folder / "summary.json", facts_of);
 }
 
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene) {

@@ -90,7 +90,7 @@ struct ComparedScene : RecordedScene {
   bool frictions = false;                  ///< whether the exact solver ran with other friction too
   bool alone = false;                      ///< one motion by itself: no run stands beside another
 
-  bool has(const std::string& result) const;
+  bool has(const std::string& result) const { return std::ranges::find(results, result) != results.end(); }
   /// Until when histories can be compared, s.
   double horizon() const { return std::isnan(predictable_time) ? duration : predictable_time; }
 };
@@ -112,9 +112,6 @@ struct Comparison {
   std::vector<Run> runs;
 };
 
-/// What a scene's rows are held against.
-JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene);
-
 /// A scene's title with the law of its exact motion.
 std::string heading(const ComparedScene& scene);
 
@@ -132,23 +129,16 @@ struct Motion {
 /// Reads summary.json. @throws InputError naming the file that is missing or malformed.
 Motion read_motion(const fs::path& results);
 
-/// Everything that a run's summary.json says, nested names joined by dots.
-/// @throws InputError naming the file that is missing or malformed.
-Facts read_summary(const Run& run);
-
 /// The runs of one scene that are done: the exact one first, engines in the order of the file.
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
 
 /// True where a scene's motion can be shown: histories were asked for, and a run is done.
 bool has_motion(const Comparison& comparison, const ComparedScene& scene);
 
-/// True for a run of the exact solver with the other kind of equations than the scene's.
+/// True for a run of the exact solver in another way than the scene's: other equations, a coefficient of
+/// friction of its own, or any of both and other laws.
 bool has_other_equations(const Run& run);
-
-/// True for a run of the exact solver with a coefficient of friction of its own.
 bool has_own_friction(const Run& run);
-
-/// True for a run of the exact solver in another way than the scene's: other equations, friction or law.
 bool is_variant(const Run& run);
 
 /// True for a run whose history tells slips, gaps and places: blocks may leave their pivots.

@@ -13,9 +13,10 @@ auto kept(const Run& run, const char* name, const Read& read) {
 }
 
 /// Nothing where the file is not there.
-template <class List, class Read>
-std::shared_ptr<const List> kept_list(const Run& run, const char* name, const Read& read) {
-  return kept(run, name, [&](const auto& file) { return fs::exists(file) ? read(file) : List(); });
+template <class Read>
+auto kept_list(const Run& run, const char* name, const Read& read) {
+  return kept(run, name,
+              [&](const auto& file) { return fs::exists(file) ? read(file) : decltype(read(file))(); });
 }
 
 EnergyHistory read_energies(const fs::path& file) {
@@ -36,7 +37,7 @@ std::shared_ptr<const History> history_of(const Run& run) {
 }
 
 std::shared_ptr<const std::vector<AlignedImpact>> impacts_of(const Run& run) {
-  return kept_list<std::vector<AlignedImpact>>(run, "impacts.csv", read_impacts);
+  return kept_list(run, "impacts.csv", read_impacts);
 }
 
 std::shared_ptr<const EnergyHistory> energies_of(const Run& run) {
@@ -44,7 +45,7 @@ std::shared_ptr<const EnergyHistory> energies_of(const Run& run) {
 }
 
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run) {
-  return kept_list<std::vector<MotionTally>>(run, "perturbed.csv", read_tallies);
+  return kept_list(run, "perturbed.csv", read_tallies);
 }
 
 std::vector<double> column_of(const History& history, std::vector<double> History::*rows, int block) {

@@ -68,23 +68,15 @@ const std::vector<SolverQuestion>& solver_questions() {
   return questions;
 }
 
-const Run& Score::worst() const {
-  return runs[static_cast<std::size_t>(std::ranges::max_element(values) - values.begin())];
-}
-
-double common_step(const Comparison& comparison) {
+std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question) {
+  // The common step is that which most runs have, the smallest of such.
   std::map<double, std::size_t> counts;
   for (const Run& run : comparison.runs)
     if (is_compared(run)) ++counts[*run.dt];
-  if (counts.empty()) return std::nan("");
-  return std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first;
-}
-
-std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question) {
-  const double dt = common_step(comparison);
+  const auto common = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
   std::map<std::string, Score> groups;
   for (const Run& run : comparison.runs) {
-    if (!is_compared(run) || run.dt != dt) continue;
+    if (!is_compared(run) || run.dt != common->first) continue;
     const double value = question.value(comparison, run);
     if (!std::isfinite(value)) continue;
     Score& score = groups[line_label(run)];

@@ -23,7 +23,9 @@ struct Score {
   double median = 0;
 
   /// The run with the largest answer. Precondition: there is one.
-  const Run& worst() const;
+  const Run& worst() const {
+    return runs[static_cast<std::size_t>(std::ranges::max_element(values) - values.begin())];
+  }
 };
 
 /// The scores of all solvers, those with answers in most scenes first, then by rising median.
@@ -37,10 +39,6 @@ struct StepEnds {
 
 /// Those of the series that a run belongs to.
 StepEnds step_ends(const Comparison& comparison, const Run& run);
-
-/// The step that most runs were made at, of those that have an exact motion beside them; the smallest of such
-/// steps, s; NaN where there are none.
-double common_step(const Comparison& comparison);
 
 /// The sets that share the first rank of the comparison's verdict, in words that say whether replicates tell
 /// them apart.

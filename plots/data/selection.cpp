@@ -26,13 +26,10 @@ std::string settings_of_line(const Run& run) {
 
 /// Whether the runs that a suite gave iterations have one step: these make a line then, and else steps do.
 bool iterations_make_lines(const std::vector<Run>& runs) {
-  const Run* given = nullptr;
-  for (const Run& run : runs) {
-    if (iterations_of(run) == 0) continue;
-    if (given != nullptr && given->dt != run.dt) return false;
-    given = &run;
-  }
-  return given != nullptr;
+  std::set<std::optional<double>> steps;
+  for (const Run& run : runs)
+    if (iterations_of(run) != 0) steps.insert(run.dt);
+  return steps.size() == 1;
 }
 
 }  // namespace
@@ -49,10 +46,8 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
     };
     found_or_added(lines, is_own, {}).push_back(run);
   }
-  const auto comes_before = [](const Run& a, const Run& b) {
-    return a.dt != b.dt ? a.dt < b.dt : iterations_of(a) > iterations_of(b);
-  };
-  for (StepLine& line : lines) std::ranges::stable_sort(line, comes_before);
+  const auto place = [](const Run& run) { return std::pair(run.dt, -iterations_of(run)); };
+  for (StepLine& line : lines) std::ranges::stable_sort(line, {}, place);
   return lines;
 }
 
@@ -140,9 +135,8 @@ std::string run_phrase(const Run& run) {
 }
 
 std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all) {
-  constexpr std::size_t named = 3;
   if (first.size() == all) return all == 1 ? first.front() : "none can be told apart";
-  return joined_up_to(named, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
+  return joined_up_to(3, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
 }
 
 std::string span_text(const std::string& low, const std::string& high) {
@@ -153,8 +147,7 @@ std::string duration_text(double seconds) {
   const double size = std::abs(seconds);
   if (size >= 1 || size == 0) return fmt::format("{:.4g} s", seconds);
   if (size >= 1e-3) return fmt::format("{:.4g} ms", seconds * 1e3);
-  constexpr double smallest_in_ms = 0.99e-4;
-  if (size >= smallest_in_ms) return fmt::format("{:.3g} ms", seconds * 1e3);
+  if (size >= 0.99e-4) return fmt::format("{:.3g} ms", seconds * 1e3);
   return size >= 1e-6 ? fmt::format("{:.4g} µs", seconds * 1e6) : fmt::format("{:.4g} ns", seconds * 1e9);
 }
 

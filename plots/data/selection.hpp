@@ -4,8 +4,8 @@
 
 namespace rockstack::plots {
 
-/// What a figure over time shows of a scene: the exact run and one run of each engine, solver and settings,
-/// that with the smallest time step; default settings only where there are no tuned ones.
+/// What a figure over time shows of a scene: the exact run, and of each of shown_lines() the run with the
+/// smallest time step.
 struct Shown {
   std::vector<Run> exact;  ///< one run, or none where it failed
   std::vector<Run> engines;

@@ -20,16 +20,6 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The shell outlives gnuplot and takes what gnuplot left unread: a pipe that breaks would end this process.
-/// What the user's environment says about gnuplot's terminal does not count.
-std::string command(const fs::path& folder, double time_limit) {
-  const std::string place = quoted_for_shell(folder.string());
-  return fmt::format(
-      "cd {0}; unset GNUTERM; LC_ALL=C.UTF-8 /usr/bin/timeout -k 1 {1} gnuplot -d - 2>{0}/errors >&2; "
-      "echo $? >{0}/status; while read -r _; do :; done",
-      place, time_limit);
-}
-
 /// The formats draw marks of one size differently; `mark` evens that out.
 std::string script(const Drawing& drawing) {
   constexpr double per_inch = 125;  // pixels of the others that take an inch on paper
@@ -49,13 +39,11 @@ std::string script(const Drawing& drawing) {
   return text;
 }
 
-/// gnuplot's complaint in one line.
 std::string complaint(const fs::path& folder) {
   std::string text = contents(folder / "errors");
   for (char& c : text)
     if (c == '\n' || c == '\t') c = ' ';
-  constexpr std::size_t longest = 400;
-  return text.substr(text.size() - std::min(text.size(), longest));
+  return text.substr(text.size() - std::min<std::size_t>(text.size(), 400));
 }
 
 /// Frames one by one: into one file that loops, and where `film` is set into a picture each.
@@ -88,16 +76,20 @@ void make_film(const Animation& animation, const fs::path& folder, const fs::pat
 
 /// Has gnuplot draw into a folder. @throws std::runtime_error where it did not run, or failed.
 void run_gnuplot(const fs::path& folder, const std::string& script, const fs::path& stem, double time_limit) {
+  // The shell outlives gnuplot and takes what gnuplot left unread: a pipe that breaks would end this process.
+  // What the user's environment says about gnuplot's terminal does not count.
+  const std::string command = fmt::format(
+      "cd {0}; unset GNUTERM; LC_ALL=C.UTF-8 /usr/bin/timeout -k 1 {1} gnuplot -d - 2>{0}/errors >&2; "
+      "echo $? >{0}/status; while read -r _; do :; done",
+      quoted_for_shell(folder.string()), time_limit);
   {
-    Gnuplot pipe(command(folder, time_limit));
+    Gnuplot pipe(command);
     pipe << script;
   }
   const std::string status = contents(folder / "status");
-  constexpr auto not_found = "127\n";
-  constexpr auto out_of_time = "124\n";
-  if (status == out_of_time)
+  if (status == "124\n")
     throw std::runtime_error(fmt::format("gnuplot has not drawn {} within {} s", stem.string(), time_limit));
-  if (status == not_found)
+  if (status == "127\n")
     throw std::runtime_error(
         fmt::format("cannot draw {}: gnuplot is not installed, or not in PATH", stem.string()));
   if (status != "0\n")

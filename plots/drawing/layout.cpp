@@ -40,9 +40,7 @@ constexpr auto fresh_panel =
     "unset ylabel\nset xtics autofreq font '' textcolor rgb '#000000'\n"
     "set ytics autofreq font '' textcolor rgb '#000000'\nset mxtics default\nset mytics default\n";
 
-std::string joined(const std::vector<std::string>& elements) {
-  return fmt::format("{}", fmt::join(elements, ", \\\n  "));
-}
+constexpr auto comma = ", \\\n  ";
 
 /// One column of a legend: a plot without data whose only content is the key. The formats measure text
 /// differently, so that columns placed by gnuplot would not be the same in both.
@@ -55,7 +53,7 @@ std::string legend_column(const Legend& legend, std::size_t from, std::size_t to
   return fmt::format(
       "set key at screen {}, screen {} left top vertical maxcols 1 Left reverse samplen 3.2 font '{}'\n"
       "plot [0:1][0:1] {}\nunset label\n",
-      plain(left), plain(top), font, joined(entries));
+      plain(left), plain(top), font, fmt::join(entries, comma));
 }
 
 /// `top` is its upper edge, a share of the figure's height from below.
@@ -97,26 +95,25 @@ std::size_t next_break(const std::string& words, std::size_t from) {
   return words.size();
 }
 
-/// What follows the question mark, in one line, or in two where the letters of one would be too small.
-std::vector<std::string> answer_lines(const std::string& question) {
+/// The question in a line, and what follows its mark in another, or in two where the letters of one would be
+/// too small.
+std::vector<std::string> question_lines(const std::string& question) {
   const std::size_t mark = question.find("? ");
-  if (mark == std::string::npos) return {};
-  const std::string answer = question.substr(mark + 2);
-  if (answer.size() <= readable) return {answer};
+  if (question.empty()) return {};
+  if (mark == std::string::npos) return {question};
+  const std::string asked = question.substr(0, mark + 1), answer = question.substr(mark + 2);
+  if (answer.size() <= readable) return {asked, answer};
   std::size_t middle = 0;
   while (middle < answer.size() / 2) middle = next_break(answer, middle);
-  return {answer.substr(0, middle), answer.substr(middle)};
+  return {asked, answer.substr(0, middle), answer.substr(middle)};
 }
 
 constexpr double answer_row = 22;
 
-/// Room for the question and its answer.
-double question_height(const std::string& question) {
-  constexpr double usual = 46;
-  return question.empty() ? 0 : usual + (answer_lines(question).size() > 1 ? answer_row : 0);
+double question_height(const std::vector<std::string>& lines) {
+  return lines.empty() ? 0 : 46 + (lines.size() > 2 ? answer_row : 0);
 }
 
-/// Long words of a small panel in lines.
 std::vector<std::string> lines_of(const std::string& words) {
   constexpr std::size_t fitting = 41;
   std::vector<std::string> lines{""};
@@ -168,11 +165,11 @@ std::string plot_of(const std::string& block, const std::string& style) {
 }
 
 Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question, double width)
-    : below_(title_height(title) + question_height(question) + legend_height(legend, width)),
+    : below_(title_height(title) + question_height(question_lines(question)) + legend_height(legend, width)),
       width_(width),
       right_(1 - (1 - right_edge) * full_width / width),
       title_(title),
-      question_(question),
+      question_(question_lines(question)),
       legend_(legend) {}
 
 void Sheet::panel(double height, double gap, const std::string& settings,
@@ -185,8 +182,8 @@ void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, 
   below_ += panels_.empty() ? 0 : gap;
   const double pace = (right_ - left + between) / static_cast<double>(columns);
   for (const SidePanel& cell : cells) {
-    const std::string elements = cell.plots.empty() ? "NaN notitle" : joined(cell.plots);
-    panels_.push_back({below_, below_ + height, left, left + pace - between, cell.settings, elements});
+    panels_.push_back({below_, below_ + height, left, left + pace - between, cell.settings,
+                       cell.plots.empty() ? "NaN notitle" : fmt::format("{}", fmt::join(cell.plots, comma))});
     left += pace;
   }
   below_ += height;
@@ -200,14 +197,12 @@ Drawing Sheet::finish() const {
       "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
       in_quotes(title_), plain(1 - title_height(title_) / 2 / height), words_size(title_, 17, 88));
   const double head = title_height(title_) - 4 + question_height(question_);
-  const std::vector<std::string> answer = answer_lines(question_);
   constexpr double half_row = answer_row / 2;
-  text += question_line(answer.empty() ? question_ : question_.substr(0, question_.find("? ") + 1),
-                        1 - (title_height(title_) - 4 + half_row) / height);
-  for (std::size_t i = 0; i < answer.size(); ++i)
-    text += question_line(
-        answer[i],
-        1 - (head - half_row - 2 - answer_row * static_cast<double>(answer.size() - 1 - i)) / height);
+  for (std::size_t i = 0; i < question_.size(); ++i) {
+    const double below = answer_row * static_cast<double>(question_.size() - 1 - i);
+    const double middle = i == 0 ? title_height(title_) - 4 + half_row : head - half_row - 2 - below;
+    text += question_line(question_[i], 1 - middle / height);
+  }
   text += legend_plots(legend_, 1 - head / height, width_);
   for (const Panel& panel : panels_) {
     text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(panel.left),
@@ -221,14 +216,7 @@ Drawing Sheet::finish() const {
     text += fresh_panel;
     text += panel.settings + fmt::format("plot {}\nunset label\nunset arrow\n", panel.plots);
   }
-  return {.width = static_cast<int>(width_),
-          .height = static_cast<int>(height),
-          .data = blocks_,
-          .commands = text + "unset multiplot"};
-}
-
-std::string without_horizontal_labels() {
-  return fmt::format("set xtics textcolor rgb '{}'\nunset xlabel\n", unseen);
+  return {static_cast<int>(width_), static_cast<int>(height), blocks_, text + "unset multiplot"};
 }
 
 Drawing empty_sheet(const std::string& title, const std::string& text) {
@@ -256,7 +244,7 @@ void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::v
       std::vector<std::string> plots = context;
       plots.insert(plots.end(), series[i].alone.begin(), series[i].alone.end());
       std::string words = settings + words_above(series[i]);
-      words += i + columns < series.size() ? without_horizontal_labels()
+      words += i + columns < series.size() ? without_horizontal_labels
                                            : fmt::format("set xlabel {}\n", in_quotes(across));
       words += i == from ? fmt::format("set ylabel {} noenhanced offset 0.5\n", in_quotes(up))
                          : fmt::format("set ytics textcolor rgb '{}'\nunset ylabel\n", unseen);

@@ -46,6 +46,7 @@ class Sheet {
   double width() const { return width_; }  ///< pixels
   /// Where panels end, a share of the width: as many pixels from the edge in any.
   double right() const { return right_; }
+  double panel_width() const { return 1056 - (full_width - width_); }  ///< of one that goes across, pixels
 
   /// Adds a panel of that many pixels, `gap` pixels under the last; `settings` are gnuplot commands, each on
   /// a line of its own, `plots` the plot command's elements. An empty list of elements draws the bare frame.
@@ -60,9 +61,9 @@ class Sheet {
   /// Leaves room for a second axis along the right edge of all panels that follow.
   void leave_room_beside() { right_ -= 0.07; }
 
-  /// Adds a line of words in a colour, #rrggbb, under the last panel's axis.
+  /// Adds a line of words, if any, in a colour, #rrggbb, under the last panel's axis.
   void note(const std::string& text, const std::string& colour = "#000000") {
-    notes_.emplace_back(text, colour);
+    if (!text.empty()) notes_.emplace_back(text, colour);
   }
 
   void data(const std::string& block) { blocks_ += block; }
@@ -79,7 +80,8 @@ class Sheet {
 
   double below_ = 0;  ///< pixels used so far
   double width_, right_;
-  std::string title_, question_, blocks_;
+  std::string title_, blocks_;
+  std::vector<std::string> question_;
   Legend legend_;
   std::vector<Panel> panels_;
   std::vector<std::pair<std::string, std::string>> notes_;  ///< with their colours
@@ -110,7 +112,8 @@ void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::v
 double aside(std::size_t series, std::size_t of);
 
 /// Settings of a panel whose horizontal axis is labelled in the panel under it.
-std::string without_horizontal_labels();
+inline const std::string without_horizontal_labels =
+    std::string("set xtics textcolor rgb '") + unseen + "'\nunset xlabel\n";
 
 /// A sheet with one frame that says why there is nothing to show.
 Drawing empty_sheet(const std::string& title, const std::string& text);

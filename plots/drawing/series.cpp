@@ -45,21 +45,15 @@ std::vector<Box> line_boxes(const LabelledPanel& panel) {
   return boxes;
 }
 
-/// Where a label stands: its box, and on which side of the mark.
-struct LabelPlace {
-  Box box;
-  double side;
-};
-
 constexpr double half_height = 8;  ///< of a word
 
 double width_of(const LabelledMark& mark) {
   return 9.5 * static_cast<double>(mark.word.size()) + 4;
 }
 
-/// The first of four corners of a mark that is free of all boxes.
-std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const LabelledMark& mark,
-                                      const std::vector<Box>& taken, const std::vector<Box>& lines) {
+/// Where a label stands: at the first of four corners of a mark that is free of all boxes.
+std::optional<Box> free_corner(const LabelledPanel& panel, const LabelledMark& mark,
+                               const std::vector<Box>& taken, const std::vector<Box>& lines) {
   const double width = width_of(mark);
   constexpr double aside = 11, rise = 12;
   for (const double side : {1.0, -1.0})
@@ -68,7 +62,7 @@ std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const Labelled
       const Box box{std::min(near, far), std::max(near, far), mark.y + lift - half_height,
                     mark.y + lift + half_height};
       const bool inside = box.left > 0 && box.right < panel.width && box.low > 0 && box.high < panel.height;
-      if (inside && !meets_any(box, taken) && !meets_any(box, lines)) return LabelPlace{box, side};
+      if (inside && !meets_any(box, taken) && !meets_any(box, lines)) return box;
     }
   return std::nullopt;
 }
@@ -100,9 +94,9 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
     append(panel.over, plots);
     const double width = sheet.width();
     sheet.row(panel.height, panel.space,
-              {{"set format x '%g'\n" + panel.axes(panel_width - (full_width - width), panel.height) +
+              {{"set format x '%g'\n" + panel.axes(sheet.panel_width(), panel.height) +
                     (panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across))
-                                    : without_horizontal_labels()) +
+                                    : without_horizontal_labels) +
                     fmt::format("set ylabel {} noenhanced offset 0.5\n",
                                 in_quotes(width < full_width ? panel.short_up : panel.up)) +
                     panel.few,
@@ -117,25 +111,32 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
                 panel.short_up, panel.left);
 }
 
-Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look) {
-  const std::string colour = style_of(run).colour;
-  Series series{line_label(run), colour, {plot_of(block, curve_style(run, order))}};
-  if (run.exact()) {
-    series.context = {plot_of(block, exact_context)};
-    return series;
+void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                const std::vector<Curve>& curves, const std::string& stem, std::optional<double> together) {
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (curves[i].size() == 0) continue;
+    const std::string name = fmt::format("{}_{}", stem, i), colour = style_of(runs[i]).colour;
+    sheet.data(data_block(name, curves[i]));
+    // Marks of neighbours are set apart by their order.
+    Series& one =
+        series.emplace_back(Series{line_label(runs[i]), colour, {plot_of(name, curve_style(runs[i], i))}});
+    if (runs[i].exact())
+      one.context = {plot_of(name, exact_context)};
+    else
+      one.alone = {
+          plot_of(name, fmt::format("with lines lw {} lc rgb '{}'", together.value_or(1.5), colour))};
+    if (together && !runs[i].exact())
+      one.context = {plot_of(name, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
   }
-  series.alone = {plot_of(block, fmt::format("with lines lw {} lc rgb '{}'", look.width, colour))};
-  if (look.together)
-    series.context = {plot_of(block, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
-  return series;
+  add_series(sheet, panel, series, are_many(runs));
 }
 
 Series mark_series(const Run& run, const std::string& block, double size) {
-  constexpr double small = 1.1;
   return {line_label(run),
           style_of(run).colour,
           {plot_of(block, mark_style(run, size))},
-          {plot_of(block, mark_style(run, small))},
+          {plot_of(block, mark_style(run, 1.1))},
           {plot_of(block, fmt::format("with points pt 7 ps 0.6*mark lc rgb '{}'", context_colour))}};
 }
 
@@ -174,14 +175,14 @@ std::string placed_labels(const LabelledPanel& panel) {
   std::string text;
   for (const std::vector<LabelledMark>& line : panel.lines)
     for (const LabelledMark& mark : line) {
-      std::optional<LabelPlace> place = free_corner(panel, mark, taken, crossed);
-      if (!place) place = free_corner(panel, mark, taken, {});
-      if (!place) continue;
-      const auto& [box, side] = *place;
-      taken.push_back(box);
+      std::optional<Box> box = free_corner(panel, mark, taken, crossed);
+      if (!box) box = free_corner(panel, mark, taken, {});
+      if (!box) continue;
+      const bool right = box->left > mark.x;
+      taken.push_back(*box);
       text += fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
-                          mark.word, plain((side > 0 ? box.left : box.right) / panel.width),
-                          plain((box.low + box.high) / 2 / panel.height), side > 0 ? "left" : "right",
+                          mark.word, plain((right ? box->left : box->right) / panel.width),
+                          plain((box->low + box->high) / 2 / panel.height), right ? "left" : "right",
                           mark.colour);
     }
   return text;

@@ -21,9 +21,6 @@ struct SeriesPanel {
   double left = left_edge;              ///< where panels begin, a share of the figure's width
 };
 
-/// The width of a panel that goes across a figure, pixels.
-inline constexpr double panel_width = 1056;
-
 /// Whether runs, the exact one aside, are too many for one panel.
 bool are_many(const std::vector<Run>& runs);
 
@@ -35,14 +32,12 @@ Reach extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, 
 /// Adds one panel, or where they are many a small one for each series that has one.
 void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many);
 
-/// A curve of a run, of a data block; the exact one lies under all others, wherever they are. Marks of
-/// neighbours are set apart by `order`. Lines are `width` thick in a panel of their own, where curves of
-/// others are seen if `together`.
-struct CurveLook {
-  double width = 1.5;
-  bool together = false;
-};
-Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look = {});
+/// Adds a panel, or many, of a curve a run, of those that have one; the exact one lies under all others,
+/// wherever they are. Their data blocks begin with `stem`. In panels of their own those of engines are so
+/// thick as `together` says, over those of others.
+void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                const std::vector<Curve>& curves, const std::string& stem,
+                std::optional<double> together = {});
 
 /// The marks of a run, of a size; smaller where it has a panel of its own.
 Series mark_series(const Run& run, const std::string& block, double size);

@@ -51,9 +51,6 @@ constexpr std::array<NamedStyle, 28> named{{
     {"measured", "#C2187A", cross, "(1,6)"},
 }};
 
-constexpr std::array<std::string_view, 9> tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
-                                                "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
-
 /// A number that a text always gives (Fowler, Noll & Vo's FNV-1a, 32 bits).
 std::size_t number_of(const std::string& text) {
   std::uint32_t hash = 2166136261U;
@@ -61,22 +58,19 @@ std::size_t number_of(const std::string& text) {
   return hash >> 4U;
 }
 
-/// Of the exact motion with a friction of its own: the slipperier, the redder.
-struct FrictionStyle {
-  double least;  ///< the coefficient from which on it is this one
-  NamedStyle style;
-};
-constexpr std::array<FrictionStyle, 5> frictions{{{1, {"", "#0072B2", square, "solid"}},
-                                                  {0.45, {"", "#117733", triangle, "(12,9)"}},
-                                                  {0.25, {"", "#C04A00", circle, "(8,7,1,7)"}},
-                                                  {0.12, {"", "#882255", diamond, "(5,8)"}},
-                                                  {0, {"", "#332288", pentagon, "(12,8,1,8)"}}}};
+/// Of the exact motion with a friction of its own, from that coefficient on: the slipperier, the redder.
+constexpr std::array<std::pair<double, NamedStyle>, 5> frictions{
+    {{1, {"", "#0072B2", square, "solid"}},
+     {0.45, {"", "#117733", triangle, "(12,9)"}},
+     {0.25, {"", "#C04A00", circle, "(8,7,1,7)"}},
+     {0.12, {"", "#882255", diamond, "(5,8)"}},
+     {0, {"", "#332288", pentagon, "(12,8,1,8)"}}}};
 
 NamedStyle of_friction(const std::string& solver) {
   const double value = std::strtod(solver.c_str() + solver.find('=') + 1, nullptr);
   return std::find_if(frictions.begin(), frictions.end() - 1,
-                      [&](const FrictionStyle& one) { return value >= one.least; })
-      ->style;
+                      [&](const auto& one) { return value >= one.first; })
+      ->second;
 }
 
 }  // namespace
@@ -109,10 +103,6 @@ std::string paler(const std::string& colour, double strength) {
     text += fmt::format("{:02X}", static_cast<int>(std::lround(white + (own - white) * strength)));
   }
   return text;
-}
-
-std::string pattern_tint(std::size_t index) {
-  return std::string(tints[index % tints.size()]);
 }
 
 std::string curve_style(const Run& run, std::size_t order) {

@@ -18,9 +18,6 @@ Style style_of(const Run& run);
 /// A colour, #rrggbb, of which white takes a part: 1 is the colour itself, 0 white.
 std::string paler(const std::string& colour, double strength);
 
-/// A tint for the band of patterns, pale enough for black letters; repeats after a while.
-std::string pattern_tint(std::size_t index);
-
 /// Of the exact motion, which lies under all others.
 inline constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
 

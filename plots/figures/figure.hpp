@@ -21,17 +21,13 @@ struct SceneSubject {
   /// A sheet with the scene's title, the figure's question and the answer.
   Sheet sheet(const Legend& legend, const std::string& answer) const;
   /// The scene's title over the reason why there is nothing to show.
-  Drawing nothing(const std::string& reason) const;
+  Drawing nothing(const std::string& reason) const { return empty_sheet(heading(scene), reason); }
 
   /// The exact run and the engines' runs that figures over time show, of these only those that have all of
   /// some files.
   Shown shown(const std::vector<std::string>& files = {}) const;
   /// The time that some motions take, and what its shade means as an entry of the legend.
   TimeAxis time_axis(const std::vector<Run>& runs, Legend& legend) const;
-  /// Says under the panels what the marks stand for, where they are of replicates.
-  void add_replicates_note(Sheet& sheet) const;
-  /// How wide a panel is, pixels.
-  double panel() const { return panel_width - (on_slide ? full_width - slide_width : 0); }
   /// How high a panel is, pixels, that is `usual` where all panels together are `all`.
   double height(double usual, double all) const { return on_slide ? usual / all * slide_panels : usual; }
 };
@@ -50,7 +46,6 @@ struct FolderSubject {
 
   /// A sheet with a title, the figure's question and the answer, or of a narrow one the legend alone.
   Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
-  double panel() const { return panel_width - (full_width - width); }  ///< how wide one is, pixels
 };
 
 /// By what stands behind the figure's name in that of its file; a single drawing has nothing there.
@@ -83,7 +78,9 @@ struct Figure {
   std::variant<OfScene, OfComparison, OfFolder> of;
 
   /// A sheet with a title, the question and the answer.
-  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
+  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const {
+    return {heading, legend, question + " " + answer};
+  }
 };
 
 /// All figures, in the order of pages.
@@ -122,12 +119,8 @@ std::vector<Run> all_runs(const Shown& shown);
 /// The marks of runs, of a size; of too many for one panel nothing.
 Legend mark_legend(const std::vector<Run>& runs, double size);
 
-/// Adds a panel, or many, of a curve a run, of those that have one. Their data blocks begin with `stem`.
-void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
-                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look = {});
-
-/// Ranges and numbers of a panel over two logarithmic axes, of so many pixels.
-std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height);
+/// Ranges and numbers of a panel over two logarithmic axes, by its width and height in pixels.
+std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up);
 
 /// Lines of numbers as a data block that plot commands call $name.
 using Numbers = std::vector<std::vector<double>>;

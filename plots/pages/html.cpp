@@ -8,14 +8,6 @@
 namespace rockstack::plots {
 namespace {
 
-/// Takes out the first element of that name, which a browser would show as a tooltip.
-void remove_element(std::string& text, const std::string& name) {
-  const std::string closing = "</" + name + ">";
-  const std::size_t begin = text.find("<" + name + ">");
-  const std::size_t end = text.find(closing, std::min(begin, text.size()));
-  if (end != std::string::npos) text.erase(begin, end + closing.size() - begin);
-}
-
 /// Sentences, each in an element and a line of its own.
 std::string elements(const std::string& name, const std::vector<std::string>& sentences) {
   return text_of_each(sentences,
@@ -66,8 +58,12 @@ std::string element(const std::string& name, const std::string& content, const s
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label) {
   const std::size_t start = std::min(file.find("<svg"), file.size());
   std::string svg = file.substr(start);
-  remove_element(svg, "title");
-  remove_element(svg, "desc");
+  for (const std::string name : {"title", "desc"}) {  // which browsers would show as tooltips
+    const std::string closing = "</" + name + ">";
+    const std::size_t begin = svg.find("<" + name + ">");
+    const std::size_t end = svg.find(closing, std::min(begin, svg.size()));
+    if (end != std::string::npos) svg.erase(begin, end + closing.size() - begin);
+  }
   for (const char* mark : {"id=\"", "id='", "href='#", "href=\"#", "url(#"})
     boost::replace_all(svg, mark, mark + prefix);
   constexpr std::size_t tag_length = 4;

@@ -17,8 +17,6 @@ std::string escaped(std::string_view text);
 /// <name>content</name>, the content as it is.
 std::string element(const std::string& name, const std::string& content, const std::string& attributes = "");
 
-using rockstack::filled_in;
-
 /// What a description says under a name, as it is and for use in a page.
 std::string text_at(const Json& json, const char* key);
 std::string escaped_at(const Json& json, const char* key);
@@ -36,7 +34,6 @@ std::string details(const std::string& summary, const std::string& content,
 /// A section under its title, which is text.
 std::string section(const std::string& title, const std::string& content, const std::string& attributes = "");
 
-/// Text as a file or a terminal has it.
 std::string code_block(const std::string& text);
 
 /// The part of an SVG file that stands inside a page: without its preamble, every id begun with `prefix`,
@@ -50,7 +47,6 @@ std::string page(const std::string& title, const std::string& kind, const std::s
 /// The sentences that a reader came for, in a box of their own; nothing where there are none.
 std::string answer_box(const std::vector<std::string>& sentences);
 
-/// Plain sentences as a list.
 std::string sentence_list(const std::vector<std::string>& sentences);
 
 /// A table of rows whose headings sort it.

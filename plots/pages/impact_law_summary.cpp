@@ -18,7 +18,6 @@ Together sum_of(const std::vector<Part>& parts) {
   return all;
 }
 
-/// The kinds after which the laws differ most.
 std::string worst_kinds(const std::vector<LawShare>& kinds) {
   constexpr std::size_t most = 3;
   std::vector<std::string> words;
@@ -28,19 +27,13 @@ std::string worst_kinds(const std::vector<LawShare>& kinds) {
   return joined(words);
 }
 
-std::string extremes(const std::vector<LawShare>& shares) {
+/// Along either axis, "most from 0.25 to 0.386 (41.2 %), …".
+std::string extremes(const std::vector<LawCell>& cells, double LawCell::*from, double LawCell::*to) {
+  const auto shares = together_by<LawShare>(
+      cells, [&](const LawCell& cell) { return fmt::format("{:.3g} to {:.3g}", cell.*from, cell.*to); });
   const std::vector<LawShare> order = ranked(shares, &LawShare::differ_percent);
   return fmt::format("most from {} ({:.1f} %), least from {} ({:.1f} %)", order.front().of,
                      order.front().differ_percent(), order.back().of, order.back().differ_percent());
-}
-
-/// The range of a cell along either axis, "0.25 to 0.386".
-std::string aspect_ratio_range(const LawCell& cell) {
-  return fmt::format("{:.3g} to {:.3g}", cell.aspect_ratio_from, cell.aspect_ratio_to);
-}
-
-std::string mass_ratio_range(const LawCell& cell) {
-  return fmt::format("{:.3g} to {:.3g}", cell.mass_ratio_from, cell.mass_ratio_to);
 }
 
 void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::string>& sentences) {
@@ -65,8 +58,8 @@ void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::
         "The share within {} by height over width of the top block: {}; by its mass over that of the block "
         "below: {}.",
         differing == 1 ? "this kind" : "these kinds",
-        extremes(together_by<LawShare>(where, aspect_ratio_range)),
-        extremes(together_by<LawShare>(where, mass_ratio_range))));
+        extremes(where, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to),
+        extremes(where, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to)));
   }
   if (all.none > 0)
     sentences.push_back(

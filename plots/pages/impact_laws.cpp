@@ -81,10 +81,10 @@ const Cells tally_columns{"runs",
 Cells with_tally(Cells names, const LawTally& tally) {
   for (const int count : {tally.runs(), tally.consistent, tally.paper, tally.neither, tally.failed})
     names.push_back(std::to_string(count));
-  const bool any = tally.farthest != nullptr;
-  names.push_back(any ? fmt::format("{}", median(tally.from_consistent)) : "");
-  names.push_back(any ? fmt::format("{}", median(tally.from_paper)) : "");
-  names.push_back(any ? fmt::format("{}", tally.farthest->from_consistent) : "");
+  if (tally.farthest == nullptr) return followed_by(names, {"", "", ""});
+  for (const double number :
+       {median(tally.from_consistent), median(tally.from_paper), tally.farthest->from_consistent})
+    names.push_back(fmt::format("{}", number));
   return names;
 }
 
@@ -98,23 +98,20 @@ std::string solvers_table(const std::vector<LawRun>& runs) {
                }));
 }
 
-std::string ratio_text(double over, double under) {
-  return fmt::format("{}", over / under);
-}
-
 std::string states_table(const std::vector<LawRun>& runs, const Json& states) {
   const Cells columns =
       followed_by({"state", "height over width of the top block", "its mass over that below"}, tally_columns);
   std::map<std::string, LawTally> tallies;
-  for (LawTally& tally : together_by<LawTally>(runs, [](const LawRun& one) { return one.run.scene; }))
-    tallies.emplace(tally.of, std::move(tally));
+  for (const LawRun& one : runs) tallies[one.run.scene].add(one);
   return table(columns, text_of_each(states, [&](const Json& state) {
                  const std::string name = text_at(state, "name");
                  const Json& blocks = state.at("blocks");
                  const Json &top = blocks.at(blocks.size() - 1), &below = blocks.at(blocks.size() - 2);
-                 return table_row(columns, with_tally({name, ratio_text(top.at("height"), top.at("width")),
-                                                       ratio_text(top.at("mass"), below.at("mass"))},
-                                                      tallies[name]));
+                 const double ratio = top.at("height").get<double>() / top.at("width").get<double>(),
+                              mass = top.at("mass").get<double>() / below.at("mass").get<double>();
+                 return table_row(
+                     columns,
+                     with_tally({name, fmt::format("{}", ratio), fmt::format("{}", mass)}, tallies[name]));
                }));
 }
 
@@ -134,34 +131,29 @@ std::vector<std::size_t> order_of(const Cells& columns) {
                     "rates",      "rates_paper", "rates_consistent"};
   std::vector<std::size_t> order(columns.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](std::size_t i) { return std::ranges::find(first, columns[i]); };
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::ranges::find(first, columns[i]); });
   return order;
 }
 
 std::string runs_table(const LawResults& results) {
   const std::set<std::string> lists{"before", "rates", "rates_paper", "rates_consistent"};
   const std::vector<std::size_t> order = order_of(results.columns);
-  Cells columns;
-  for (const std::size_t i : order) columns.push_back(results.columns[i]);
-  std::string rows;
-  for (const LawRun& one : results.runs) {
-    Cells cells;
-    for (const std::size_t i : order)
-      cells.push_back(lists.contains(results.columns[i]) ? rounded(one.cells[i]) : one.cells[i]);
-    rows += table_row(columns, cells, one.run.done() ? "" : " class=\"failed\"");
-  }
-  return table(columns, rows);
+  const Cells columns = each_of(order, [&](std::size_t i) { return results.columns[i]; });
+  return table(columns, text_of_each(results.runs, [&](const LawRun& one) {
+                 const Cells cells = each_of(order, [&](std::size_t i) {
+                   return lists.contains(results.columns[i]) ? rounded(one.cells[i]) : one.cells[i];
+                 });
+                 return table_row(columns, cells, one.run.done() ? "" : " class=\"failed\"");
+               }));
 }
 
 std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
   std::set<int> blocks;
   for (const LawCell& cell : cells) blocks.insert(cell.blocks);
-  std::string text;
-  for (const int count : blocks)
-    text += drawn_figure(results, fmt::format("impact-laws.{}-blocks", count), fmt::format("laws-{}-", count),
-                         fmt::format("Where the laws differ for {} blocks", count));
-  return text;
+  return text_of_each(blocks, [&](int count) {
+    return drawn_figure(results, fmt::format("impact-laws.{}-blocks", count), fmt::format("laws-{}-", count),
+                        fmt::format("Where the laws differ for {} blocks", count));
+  });
 }
 
 std::string content(const fs::path& folder, const LawResults& results, const Json& json) {

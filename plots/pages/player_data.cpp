@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
@@ -58,15 +57,6 @@ Json spans_of(const History& history) {
   return list;
 }
 
-/// What chatter is made of, each of its bounces first.
-constexpr std::array bounces{EventKind::impact, EventKind::touch};
-constexpr std::array followers{EventKind::slip, EventKind::stick, EventKind::part};
-
-template <class Kinds>
-bool is_among(const Kinds& kinds, EventKind kind) {
-  return std::ranges::find(kinds, kind) != kinds.end();
-}
-
 /// Events by time, with 1 for chatter: slow bounces, and the starts and ends of sliding and touching that
 /// follow them; a landing is none. Chatter beyond what a page can hold is left out.
 Json stops_of(const History& history, double chatter_speed) {
@@ -74,13 +64,15 @@ Json stops_of(const History& history, double chatter_speed) {
   Json list = Json::array();
   bool chatter = false;
   for (const Event& event : history.events) {
-    const bool bounce = is_among(bounces, event.kind);
+    const bool bounce = event.kind == EventKind::impact || event.kind == EventKind::touch;
     if (bounce) {
       const auto interface = static_cast<std::size_t>(event.interface) - 1;
       chatter = std::abs(relative_at(event.before, interface)) < chatter_speed &&
                 event.from.contacts[interface] != Contact::apart;
     }
-    const bool slow = chatter && (bounce || is_among(followers, event.kind));
+    const bool follows =
+        event.kind == EventKind::slip || event.kind == EventKind::stick || event.kind == EventKind::part;
+    const bool slow = chatter && (bounce || follows);
     if (list.size() < most || !slow)
       list.push_back({event.time, event.interface, shown_pattern(event.from), shown_pattern(event.to),
                       slow ? 1 : 0, name(event.kind)});

@@ -6,23 +6,20 @@
 namespace rockstack::plots {
 namespace {
 
-/// Times of an engine's own impacts, matched or extra, s.
-Json own_impacts(const Run& run) {
+/// Of the exact motion those above the chatter speed, of an engine its own, matched or extra: their times, s.
+Json impacts_in(const Run& run, const Json& events) {
   Json times = Json::array();
-  for (const AlignedImpact& impact : *impacts_of(run))
-    if (impact.engine) times.push_back(*impact.engine);
+  if (run.exact()) {
+    for (const Json& stop : events["stops"])
+      if (stop[4] == 0 && stop[5] == "impact") times.push_back(stop[0]);
+  } else {
+    for (const AlignedImpact& impact : *impacts_of(run))
+      if (impact.engine) times.push_back(*impact.engine);
+  }
   return times;
 }
 
-/// The exact motion's impacts above the chatter speed are its row in the strip.
-Json exact_impacts(const Json& events) {
-  Json times = Json::array();
-  for (const Json& stop : events["stops"])
-    if (stop[4] == 0 && stop[5] == "impact") times.push_back(stop[0]);
-  return times;
-}
-
-InterfaceForces read_forces(const std::filesystem::path& file, int blocks) {
+InterfaceForces read_forces(const fs::path& file, int blocks) {
   std::vector<std::string> names{"time"};
   for (const char* stem : {"normal_", "tangential_", "centre_"})
     for (const std::string& name : numbered(stem, blocks)) names.push_back(name);
@@ -42,8 +39,8 @@ Json track_of(const Run& run, const Json& events, std::size_t samples, bool show
   Json track =
       player_track(motion, stride_for(motion.size(), samples),
                    {run_label(run), style.colour, coarse ? "(5,5)" : style.dash, shown, run.exact()});
-  track["impacts"] = run.exact() ? exact_impacts(events) : own_impacts(run);
-  if (const auto file = run.folder / "reactions.csv"; run.exact() && std::filesystem::exists(file)) {
+  track["impacts"] = impacts_in(run, events);
+  if (const auto file = run.folder / "reactions.csv"; run.exact() && fs::exists(file)) {
     const InterfaceForces forces = read_forces(file, history->blocks);
     add_forces(forces, history->blocks, stride_for(forces.times.size(), samples), track);
   }
@@ -60,13 +57,6 @@ std::set<std::string> shown_at_first(const std::vector<Run>& runs, const std::se
       names.insert(run.run);
   if (engines.empty() && runs.size() > 1) names.insert(runs[1].run);
   return names;
-}
-
-std::size_t samples_for(std::size_t tracks, int blocks, bool slips, std::size_t players) {
-  constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
-  const std::size_t columns = tracks * (1 + (slips ? 4 : 1) * static_cast<std::size_t>(blocks)) + 1 +
-                              3 * static_cast<std::size_t>(blocks);
-  return std::clamp(numbers / (players * columns), fewest, most);
 }
 
 Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players, bool finest) {
@@ -87,7 +77,10 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   }
   Json data = player_scene(stage, events);
   const std::set<std::string> seen = shown_at_first(runs, finest ? coarse : std::set<std::string>());
-  const std::size_t samples = samples_for(runs.size(), scene.blocks(), scene.slips, players);
+  constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
+  const auto blocks = static_cast<std::size_t>(scene.blocks());
+  const std::size_t columns = runs.size() * (1 + (scene.slips ? 4 : 1) * blocks) + 1 + 3 * blocks;
+  const std::size_t samples = std::clamp(numbers / (players * columns), fewest, most);
   data["tracks"] = Json::array();
   for (const Run& run : runs)
     data["tracks"].push_back(

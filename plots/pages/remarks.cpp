@@ -11,15 +11,11 @@ constexpr double reported_gain = 1e-4;
 /// How many times worse than another a number is that is worth a word: replicates alone differ by as much.
 constexpr double reported_ratio = 2;
 
-const ComparedScene& scene_of(const Comparison& comparison, const Run& run) {
-  return *std::ranges::find_if(comparison.scenes,
-                               [&](const ComparedScene& scene) { return scene.name == run.scene; });
-}
-
 /// The scene of a run again, with its solver in both sets, at these steps.
 std::string command(const Comparison& comparison, const Run& run, const std::vector<double>& steps) {
+  const auto scene = std::ranges::find(comparison.scenes, run.scene, &ComparedScene::name);
   return fmt::format("rockstack compare {} --engine {} --dt {} --set duration={} --out DIR", run.scene,
-                     solver_name(run), fmt::join(steps, ","), scene_of(comparison, run).duration);
+                     solver_name(run), fmt::join(steps, ","), scene->duration);
 }
 
 /// All steps of a run's series, the largest first.
@@ -60,10 +56,11 @@ const Score* find_score(const std::vector<Score>& list, const std::string& solve
 /// Parameters that differ between two runs: "erp 0.2 → 0.01".
 std::vector<std::string> changed_parameters(const Run& from, const Run& to) {
   constexpr std::string_view prefix = "parameters.";
+  const auto facts = [](const Run& run) { return read_json(run.folder / "summary.json", facts_of); };
   std::map<std::string, std::string> before;
-  for (const auto& [name, text] : read_summary(from)) before[name] = text;
+  for (const auto& [name, text] : facts(from)) before[name] = text;
   std::vector<std::string> words;
-  for (const auto& [name, text] : read_summary(to))
+  for (const auto& [name, text] : facts(to))
     if (name.starts_with(prefix) && before[name] != text)
       words.push_back(fmt::format("{} {} → {}", name.substr(prefix.size()), before[name], text));
   return words;

@@ -4,7 +4,6 @@
 namespace rockstack::plots {
 namespace {
 
-/// Matched, missed and extra impacts.
 std::string counts(const std::optional<int>& matched, const std::optional<int>& missed,
                    const std::optional<int>& extra) {
   return fmt::format("{} / {} / {}", matched.value_or(0), missed.value_or(0), extra.value_or(0));

@@ -64,7 +64,7 @@ std::string run_row(const Comparison& comparison, const Order& order, std::size_
 
 /// What a run's summary says beside its scene and the columns of the table, its parameters above all.
 Facts beside_columns(const Run& run) {
-  Facts facts = read_summary(run);
+  Facts facts = read_json(run.folder / "summary.json", facts_of);
   std::erase_if(facts, [](const auto& fact) {
     return fact.first == "title" || fact.first == "scene_file" ||
            std::ranges::any_of(columns(), [&](const auto& column) { return column.name == fact.first; });

@@ -119,8 +119,8 @@ LivePage make_live_page(const PageStart& start) {
                    {"pages", page.course.lessons},
                    {"blocks", most_blocks}};
   const std::string player =
-      plots::filled_in(plots::player_html, {{"id", "player"}, {"title", "the scene"}, {"data", "null"}});
-  page.text = plots::filled_in(
+      filled_in(plots::player_html, {{"id", "player"}, {"title", "the scene"}, {"data", "null"}});
+  page.text = filled_in(
       live_html,
       {{"css", std::string(plots::page_css) + std::string(plots::player_css) + std::string(live_css)},
        {"player", player},

@@ -48,10 +48,10 @@ std::string player(const std::vector<Shown>& motions) {
   for (const Shown& shown : motions)
     data["tracks"].push_back(track_of(shown, colours[data["tracks"].size() % colours.size()]));
   const std::string& title = first.scene->scene.title;
-  return plots::page(title, "player",
-                     plots::filled_in(plots::player_html, {{"id", "player"},
-                                                           {"title", plots::escaped(title)},
-                                                           {"data", plots::for_script(data)}}));
+  return plots::page(
+      title, "player",
+      filled_in(plots::player_html,
+                {{"id", "player"}, {"title", plots::escaped(title)}, {"data", plots::for_script(data)}}));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -20,14 +21,17 @@ struct CommonAxes {
   }
   /// Where the line of a set and step lies, from the row's middle.
   double height(std::size_t set, double dt) const {
-    constexpr double part = 0.27;
-    return static_cast<double>(set) + part * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
+    return static_cast<double>(set) + 0.27 * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
   }
   double place(double dt) const { return static_cast<double>(std::ranges::find(steps, dt) - steps.begin()); }
 };
 
 bool is_shown(const Run& run) {
   return is_engine(run) && !is_variant(run);
+}
+
+JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {
+  return {scene.name, least_height(scene.stack), scene.duration, comparison.tolerance};
 }
 
 /// Of engines alone, those of the set that the verdict ranks first before all others.
@@ -68,7 +72,6 @@ CommonAxes frame_of(const Comparison& comparison) {
   return frame;
 }
 
-/// A run of a scene with its place.
 struct Place {
   const Run* run;
   double height;
@@ -134,8 +137,7 @@ Reach size_axis(const Comparison& comparison) {
 
 /// A scene's axis ends behind its horizon, or with the motion where rows that agree so long do so to the end.
 TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
-  constexpr double beyond = 1.15;
-  const double whole = std::min(scene.duration, beyond * scene.horizon());
+  const double whole = std::min(scene.duration, 1.15 * scene.horizon());
   const std::vector<Run> exact = shown_runs(comparison, scene.name).exact;
   double end = scene.has("histories") && !exact.empty() ? time_axis(scene, exact).end : whole;
   const JudgedScene scale = scale_of(comparison, scene);
@@ -216,7 +218,7 @@ Drawing drawn(Sheet sheet, const Comparison& comparison, const CommonAxes& frame
     add_scenes(sheet, comparison, frame, from, std::min(from + beside, scenes));
   if (scenes < comparison.scenes.size())
     sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()));
-  if (!frame.note.empty()) sheet.note(frame.note);
+  sheet.note(frame.note);
   return sheet.finish();
 }
 

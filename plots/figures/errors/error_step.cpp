@@ -11,7 +11,6 @@ struct Errors {
   std::optional<double> RunMetrics::*upper = nullptr;
 };
 
-/// The errors of one series, and their fit.
 struct ErrorLine {
   Run run;  ///< any of the line
   std::string label;
@@ -24,10 +23,9 @@ struct ErrorLine {
 
 std::string fit_label(const StepFit& fit) {
   if (!fit.holds()) return "no fit, " + fit.reason;
-  const std::string model_error = fit.model_error.low > 0
-                                      ? fmt::format("{:.2g} ({:.2g}–{:.2g})", fit.model_error.value,
-                                                    fit.model_error.low, fit.model_error.high)
-                                      : fmt::format("≤ {:.2g}", fit.model_error.high);
+  const auto& [value, low, high] = fit.model_error;
+  const std::string model_error =
+      low > 0 ? fmt::format("{:.2g} ({:.2g}–{:.2g})", value, low, high) : fmt::format("≤ {:.2g}", high);
   return fmt::format("p {:.2f} ({:.2f}–{:.2f}), model error {}", fit.order.value, fit.order.low,
                      fit.order.high, model_error);
 }
@@ -51,7 +49,6 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
   return lines;
 }
 
-/// The fitted curve between the smallest and the largest step.
 Curve fitted_curve(const ErrorLine& line) {
   constexpr int points = 60;
   const double first = line.errors.front()[0], last = line.errors.back()[0];
@@ -63,18 +60,16 @@ Curve fitted_curve(const ErrorLine& line) {
   return curve;
 }
 
-/// Half a decade of room around all marks.
-std::string ranges(const std::vector<ErrorLine>& lines, double width, double height) {
+std::function<std::string(double, double)> axes_of(const std::vector<ErrorLine>& lines) {
   Reach across, up;
   for (const ErrorLine& line : lines)
     for (const std::vector<double>& error : line.errors) {
       across.add(error[0]);
       up.add(error[2]), up.add(error[3]);
     }
-  return logarithmic_axes(across.wider_times(1.6), up.wider_times(1.6), width, height);
+  return logarithmic_axes(across.wider_times(1.6), up.wider_times(1.6));
 }
 
-/// The least error of all, with its step.
 std::string answer(const std::vector<ErrorLine>& lines, const Errors& errors) {
   std::vector<double> least{0, 1e300};
   for (const ErrorLine& line : lines)
@@ -115,8 +110,7 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
     sheet.data(number_block(fmt::format("errors_{}", i), line.errors));
     if (line.fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(line)));
   }
-  const auto axes = [&](double width, double height) { return ranges(lines, width, height); };
-  SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0};
+  SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes_of(lines), 560, 0};
   if (many) {
     sheet.data(context_block("all", all));
     panel.under = {context_marks("all")};
@@ -124,7 +118,7 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
   add_series(sheet, panel, series, many);
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
-  subject.add_replicates_note(sheet);
+  sheet.note(draws_note(subject.comparison, subject.scene.name));
   return sheet.finish();
 }
 

@@ -4,7 +4,6 @@
 namespace rockstack::plots {
 namespace {
 
-/// One of the terms of a difference.
 struct Term {
   const char* name;
   const char* colour;

@@ -62,7 +62,6 @@ std::vector<Quantity> quantities_of(const ComparedScene& scene) {
   return list;
 }
 
-/// The distances of each run, a line a run under the panels.
 void add_distances(Sheet& sheet, const SceneSubject& subject, const std::vector<Run>& runs) {
   double critical = 0;
   for (const Run& run : runs) {
@@ -79,7 +78,6 @@ void add_distances(Sheet& sheet, const SceneSubject& subject, const std::vector<
   if (critical > 0) sheet.note(fmt::format("by chance D is above {:.2f} once in twenty times", critical));
 }
 
-/// How many of the distances are larger than chance makes them.
 std::string answer(const SceneSubject& subject) {
   int all = 0, beyond = 0;
   for (const DistributionDistance& one : subject.comparison.distances)

@@ -81,7 +81,6 @@ Reach reach_of(const std::vector<Run>& runs, const Ranges& ranges) {
   return with_log_room({std::max(reach.low, least_error), std::max(reach.high, least_error)});
 }
 
-/// A run's error, its quartiles and its whole range over replicates.
 void add_run(Plots& plots, const Run& run, std::size_t row, const Ranges& ranges) {
   const double error = *run.error;
   const auto [least, greatest] = range_of(run, ranges);
@@ -93,7 +92,6 @@ void add_run(Plots& plots, const Run& run, std::size_t row, const Ranges& ranges
              "using 1:2 " + mark_style(run, 1.4)});
 }
 
-/// Which rows share the first rank, step by step.
 std::string answer(const std::vector<Run>& runs, const std::vector<double>& steps) {
   std::vector<std::string> parts;
   for (const double dt : steps) {
@@ -122,12 +120,6 @@ Reach reach_of(const std::vector<Score>& list) {
   return with_log_room({std::max(reach.low, reach.high / decades), reach.high});
 }
 
-std::string words_of(const Score& score, std::size_t scenes) {
-  const std::size_t answered = score.runs.size();
-  return line_label(score.runs.front()) +
-         (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : "");
-}
-
 /// All solvers by their answers to one question: a row a solver and set, a small mark a scene, a large one
 /// their median. Precondition: there is a score.
 Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question, std::vector<Score> list) {
@@ -145,7 +137,9 @@ Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question
   for (const Score& score : list) {
     const Run& run = score.runs.front();
     const auto row = static_cast<double>(panel.words.size());
-    panel.words.push_back(words_of(score, scenes));
+    const std::size_t answered = score.runs.size();
+    panel.words.push_back(line_label(run) +
+                          (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : ""));
     const auto mark = [&](double value) { return std::vector{std::max(value, reach.low), row}; };
     plots.add(each_of(score.values, mark),
               {fmt::format("using 1:2 with points pt 2 ps 0.7 lc rgb '{}'", style_of(run).colour)});

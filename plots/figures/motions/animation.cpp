@@ -15,7 +15,6 @@ struct Actor {
   std::shared_ptr<const History> history;
 };
 
-/// Everything that frames are made of.
 struct Stage {
   const ComparedScene& scene;
   std::vector<Actor> actors;
@@ -25,14 +24,6 @@ struct Stage {
   double side = 0;   ///< half the width of a column, m
   double above = 0;  ///< top of the picture, m
 };
-
-/// Of blocks whose centres of mass are in their middles: pictures show no others.
-Stack<double> stack_of(const std::vector<Block>& blocks) {
-  Scene scene;
-  scene.blocks = blocks;
-  for (Block& block : scene.blocks) block.offset_x = block.offset_y = 0;
-  return make_stack<double>(scene);
-}
 
 /// Angles of all blocks, or their places, between samples on straight lines; held after the end.
 std::vector<double> values_at(const History& history, const std::vector<double>& rows, double time) {
@@ -120,7 +111,10 @@ std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& 
 }
 
 Stage stage_of(const Comparison& comparison, const ComparedScene& scene) {
-  Stage stage{scene, actors_of(comparison, scene), {}, stack_of(scene.stack)};
+  Scene middles;  // of blocks whose centres of mass are in their middles: pictures show no others
+  middles.blocks = scene.stack;
+  for (Block& block : middles.blocks) block.offset_x = block.offset_y = 0;
+  Stage stage{scene, actors_of(comparison, scene), {}, make_stack<double>(middles)};
   double height = 0, width = 0, most = 0, across = 0, up = 0;
   for (const Block& block : scene.stack)
     height += 2 * block.half_height, width = std::max(width, 2 * block.half_width);

@@ -76,22 +76,18 @@ void add_tree(Sheet& sheet, const std::vector<BranchRow>& rows, const std::strin
               tree.list());
 }
 
-std::string answer_of(const std::vector<BranchRow>& rows) {
-  const auto unlike = std::ranges::count_if(rows, [](const BranchRow& row) { return std::isnan(row.like); });
-  return fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike);
-}
-
 }  // namespace
 
-/// The angles of all branches, and where they leave each other.
 Drawings branches(const FolderSubject& subject) {
   const std::vector<BranchRow> rows = read_branches(subject.folder);
   Legend legend;
   for (std::size_t i = 0; i < std::min(rows.size(), colours.size()); ++i)
     legend.emplace_back(fmt::format("with lines lw 3 lc rgb '{}'", colour_of(i)),
                         fmt::format("branch {}", i + 1));
-  Sheet sheet =
-      subject.figure.sheet(read_json(subject.folder / "summary.json").at("title"), legend, answer_of(rows));
+  const auto unlike = std::ranges::count_if(rows, [](const BranchRow& row) { return std::isnan(row.like); });
+  Sheet sheet = subject.figure.sheet(
+      read_json(subject.folder / "summary.json").at("title"), legend,
+      fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike));
   constexpr double room = 1.2;  // of time, for words behind the end
   double end = 0;
   for (const BranchRow& row : rows) end = std::max(end, row.end);
@@ -104,7 +100,7 @@ Drawings branches(const FolderSubject& subject) {
       angles.add(angle_of(rows[i], k, bins),
                  {fmt::format("using 1:2 with lines lw 2 lc rgb '{}'", colour_of(i))});
     sheet.panel(panel_height(blocks + 1), 16,
-                range + without_horizontal_labels() + grid_lines +
+                range + without_horizontal_labels + grid_lines +
                     fmt::format("set ylabel '{} (rad)' offset 0.5\n", angle_name(k + 1)),
                 angles.list());
   }

@@ -12,21 +12,18 @@ struct Departure {
   std::vector<double> agreement_times;  ///< s, rising; one where there are no replicates
 };
 
-/// The largest absolute value over all blocks at each time.
-std::vector<double> largest_of(const std::vector<std::vector<double>>& columns) {
-  std::vector<double> largest(columns[0].size(), 0);
-  for (std::size_t k = 1; k < columns.size(); ++k)
-    for (std::size_t i = 0; i < largest.size(); ++i)
-      largest[i] = std::max(largest[i], std::abs(columns[k][i]));
-  return largest;
-}
-
-/// One curve a block, or where `together` is set one of all of them.
+/// One curve a block, or where `together` is set one of the largest of all of them.
 Departure read_departure(const Run& run, int blocks, std::size_t bins, bool together) {
   std::vector<std::string> names = numbered("difference_", blocks);
   names.insert(names.begin(), "time");
   std::vector<std::vector<double>> columns = read_columns(run.folder / "difference.csv", names);
-  if (together) columns = {columns[0], largest_of(columns)};
+  if (together) {
+    std::vector<double> largest(columns[0].size(), 0);
+    for (std::size_t k = 1; k < columns.size(); ++k)
+      for (std::size_t i = 0; i < largest.size(); ++i)
+        largest[i] = std::max(largest[i], std::abs(columns[k][i]));
+    columns = {columns[0], largest};
+  }
   Departure departure{run, {}, replicates_of(run, "agreement_time")};
   if (departure.agreement_times.empty()) departure.agreement_times = {value_of(run.agreement_time)};
   constexpr double nothing = 1e-30;  // under every axis: a curve that is nearer leaves the panel
@@ -71,7 +68,7 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
     };
     SeriesPanel panel{"time (s)", words, words, false, axes, height, 20};
     panel.under = {fmt::format("{} with lines {} notitle", plain(tolerance), tolerance_style)};
-    add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), {2.5, true});
+    add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), 2.5);
   }
 }
 
@@ -79,7 +76,6 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
 /// does not up to the horizon, beyond which nothing is compared.
 void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, const TimeAxis& axis,
                     double horizon) {
-  constexpr double room_for_names = 0.34;
   const double row_height = sheet.width() < full_width ? 15 : 22;
   const auto rows = static_cast<double>(departures.size());
   const bool named = departures.size() > most_series;
@@ -107,10 +103,9 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
                               named ? "agrees until " : "") +
                   grid_lines + words,
               plots.list()}},
-            1, named ? room_for_names : left_edge * full_width / sheet.width());
+            1, named ? 0.34 : left_edge * full_width / sheet.width());
 }
 
-/// The first and the last time at which an engine passes the tolerance.
 std::string answer(const std::vector<Departure>& departures, const ComparedScene& scene, double tolerance) {
   double first = scene.horizon(), last = 0;
   for (const Departure& one : departures) {

@@ -100,7 +100,7 @@ Drawing energy(const SceneSubject& subject) {
   const std::string across = time_range(axis) + grid_lines;
   const double tall = subject.height(380, 640), low = subject.height(260, 640);
   sheet.panel(tall, 0,
-              across + range_of(levels, tall) + without_horizontal_labels() +
+              across + range_of(levels, tall) + without_horizontal_labels +
                   fmt::format("set ylabel 'energy{} (J)' offset 0\n", subject.on_slide ? "" : " above rest"),
               plots);
   const std::vector<Curve> differences = each_of(all, &Energies::apart);
@@ -108,7 +108,7 @@ Drawing energy(const SceneSubject& subject) {
   const char* apart = subject.on_slide ? "apart (J)" : "engine − exact (J)";
   SeriesPanel panel{"time (s)", "engine − exact, median (J)", apart, true, axes, low, 20};
   panel.under = {zero_line};
-  add_curves(sheet, panel, shown.engines, differences, "apart", {2, true});
+  add_curves(sheet, panel, shown.engines, differences, "apart", 2);
   return sheet.finish();
 }
 

@@ -9,27 +9,15 @@ namespace {
 constexpr auto line_style = "with lines lw 1.5 lc rgb '#0B4F8A'";
 constexpr auto ground_grid = "set grid lt 1 dt solid lw 1 lc rgb '#DADADA'\n";
 
-/// A value with its time, to be marked.
-struct Peak {
-  double value = 0;
-  double time = 0;  ///< s
-};
-
-Peak peak_of(const Curve& curve) {
-  const auto peak = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
-  return {*peak, curve.times[static_cast<std::size_t>(peak - curve.values.begin())]};
-}
-
 /// A mark where a curve is furthest from zero, and its words in the panel's other right corner, that far from
 /// the edge.
-std::string peak_mark(const Peak& peak, const std::string& unit, double from_edge) {
+std::string peak_mark(double value, double time, const std::string& unit, double from_edge) {
   constexpr auto colour = "#B03A00";
   return fmt::format(
       "set label '' at {}, {} point pt 6 ps 1.4*mark lc rgb '{}' front\n"
       "set label {} noenhanced at graph 0.985, graph {} right textcolor rgb '{}' front font ',12'\n",
-      plain(peak.time), plain(peak.value), colour,
-      in_quotes(fmt::format("{:.4g} {} at {:.4g} s", peak.value, unit, peak.time)),
-      peak.value > 0 ? from_edge : 1 - from_edge, colour);
+      plain(time), plain(value), colour, in_quotes(fmt::format("{:.4g} {} at {:.4g} s", value, unit, time)),
+      value > 0 ? from_edge : 1 - from_edge, colour);
 }
 
 /// The range of a panel on both sides of zero.
@@ -42,19 +30,14 @@ std::string symmetric_range(double reach) {
 }
 
 void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, const TimeAxis& axis, bool last) {
-  const Peak peak = peak_of(curve);
+  const auto at = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
+  const double peak = *at, time = curve.times[static_cast<std::size_t>(at - curve.values.begin())];
   sheet.data(data_block(name, thin(curve, bins_for(2))));
   sheet.panel(220, 16,
-              ground_grid + time_range(axis) + symmetric_range(reach_of(std::abs(peak.value))) +
+              ground_grid + time_range(axis) + symmetric_range(reach_of(std::abs(peak))) +
                   fmt::format("set ylabel '{} (m/s²)' offset 0.5\n", name) +
-                  (last ? time_numbers : without_horizontal_labels()) + peak_mark(peak, "m/s²", 0.1),
+                  (last ? time_numbers : without_horizontal_labels) + peak_mark(peak, time, "m/s²", 0.1),
               {plot_of(name, line_style)});
-}
-
-std::string title_of(const Json& json) {
-  const std::string record = fs::path(json.at("file").get<std::string>()).filename().string();
-  const std::string channel = json.at("channel");
-  return channel == "1" ? record : record + ", channel " + channel;
 }
 
 /// Weak records have small units, so that the numbers beside a panel stay short.
@@ -98,9 +81,9 @@ void add_history(Sheet& sheet, const std::string& name, const std::string& base,
   const double reach = reach_of(largest) * scale.factor;
   const std::string unit = scale.prefix + base;
   add_over_time(sheet, height, name, scaled(curve, scale.factor), facts.at("significant_5_95"),
-                without_horizontal_labels() + fmt::format("set ylabel '{} ({})' offset 0.5\n", name, unit) +
+                without_horizontal_labels + fmt::format("set ylabel '{} ({})' offset 0.5\n", name, unit) +
                     symmetric_range(reach) + linear_tics("y", -reach, reach, height) +
-                    peak_mark({peak.at("value").get<double>() * scale.factor, peak.at("time")}, unit, 0.12));
+                    peak_mark(peak.at("value").get<double>() * scale.factor, peak.at("time"), unit, 0.12));
 }
 
 void add_husid(Sheet& sheet, const Json& facts, double duration, const Curve& shares) {
@@ -151,8 +134,6 @@ Drawing ground_motion(const SceneSubject& subject) {
   return sheet.finish();
 }
 
-/// Acceleration, velocity and displacement with the significant duration, the growth of the Arias intensity,
-/// and the response spectrum.
 Drawings record(const FolderSubject& subject) {
   const fs::path& results = subject.folder;
   const auto columns =
@@ -163,8 +144,10 @@ Drawings record(const FolderSubject& subject) {
     const Json& span = facts.at("significant_5_95");
     const double duration = span.at("end").get<double>() - span.at("begin").get<double>();
     const double peak = std::abs(facts.at("peak_acceleration").at("value").get<double>());
+    const std::string record = fs::path(facts.at("file").get<std::string>()).filename().string();
+    const std::string channel = facts.at("channel");
     Sheet sheet = subject.sheet(
-        title_of(facts), {},
+        channel == "1" ? record : record + ", channel " + channel, {},
         fmt::format("Peak {:.3g} m/s², {:.3g} s between 5 and 95 % of its energy", peak, duration));
     add_history(sheet, "acceleration", "m/s²", facts, {columns[0], columns[1]});
     add_history(sheet, "velocity", "m/s", facts, {columns[0], columns[2]});

@@ -7,10 +7,11 @@ namespace rockstack::plots {
 namespace {
 
 /// Ticks that hang from the upper edge of a panel of so many pixels, no two nearer than one of them.
-std::string impact_ticks(const std::vector<double>& times, double end, double width) {
+std::string impact_ticks(const Run& first, int block, double end, double width) {
   std::string text;
+  if (!first.exact()) return text;
   double last = -end;
-  for (const double time : times) {
+  for (const double time : impact_times(*history_of(first), block + 1)) {
     if (time > end) break;
     if (time - last < end / width) continue;
     text += fmt::format("set arrow from {0}, graph 1 to {0}, graph 0.94 nohead lw 2 lc rgb '#000000' front\n",
@@ -19,6 +20,10 @@ std::string impact_ticks(const std::vector<double>& times, double end, double wi
   }
   return text;
 }
+
+/// Pale enough for black letters.
+constexpr std::array tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
+                           "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
 
 /// One box a span, named where it is wide enough in a figure so many pixels wide; spans under a pixel belong
 /// to the one before.
@@ -34,7 +39,7 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end, doub
     const std::size_t tint = tint_of.try_emplace(pattern, tint_of.size()).first->second;
     text += fmt::format(
         "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder behind\n",
-        plain(from), plain(to), pattern_tint(tint));
+        plain(from), plain(to), tints.at(tint % tints.size()));
     const double letter = end / 95;
     if (to - from > letter * full_width / width * static_cast<double>(pattern.size() + 1))
       text += fmt::format("set label {} noenhanced at {}, graph 0.5 center font ',12' front\n",
@@ -73,22 +78,16 @@ std::string largest_angles(const std::vector<Run>& runs) {
 /// All angles of a block; `drawn`: how many curves the figure has for one.
 std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, int blocks, int block) {
   const std::size_t bins = bins_for(drawn * static_cast<std::size_t>(blocks));
-  std::vector<Curve> curves;
-  for (const Run& run : runs) {
+  return each_of(runs, [&](const Run& run) {
     const auto history = history_of(run);
-    curves.push_back(thin({history->times, column_of(*history, &History::angles, block)}, bins));
-  }
-  return curves;
+    return thin({history->times, column_of(*history, &History::angles, block)}, bins);
+  });
 }
 
 std::string axes_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, const TimeAxis& axis,
                     double height) {
   const Reach extent = extent_of(runs, curves, 0.5, 1e-6);
   return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
-}
-
-std::string ticks_of(const Run& first, int block, double end, double width) {
-  return first.exact() ? impact_ticks(impact_times(*history_of(first), block + 1), end, width) : "";
 }
 
 /// One panel of all runs, the exact one first.
@@ -101,7 +100,7 @@ void add_angles(Sheet& sheet, const SceneSubject& subject, const std::vector<Run
   const auto axes = [&](double, double height) { return axes_of(runs, curves, axis, height); };
   SeriesPanel panel{"time (s)", words, words, lowest, axes, tall};
   if (runs.front().exact() && curves.front().size() > 0) panel.over = {exact_core(stem + "_0")};
-  panel.few = ticks_of(runs.front(), block, axis.end, subject.panel());
+  panel.few = impact_ticks(runs.front(), block, axis.end, sheet.panel_width());
   add_curves(sheet, panel, runs, curves, stem);
 }
 
@@ -163,7 +162,7 @@ void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Cur
   }
   add_multiples(sheet, multiples, context,
                 axes_of(runs, curves, axis, multiple_height) + linear_tics("x", 0, axis.end, multiple_width) +
-                    ticks_of(runs.front(), block, axis.end, multiple_width),
+                    impact_ticks(runs.front(), block, axis.end, multiple_width),
                 "time (s)", angle_name(block + 1) + " (rad)");
 }
 

@@ -44,6 +44,31 @@ Verdicts verdicts_on(const Run& run) {
   return verdicts;
 }
 
+/// A scale that is linear up to 10^first and logarithmic beyond, on both sides of zero; one unit a power of
+/// ten.
+struct SignedLog {
+  int first, last;
+
+  double place(double value) const {
+    const double size = std::abs(value) / std::pow(10, first);
+    const double height = size <= 1 ? size : 1 + std::log10(size);
+    return std::copysign(height, value);
+  }
+  double edge() const { return last - first + 1.5; }  ///< of the axis, on either side
+
+  /// For "set ytics (…)" of a panel that is so many pixels high: as many powers as there is room for.
+  std::string tics(double height) const {
+    constexpr double room = 26;  // pixels a number
+    const double unit = height / (2 * edge());
+    const int stride = std::max(1 + (last - first) / 4, static_cast<int>(std::ceil(room / unit)));
+    std::string text = "'0' 0";
+    for (int power = last; power >= first && (power - first + 1) * unit >= room; power -= stride)
+      text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
+    return text;
+  }
+};
+
+/// Of all that are late or early; at most eight decades.
 SignedLog scale_of(const std::vector<Verdicts>& all) {
   double low = 1e-3, high = 1e-5;
   for (const Verdicts& verdicts : all)
@@ -51,15 +76,9 @@ SignedLog scale_of(const std::vector<Verdicts>& all) {
       high = std::max(high, std::abs(late));
       if (late != 0) low = std::min(low, std::abs(late));
     }
-  return signed_log(low, high);
-}
-
-double last_number(const std::vector<Verdicts>& all) {
-  double last = 1;
-  for (const Verdicts& verdicts : all)
-    for (const std::vector<double>* numbers : {&verdicts.numbers, &verdicts.missed, &verdicts.extra})
-      for (const double number : *numbers) last = std::max(last, number);
-  return last;
+  constexpr int most_decades = 8;
+  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
+  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
 }
 
 constexpr double most_numbers = 20;  // along the panel of few
@@ -123,7 +142,6 @@ std::string without_matches(const std::vector<Verdicts>& all) {
   return fmt::format("No impact is in both: the exact motion has {}, an engine at most {}.", missed, extra);
 }
 
-/// How late each matched impact is, by its number.
 void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last, double height) {
   constexpr double few = 40;
   const SignedLog scale = scale_of(all);
@@ -190,7 +208,10 @@ Drawing impact_times(const SceneSubject& subject) {
   if (std::ranges::all_of(all, [](const Verdicts& one) { return one.numbers.empty(); }))
     return subject.nothing(without_matches(all));
   Sheet sheet = subject.sheet(mark_legend(runs, 1.6), answer(all));
-  const double last = last_number(all);
+  double last = 1;
+  for (const Verdicts& verdicts : all)
+    for (const std::vector<double>* numbers : {&verdicts.numbers, &verdicts.missed, &verdicts.extra})
+      for (const double number : *numbers) last = std::max(last, number);
   add_differences(sheet, all, last, subject.height(380, 480));
   if (are_many(runs))
     sheet.note("−: exact impacts that the engine misses; +: impacts of its own that match none");
@@ -235,7 +256,7 @@ Drawing impact_energy(const SceneSubject& subject) {
   sheet.data(data);
   constexpr double height = 200;
   sheet.panel(height, 0,
-              numbers(last) + without_horizontal_labels() +
+              numbers(last) + without_horizontal_labels +
                   logarithmic_range("y", counted * largest / 1.5, largest * 2, height) +
                   "set ylabel 'exact loss (J)'\n",
               {"$exact using 1:2 with impulses lw 3 lc rgb '#9A9A9A' notitle",

@@ -25,11 +25,9 @@ Occupancy read_occupancy(const Run& run) {
 }
 
 double share_in(const Shares& shares, const std::string& pattern) {
-  const auto found = shares.find(pattern);
-  return found == shares.end() ? 0 : found->second;
+  return shares.contains(pattern) ? shares.at(pattern) : 0;
 }
 
-/// The largest share of time of any motion in each pattern.
 Shares largest_shares(const std::vector<Occupancy>& all) {
   Shares largest;
   for (const Occupancy& one : all)
@@ -79,15 +77,14 @@ double names_room(const std::vector<std::string>& patterns) {
 }
 
 std::string answer(const std::vector<Occupancy>& all) {
-  std::vector<const Occupancy*> engines;
-  for (const Occupancy& one : all)
-    if (!is_variant(one.run)) engines.push_back(&one);
-  if (engines.empty()) engines.push_back(&all.front());
+  std::vector<Occupancy> engines = all;
+  std::erase_if(engines, [](const Occupancy& one) { return is_variant(one.run); });
+  if (engines.empty()) engines = {all.front()};
   const auto [least, most] = std::ranges::minmax_element(engines, {}, &Occupancy::same);
   const auto words = [](const Occupancy& one) {
     return fmt::format("{} for {:.1f} % of the time", run_phrase(one.run), 100 * one.same);
   };
-  return engines.size() == 1 ? words(**most) : words(**most) + ", " + words(**least);
+  return engines.size() == 1 ? words(*most) : words(*most) + ", " + words(*least);
 }
 
 std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<std::string>& patterns,

@@ -62,7 +62,6 @@ Drawing readings(const SceneSubject& subject) {
   return sheet.finish();
 }
 
-/// What was measured and the fitted motion, and under both what they differ by, of each column.
 Drawings fit(const FolderSubject& subject) {
   const Json json = read_json(subject.folder / "fit.json");
   const std::string unit = json.at("unit");
@@ -88,7 +87,7 @@ Drawings fit(const FolderSubject& subject) {
     residual.add(off, {fmt::format("using 1:2 {}", reading_style)});
     sheet.panel(
         300, 16,
-        range + without_horizontal_labels() +
+        range + without_horizontal_labels +
             fmt::format("set ylabel {} offset 0.5\n", in_quotes(fmt::format("{} ({})", column, unit))),
         motion.list());
     sheet.panel(150, 16, range + time_numbers + fmt::format("set ylabel 'residual ({})' offset 0.5\n", unit),

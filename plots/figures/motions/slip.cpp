@@ -39,14 +39,6 @@ std::vector<SlipPanel> read_slips(const std::vector<Run>& runs, int blocks) {
   return read_panels(runs, &History::slips, blocks, words, millimetres);
 }
 
-double last_time(const std::vector<SlipPanel>& quantities) {
-  double end = 1e-9;
-  for (const SlipPanel& quantity : quantities)
-    for (const Curve& curve : quantity.curves)
-      if (curve.size() > 0) end = std::max(end, curve.times.back());
-  return end;
-}
-
 /// One panel a quantity, all runs in each, or a panel each where they are many.
 Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
               const std::vector<SlipPanel>& quantities, const std::string& answer) {
@@ -98,7 +90,6 @@ std::string flights_of(const Run& run, int blocks, double end) {
   return "apart: " + text_of_each(times, std::identity(), ", ") + more;
 }
 
-/// The largest slip of a run, and at which interface.
 std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<SlipPanel>& slips) {
   const auto largest = [&](const SlipPanel& slip) { return slip.curves[run].largest(); };
   const auto most = std::ranges::max_element(slips, {}, largest);
@@ -116,7 +107,11 @@ Drawing slip(const SceneSubject& subject) {
   const bool exact = runs.front().exact();
   std::string answer =
       (exact ? "At most: " : "At most, without an exact motion: ") + slip_phrase(runs, 0, panels);
-  if (exact) answer += "; " + flights_of(runs.front(), scene.blocks(), last_time(panels));
+  double end = 1e-9;
+  for (const SlipPanel& panel : panels)
+    for (const Curve& curve : panel.curves)
+      if (curve.size() > 0) end = std::max(end, curve.times.back());
+  if (exact) answer += "; " + flights_of(runs.front(), scene.blocks(), end);
   const auto words = [](int number) { return fmt::format("gap {} (mm)", number); };
   const auto gaps = read_panels(runs, &History::gaps, scene.blocks(), words, millimetres);
   panels.insert(panels.end(), gaps.begin(), gaps.end());

@@ -4,12 +4,10 @@ namespace rockstack::plots {
 namespace {
 
 constexpr double tall = 460;  // pixels
-constexpr auto other_colour = "#808080";
 constexpr auto other_style = "with points lw 2 pt 2 ps 1.1*mark lc rgb '#808080'";
 constexpr auto ring = "with points pt 6 lw 2.5 lc rgb '#000000'";
 constexpr auto limit_style = "with lines lw 2 dt (8,6) lc rgb '#404040'";
 
-/// A run that was tried.
 struct TrialMark {
   Run run;
   double time, error;
@@ -50,10 +48,6 @@ std::vector<bool> told_of(const TrialLines& lines) {
   });
 }
 
-Numbers numbers_of(const std::vector<TrialMark>& marks) {
-  return each_of(marks, [](const TrialMark& mark) { return std::vector{mark.time, mark.error}; });
-}
-
 std::string answer_of(const TrialLines& lines, double error) {
   for (const auto& line : lines)
     for (const TrialMark& mark : line)
@@ -84,30 +78,35 @@ Drawings advice(const FolderSubject& subject) {
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
   legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
   Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
-  const double width = subject.panel();
+  const double width = sheet.panel_width();
   LabelledPanel labelled{width, tall, {}};
   Plots trials(sheet, "trials");
-  std::vector<TrialMark> passing, picked;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto& line = lines[i];
     const Run& run = line.front().run;
-    const std::string colour = told[i] ? style_of(run).colour : other_colour;
-    labelled.lines.emplace_back();
-    for (const TrialMark& mark : line) {
-      labelled.lines.back().push_back({across.place(mark.time, width), up.place(mark.error, tall),
-                                       duration_text(value_of(mark.run.dt)), colour});
-      if (mark.passes) passing.push_back(mark);
-      if (mark.picked) picked.push_back(mark);
-    }
-    trials.add(numbers_of(line), {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
-                                  "using 1:2 " + (told[i] ? mark_style(run, 1.5) : other_style)});
+    const std::string colour = told[i] ? style_of(run).colour : "#808080";
+    labelled.lines.push_back(each_of(line, [&](const TrialMark& mark) {
+      return LabelledMark{across.place(mark.time, width), up.place(mark.error, tall),
+                          duration_text(value_of(mark.run.dt)), colour};
+    }));
+    trials.add(each_of(line,
+                       [](const TrialMark& mark) {
+                         return std::vector{mark.time, mark.error};
+                       }),
+               {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
+                "using 1:2 " + (told[i] ? mark_style(run, 1.5) : other_style)});
   }
-  for (const auto& [marks, size] : {std::pair{&passing, 2.6}, {&picked, 3.6}})
-    if (!marks->empty()) trials.add(numbers_of(*marks), {fmt::format("using 1:2 {} ps {}*mark", ring, size)});
+  for (const auto& [is_ringed, size] : {std::pair{&TrialMark::passes, 2.6}, {&TrialMark::picked, 3.6}}) {
+    Numbers rings;
+    for (const auto& line : lines)
+      for (const TrialMark& mark : line)
+        if (mark.*is_ringed) rings.push_back({mark.time, mark.error});
+    if (!rings.empty()) trials.add(rings, {fmt::format("using 1:2 {} ps {}*mark", ring, size)});
+  }
   std::vector<std::string> plots = trials.list();
   plots.insert(plots.begin(), fmt::format("{} {} notitle", plain(error), limit_style));
   sheet.panel(tall, 0,
-              logarithmic_axes(across, up, width, tall) +
+              logarithmic_axes(across, up)(width, tall) +
                   "set logscale xy\nset xlabel 'computing time of stepping (s)'\n"
                   "set ylabel 'largest difference (rad, least heights)'\n" +
                   placed_labels(labelled),

@@ -12,7 +12,6 @@ constexpr auto counted_style = "with yerrorbars pt 7 ps 1.1*mark lw 1.4 lc rgb '
 constexpr auto fitted_style = "with lines lw 2 lc rgb '#0B4F8A'";
 constexpr auto bounds_style = "with filledcurves fc rgb '#CFE0EE' fs solid 1 noborder";
 
-/// The fitted curve between its bounds, from zero to the highest intensity.
 Numbers fitted_curve(const Fragility& fit, const FragilityBounds& bounds, double end) {
   constexpr int points = 200;
   Numbers numbers;
@@ -73,7 +72,6 @@ Numbers capacity(const std::vector<ScaledMotion>& motions, double share) {
   return curve;
 }
 
-/// The first intensity at which a capacity curve reaches the slenderness.
 std::string answer_of(const Numbers& median, const std::string& axis) {
   for (const std::vector<double>& line : median)
     if (line[0] >= 1) return "Half of the motions turn it by its slenderness at " + value_on(axis, line[1]);

@@ -11,7 +11,6 @@ const std::vector<MapKind> verdict_kinds{
     {"unstable", "#C43C4E", "unstable: gains energy, or topples what stands"},
     {"failed", "#2F2F2F", "failed: the run did not end well"}};
 
-/// One square of a map.
 struct StabilityCell {
   double value, dt;
   std::string verdict;
@@ -97,8 +96,6 @@ Drawing drawing(const FolderSubject& subject, const StabilityMap& map, const Jso
 
 }  // namespace
 
-/// A map of verdicts over the study's axis and the time step for each solver, with the largest stable step as
-/// a line.
 Drawings stability(const FolderSubject& subject) {
   return read_json(subject.folder / "stability.json", [&](const Json& facts) {
     Drawings drawings;

@@ -114,10 +114,10 @@ SweepFacts sweep_facts(const fs::path& results) {
 }
 
 std::string axis_title(const std::string& key) {
-  const auto ends = [&](const char* end) { return key.ends_with(end); };
-  if (ends(".peak")) return "peak ground acceleration (m/s²)";
-  if (ends(".amplitude")) return "amplitude of the pulse (m/s²)";
-  if (ends(".scale")) return "scale of the record";
+  for (const auto& [end, title] : {std::pair{".peak", "peak ground acceleration (m/s²)"},
+                                   {".amplitude", "amplitude of the pulse (m/s²)"},
+                                   {".scale", "scale of the record"}})
+    if (key.ends_with(end)) return title;
   return key;
 }
 

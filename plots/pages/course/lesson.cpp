@@ -27,14 +27,12 @@ std::string lesson_table(const Json& json) {
   const auto columns = json.at("columns").get<std::vector<std::string>>();
   std::vector<int> significant;
   for (std::size_t i = 0; i < columns.size(); ++i) significant.push_back(digits_of(json.at("rows"), i));
-  std::string rows;
-  for (const Json& row : json.at("rows")) {
-    std::string cells;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      cells += table_cell(columns[i], row.at(i).get<std::string>(), "", significant[i]);
-    rows += element("tr", cells) + "\n";
-  }
-  return table(columns, rows);
+  return table(columns, text_of_each(json.at("rows"), [&](const Json& row) {
+                 std::string cells;
+                 for (std::size_t i = 0; i < columns.size(); ++i)
+                   cells += table_cell(columns[i], row.at(i), "", significant[i]);
+                 return element("tr", cells) + "\n";
+               }));
 }
 
 std::string choices_of(const Json& part, const std::string& name) {
@@ -115,15 +113,10 @@ std::string list_of(const Json& texts) {
   return element("ul", text_of_each(texts, item));
 }
 
-/// Other lessons and the course's own pages lie beside this one.
-bool is_in_course(const Json& lesson) {
-  return lesson.contains("neighbours");
-}
-
 /// To what the words mean, and to the course and the lessons beside this one, where they are.
 std::string navigation(const Json& lesson) {
   std::string links = link("report.html#words", "What the words mean");
-  if (is_in_course(lesson)) {
+  if (lesson.contains("neighbours")) {
     links =
         link("../index.html", "All lessons") + " " + link("../glossary.html", "What the words mean") + " ";
     for (const auto& [key, words] : {std::pair{"previous", "◀ the one before"}, {"next", "the next one ▶"}})
@@ -136,7 +129,8 @@ std::string navigation(const Json& lesson) {
 std::string titles_after(const Json& lesson) {
   const auto title = [&](const Json& one) {
     const std::string words = "“" + escaped_at(one, "title") + "”";
-    return is_in_course(lesson) ? link("../" + escaped_at(one, "name") + "/lesson.html", words) : words;
+    return lesson.contains("neighbours") ? link("../" + escaped_at(one, "name") + "/lesson.html", words)
+                                         : words;
   };
   const Json& before = lesson.at("after");
   return before.empty() ? "" : " · after " + text_of_each(before, title, ", ");
@@ -145,18 +139,15 @@ std::string titles_after(const Json& lesson) {
 /// What a lesson's page and its slides share.
 Values lesson_values(const fs::path& results, const Comparison& comparison, const Json& lesson) {
   const std::string text = text_at(lesson, "text");
-  return {{"title", escaped_at(lesson, "title")},
-          {"name", escaped_at(lesson, "name")},
-          {"number", lesson.at("number").dump()},
-          {"count", lesson.at("count").dump()},
-          {"minutes", lesson.at("minutes").dump()},
-          {"after", titles_after(lesson)},
-          {"navigation", navigation(lesson)},
-          {"aims", list_of(lesson.at("aims"))},
-          {"references", list_of(lesson.at("references"))},
-          {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
-          {"command", escaped(comparison.command)},
-          {"environment", definition_list(comparison.environment)}};
+  Values values{{"after", titles_after(lesson)},
+                {"navigation", navigation(lesson)},
+                {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
+                {"command", escaped(comparison.command)},
+                {"environment", definition_list(comparison.environment)}};
+  for (const char* key : {"title", "name"}) values[key] = escaped_at(lesson, key);
+  for (const char* key : {"number", "count", "minutes"}) values[key] = lesson.at(key).dump();
+  for (const char* key : {"aims", "references"}) values[key] = list_of(lesson.at(key));
+  return values;
 }
 
 std::string page_of(const std::string& title, Values values, const char* kind, std::string_view content,

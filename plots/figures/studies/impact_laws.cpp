@@ -1,6 +1,8 @@
 #include "plots/data/law_results.hpp"
 #include "plots/figures/figure.hpp"
 
+// Where the laws of impact differ, and how far engines are from either.
+
 namespace rockstack::plots {
 namespace {
 
@@ -18,28 +20,22 @@ double sum(const std::vector<LawCell>& cells, double LawCell::*count) {
   return total;
 }
 
-constexpr double least_share = 0.01;  ///< of a kind's impacts that a map is drawn for
-
 std::vector<LawMap> maps_of(const std::vector<LawCell>& cells) {
-  std::vector<std::string> kinds;
-  std::map<std::string, std::vector<LawCell>> by_kind;
-  for (const LawCell& cell : cells) {
-    if (by_kind[cell.kind].empty()) kinds.push_back(cell.kind);
-    by_kind[cell.kind].push_back(cell);
-  }
+  std::vector<std::vector<LawCell>> by_kind;
+  for (const LawCell& cell : cells)
+    found_or_added(by_kind, [&](const auto& own) { return own.front().kind == cell.kind; }, {})
+        .push_back(cell);
   std::vector<LawMap> maps;
   for (const auto& [heading, count] :
        {std::pair{"laws differ", &LawCell::differ}, {"no pattern consistent", &LawCell::none}})
-    for (const std::string& kind : kinds) {
-      const auto& own = by_kind[kind];
+    for (const std::vector<LawCell>& own : by_kind) {
       const double shown = sum(own, count), all = sum(own, &LawCell::impacts);
-      if (shown >= least_share * all && shown > 0)
-        maps.push_back({heading, kind, own, count, 100 * shown / all});
+      if (shown >= 0.01 * all && shown > 0)  // a map of less would say nothing
+        maps.push_back({heading, own.front().kind, own, count, 100 * shown / all});
     }
   return maps;
 }
 
-/// Edges of all cells along one axis.
 std::vector<double> edges(const std::vector<LawCell>& cells, double LawCell::*from, double LawCell::*to) {
   std::set<double> values;
   for (const LawCell& cell : cells) values.insert({cell.*from, cell.*to});
@@ -87,7 +83,6 @@ Legend shade_legend() {
   return legend;
 }
 
-/// Of all panels.
 std::string settings_of(const std::vector<LawCell>& cells) {
   int percent = -25;
   const auto shade = [&](const char* colour) { return fmt::format("{} '{}'", percent += 25, colour); };
@@ -99,7 +94,6 @@ std::string settings_of(const std::vector<LawCell>& cells) {
          axis_of("y", edges(cells, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to));
 }
 
-/// The kind of impact after which the laws differ most.
 std::string answer_of(const std::vector<LawMap>& maps) {
   const LawMap* most = nullptr;
   for (const LawMap& map : maps)
@@ -108,10 +102,86 @@ std::string answer_of(const std::vector<LawMap>& maps) {
                          : fmt::format("Most after {}: {:.1f} % of its states", most->kind, most->percent);
 }
 
+/// The runs of one solver with one step length: one mark in the figure.
+struct Marks {
+  Run run;
+  Numbers at = {};  ///< from law paper, from law consistent
+};
+
+std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
+  std::vector<Marks> list;
+  for (const LawRun& one : runs) {
+    if (!(one.from_paper > 0 && one.from_consistent > 0)) continue;
+    const std::string label = run_label(one.run);
+    found_or_added(list, [&](const Marks& m) { return run_label(m.run) == label; }, {one.run})
+        .at.push_back({one.from_paper, one.from_consistent});
+  }
+  return list;
+}
+
+/// Where values lie but for those far away, which must not press the rest together: on a logarithmic axis all
+/// within one and a half times the middle half's extent beyond it (Tukey 1977), with room.
+Reach reach_of(const std::vector<double>& values) {
+  const double lower = quantile(values, 0.25), upper = quantile(values, 0.75);
+  const double beyond = std::pow(upper / lower, 1.5);
+  constexpr double room = 1.6;
+  return {std::max(quantile(values, 0), lower / beyond) / room,
+          std::min(quantile(values, 1), upper * beyond) * room};
+}
+
+struct LawFrame {
+  Reach across, up;
+
+  /// A mark, or of one that lies beyond the frame, the nearest place on its edge.
+  std::vector<double> inside(const std::vector<double>& mark) const {
+    return {std::clamp(mark[0], across.low, across.high), std::clamp(mark[1], up.low, up.high)};
+  }
+};
+
+LawFrame frame_of(const std::vector<Marks>& list) {
+  std::vector<double> across, up;
+  for (const Marks& marks : list)
+    for (const std::vector<double>& mark : marks.at) {
+      across.push_back(mark[0]);
+      up.push_back(mark[1]);
+    }
+  return {reach_of(across), reach_of(up)};
+}
+
+std::string answer(const LawResults& results) {
+  const auto count = [&](const char* law) { return std::ranges::count(results.runs, law, &LawRun::follows); };
+  return fmt::format("Of {} runs {} end as law consistent says, {} as law paper",
+                     std::ssize(results.runs) - count(""), count("consistent"), count("paper"));
+}
+
+constexpr auto border_style = "with lines lw 2 dt (8,8) lc rgb '#606060'";
+
+/// A series a solver, by its label, in the order of the file; small marks where a step is not its shortest.
+std::vector<Series> series_of(const std::vector<Marks>& list, Legend& legend) {
+  std::map<std::string, double> shortest;
+  for (const Marks& marks : list) {
+    double& dt = shortest.emplace(line_label(marks.run), value_of(marks.run.dt)).first->second;
+    dt = std::min(dt, value_of(marks.run.dt));
+  }
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Run& run = list[i].run;
+    const std::string label = line_label(run);
+    const bool short_step = run.dt <= shortest.at(label);
+    const std::string style = mark_style(run, short_step ? 1.3 : 0.8), marks = fmt::format("marks_{}", i);
+    Series& own = found_or_added(series, [&](const Series& one) { return one.words == label; },
+                                 {label, style_of(run).colour});
+    own.plots.push_back(plot_of(marks, style));
+    own.alone.push_back(own.plots.back());
+    own.context.push_back(
+        plot_of(marks, fmt::format("with points pt 7 ps 0.4*mark lc rgb '{}'", context_colour)));
+    if (short_step) legend.emplace_back(style, label);
+  }
+  return series;
+}
+
 }  // namespace
 
-/// A figure a number of blocks: a panel a kind of impact, of the share in which the laws differ and of that
-/// in which no pattern is consistent.
 Drawings law_maps(const FolderSubject& subject) {
   std::map<int, std::vector<LawCell>> by_blocks;
   for (const LawCell& cell : read_law_results(subject.folder).cells) by_blocks[cell.blocks].push_back(cell);
@@ -138,6 +208,37 @@ Drawings law_maps(const FolderSubject& subject) {
     drawings[part] = sheet.finish();
   }
   return drawings;
+}
+
+Drawings law_engines(const FolderSubject& subject) {
+  const LawResults results = read_law_results(subject.folder);
+  const std::vector<Marks> list = marks_of(results.runs);
+  const std::string title = "Velocities after an impact: engines beside both laws";
+  if (list.empty()) return {{"", empty_sheet(title, "No engine run that came to its end.")}};
+  const LawFrame frame = frame_of(list);
+  Legend legend;
+  const std::vector<Series> series = series_of(list, legend);
+  const bool many = series.size() > most_series;
+  if (many) legend.clear();
+  legend.emplace_back(border_style, "as far from either law");
+  Sheet sheet = subject.figure.sheet(title, legend, answer(results));
+  std::ptrdiff_t beyond = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Numbers marks = each_of(list[i].at, [&](const auto& mark) { return frame.inside(mark); });
+    sheet.data(number_block(fmt::format("marks_{}", i), marks));
+    beyond += std::ranges::count_if(list[i].at, [&](const auto& mark) { return frame.inside(mark) != mark; });
+  }
+  const auto axes = [&](double width, double height) {
+    return "set samples 200\n" + logarithmic_axes(frame.across, frame.up)(width, height);
+  };
+  const char* across = many ? "from law paper" : "from law paper, over the largest rate before";
+  SeriesPanel panel{across, "from law consistent", "from consistent", true, axes, 640, 0};
+  panel.under = {fmt::format("x {} notitle", border_style)};
+  add_series(sheet, panel, series, many);
+  if (many) sheet.note("distances of velocities, over the largest rate before the impact");
+  sheet.note("small marks: longer steps");
+  if (beyond > 0) sheet.note(fmt::format("marks on the edge: {} that lie beyond it", beyond));
+  return {{"", sheet.finish()}};
 }
 
 }  // namespace rockstack::plots
