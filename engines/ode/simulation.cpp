@@ -1,7 +1,10 @@
 #include "engines/ode/simulation.hpp"
 
+#include <fmt/format.h>
 #include <ode/ode.h>
 
+#include <cstdarg>
+#include <cstdio>
 #include <deque>
 #include <optional>
 #include <stdexcept>
@@ -10,6 +13,28 @@
 
 namespace rockstack {
 namespace {
+
+/// How many messages ODE has given on this thread.
+thread_local std::size_t messages = 0;
+
+/// ODE ends the process when this returns, so it must throw.
+void stop(int number, const char* format, std::va_list arguments) {
+  std::array<char, 512> text{};
+  std::vsnprintf(text.data(), text.size(), format, arguments);
+  throw std::runtime_error(fmt::format("ode: error {}: {}", number, text.data()));
+}
+
+/// Makes ODE ready on this thread. After a message it goes on with what its solver has so far.
+void initialise() {
+  static const bool ready = [] {
+    dSetErrorHandler(stop);
+    dSetDebugHandler(stop);
+    dSetMessageHandler([](int, const char*, std::va_list) { ++messages; });
+    return dInitODE2(0) != 0;
+  }();
+  if (!ready || dAllocateODEDataForThread(dAllocateMaskAll) == 0)
+    throw std::runtime_error("ode: the library could not be initialised");
+}
 
 /// A contact of the step under way, where they are watched.
 struct Touch {
@@ -186,14 +211,14 @@ class OdeSimulation final : public ShakenSimulation {
 
   void advance() override {
     const auto solve = solver_ == OdeSolver::step ? dWorldStep : dWorldQuickStep;
-    const std::size_t before = ode_messages();
+    const std::size_t before = messages;
     dJointGroupEmpty(group_.get());
     touches_.clear();
     dSpaceCollide(space_.get(), this, [](void* self, dGeomID one, dGeomID other) {
       static_cast<OdeSimulation*>(self)->add_contacts(one, other);
     });
     if (solve(world_.get(), dt()) == 0) throw std::runtime_error("ode: a step ran out of memory");
-    warnings_ += ode_messages() - before;
+    warnings_ += messages - before;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
       if (realign_) realign(bodies_[k]);
       angles_[k] = unwrap(angle_of(bodies_[k]), angles_[k]);
@@ -252,7 +277,7 @@ class OdeSimulation final : public ShakenSimulation {
 }  // namespace
 
 std::unique_ptr<Simulation> start_ode(OdeSolver solver, const Setup& setup, const Parameters& parameters) {
-  initialise_ode();
+  initialise();
   return std::make_unique<OdeSimulation>(solver, setup, parameters);
 }
 
