@@ -56,8 +56,15 @@ class ContactRecorder {
     while (sample_due()) {
       const Real s = (Real(options_.sample_times[next_sample_]) - start) / series.length;
       if (s >= end_s) break;
-      note_sample({series.at(std::max(s, Real(0))), rigid}, springs, spring_series, std::max(s, Real(0)),
-                  series);
+      const Real at = std::max(s, Real(0));
+      ContactState<Real> state{series.at(at), rigid};
+      if (springs.empty()) {
+        note_sample(std::move(state), springs);
+        continue;
+      }
+      SpringContacts<Real> then = springs;
+      then.go(spring_series, at, series.at(0), state.bodies);
+      note_sample(std::move(state), then);
     }
     if (!options_.validity && !options_.peaks) return;
     const Joints<Real> joints = springs.shown(rigid);
@@ -139,15 +146,6 @@ class ContactRecorder {
   }
 
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
-
-  /// At s of a step.
-  void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs,
-                   const SpringSeries<Real>& series, const Real& s, const ModeSeries<Real>& motion) {
-    if (springs.empty()) return note_sample(std::move(state), springs);
-    SpringContacts<Real> then = springs;
-    then.go(series, s, motion.at(0), state.bodies);
-    note_sample(std::move(state), then);
-  }
 
   void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {
     place(stack_, state.joints, state.bodies);

@@ -103,8 +103,7 @@ std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts
 // The rule: a slip is judged by the face that it meets. A pair of corners slides inward where T > μN, and
 // outward where −T' > μN'; else it sticks. So it is the limit wherever both agree, and sticks where nothing
 // can part it. Where friction is so small that both ways are open, φ > 2 arctan μ, it slides inward. Impulses
-// are judged alike. Between the limits, an event tells that there are several motions. Where the other one is
-// followed, the pair is settled on the face on which it sticks, as wider or narrower blocks would.
+// are judged alike.
 
 /// Whether the corners of both blocks at a pivot are at one place.
 template <class Real>
