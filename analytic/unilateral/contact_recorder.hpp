@@ -7,8 +7,7 @@
 
 namespace rockstack {
 
-/// Takes what one interface bears at one time into account. Where the normal force is `rounding` or less, it
-/// is zero, and nothing rubs.
+/// Takes what an interface bears into account. A normal force up to `rounding` is zero, and nothing rubs.
 template <class Real>
 void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tangential, const Real& rounding,
                   const Real& time) {
@@ -126,8 +125,7 @@ class ContactRecorder {
       });
     }
   }
-  /// Of one impact. Of less than a millionth of the momentum that the stack has after falling its own size,
-  /// those of chatter, nothing is told.
+  /// Of one impact. Impulses below a millionth of that of the stack's fall by its own size are chatter.
   void note_impulses(const ShortVector<ContactForce<Real>>& impulses, const Real& time) {
     for (std::size_t k = 0; k < impulses.size(); ++k)
       if (impulses[k].normal > negligible_impulse_)

@@ -63,8 +63,7 @@ Engine with(MujocoSolver solver, const char* name) {
 /// kg on each of a moving ground's coordinates, without gravity: whatever presses on it, it goes as told.
 constexpr double unmoved = 1e30;
 
-/// Of the blocks' coordinates, kg and kg m². Solvers measure their tolerance against it, so that with a
-/// moving ground's they would stop at once.
+/// Of blocks, kg and kg m²: solvers' tolerances are relative to it, and with a moving ground's they stop.
 double mean_inertia(const Setup& setup, double masses) {
   double sum = 0;
   for (const Placement& block : setup.blocks) sum += masses * (2 * block.mass + block.inertia);
@@ -105,8 +104,7 @@ std::string surface(const Parameters& given) {
                      given.at("solimp_power"), given.at("margin"), given.at("gap"));
 }
 
-/// Every two bodies may touch, with the friction of the interface under the upper one; one coefficient for
-/// each of both directions in the face.
+/// Every two bodies may touch, with the friction of the interface under the upper one in both directions.
 std::string pairs(const Setup& setup, const Parameters& parameters) {
   const std::string alike = surface(parameters);
   std::string text;

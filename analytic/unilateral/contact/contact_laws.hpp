@@ -61,8 +61,7 @@ bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, c
   return true;
 }
 
-/// All modes that obey, each tried: of what touches, each part, pivot or stay, and what sticks may slide.
-/// Nothing is tried where that were more than `most`.
+/// All modes that obey: what touches parts, pivots or stays, what sticks may slide. None of more than `most`.
 template <class Real>
 std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                           std::size_t most) {

@@ -4,8 +4,7 @@
 
 namespace rockstack {
 
-/// What one interface does to the block above it: forces in N and N·m, or impulses; the moment is about its
-/// held point, and that of a pivot is zero.
+/// What an interface does to the block above, N and N·m, or impulses; the moment is about its held point.
 template <class Real>
 struct ContactForce {
   Real normal = 0, tangential = 0, moment = 0;

@@ -11,8 +11,7 @@ namespace rockstack {
 template <class Real>
 class HeldJoint {
  public:
-  /// What is held: a gradient over the blocks below and above, with zeros for the ground, and what a unit of
-  /// the force that holds it makes of their motion.
+  /// What is held: a gradient over the blocks below, zeros of the ground, and above; what unit forces do.
   struct Row {
     Eigen::Matrix<Real, 6, 1> gradient, effect;
     int first;  ///< where the body below is in a ChainVector
@@ -76,8 +75,7 @@ class HeldJoint {
     point_.place[1].x() = 0;
   }
 
-  /// Coefficient m of places and m − 2 of the force. What is left of the gap, and of the slip where it
-  /// sticks, bodies have to take away.
+  /// Coefficient m of places and m − 2 of the force; what bodies have to take from the gap and the slip.
   void begin(const ForceSeries<Real>& force, std::size_t m) {
     point_.extend_force(force, m - 2, m - 2);
     Point<Real> left;

@@ -149,8 +149,7 @@ class SpringContacts {
     return bound(0) ? Contact::left : Contact::right;
   }
 
-  /// A sign of a bed changes, not where another guard at the same time has changed it. The other end's does
-  /// so too where it is as near to zero as rounding.
+  /// A sign of a bed changes, if no other guard has changed it; at the other end too where that is rounding.
   void apply_to_bed(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
     SpringPoint<Real>& point = points_[guard.point];
     BedState& bed = point.bed;
