@@ -159,7 +159,7 @@ bool changes_face(const ContactQuestion<Real>& question, const ShortVector<Conta
 template <class Real>
 int first_to_change(const TouchingContacts<Real>& contacts, const ShortVector<int>& pairs,
                     const Joints<Real>& mode) {
-  const auto forces = held_forces(contacts, mode);
+  const auto forces = held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
   const Real rounding = tolerance<Real>(1e-12) * largest_force(forces);
   for (const int k : pairs)
     if (changes_face(contacts.question(), forces, k, mode[k], rounding)) return k;

@@ -73,12 +73,6 @@ ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contac
   return forces;
 }
 
-template <class Real>
-ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contacts,
-                                            const Joints<Real>& mode) {
-  return held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
-}
-
 /// The motion that is left of a free one where `contacts` are in a mode of theirs, or of velocities.
 template <class Real>
 ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
