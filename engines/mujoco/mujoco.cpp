@@ -285,7 +285,7 @@ Engine with(MujocoSolver solver, const char* name) {
           [solver](const Setup& setup, const Parameters& parameters) {
             // MuJoCo would end the process, or write a file into the working folder; its data count warnings.
             mju_user_error = [](const char* what) {
-              throw std::runtime_error(fmt::format("mujoco: {}", what));
+              throw std::runtime_error("mujoco: " + std::string(what));
             };
             mju_user_warning = [](const char*) {};
             return std::make_unique<MujocoSimulation>(solver, setup, parameters);
