@@ -50,13 +50,6 @@ std::vector<Setting> settings_of(MujocoSolver solver) {
   };
 }
 
-/// Of blocks, kg and kg m²: solvers' tolerances are relative to it, and with a moving ground's they stop.
-double mean_inertia(const Setup& setup, double masses) {
-  double sum = 0;
-  for (const Placement& block : setup.blocks) sum += masses * (2 * block.mass + block.inertia);
-  return sum / (3 * static_cast<double>(setup.blocks.size()));
-}
-
 /// A geom meets others by `pairs` alone.
 std::string geom(std::size_t number, const std::string& shape) {
   return fmt::format("<geom name='{}' contype='0' conaffinity='0' {}/>", number, shape);
@@ -129,7 +122,11 @@ MujocoModel compile_stack(const Setup& setup, const Parameters& parameters) {
                     mj_deleteModel);
   mj_freeLastXML();
   if (!model) throw std::runtime_error(fmt::format("mujoco: {}", error.data()));
-  if (!setup.ground.empty()) model->stat.meaninertia = mean_inertia(setup, masses);
+  if (!setup.ground.empty()) {  // without the ground's: tolerances are relative to it, and solvers would stop
+    double sum = 0;
+    for (const Placement& block : setup.blocks) sum += masses * (2 * block.mass + block.inertia);
+    model->stat.meaninertia = sum / (3 * static_cast<double>(setup.blocks.size()));
+  }
   return model;
 }
 
