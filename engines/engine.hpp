@@ -19,8 +19,7 @@ enum class SettingRole {
   restitution_threshold,  ///< the speed below which nothing bounces: the least that it takes, where points do
 };
 
-/// One setting of an engine: its own name for it, what the engine starts with, what suits rocking blocks
-/// best, and the range an adapter takes.
+/// One setting of an engine: its own name, its value by default, and tuned to rocking blocks, and its range.
 struct Setting {
   std::string name = {};
   std::string unit = {};                  ///< as "N/m"; empty for a number alone
@@ -65,8 +64,7 @@ Parameters values_of(const std::vector<Setting>& settings, double Setting::*set)
 const Setting& find_setting(const std::string& engine, const std::vector<Setting>& settings,
                             const std::string& name);
 
-/// Checks one value. @throws std::invalid_argument naming the engine, the setting, its value and what is
-/// allowed: unknown or out of range.
+/// Checks one value. @throws std::invalid_argument naming engine, setting, value and what is allowed.
 void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
                  double value);
 

@@ -52,8 +52,7 @@ class Simulation {
 
   virtual BodyState body(std::size_t block) const = 0;
 
-  /// Lets contacts() tell what every step from now on makes of its contacts, at some cost.
-  /// @return whether the engine can.
+  /// Lets contacts() tell what steps from now on make of contacts, at some cost. @return whether it can.
   virtual bool watch_contacts() { return false; }
 
   /// The contacts of the last step; none before the first, or where they are not watched.

@@ -26,8 +26,7 @@ bool same_modes(const Joints<Real>& first, const Joints<Real>& second) {
   return std::equal(first.begin(), first.end(), second.begin(), std::mem_fn(&Joint<Real>::same_mode));
 }
 
-/// The velocities that joints leave, by impulses of a stack without friction: a projection in the metric of
-/// kinetic energy, which never gains any.
+/// The velocities that joints leave without friction: a projection in the metric of kinetic energy.
 template <class Real>
 Poses<Real> held_rates(const ContactModel<Real>& smooth, const Joints<Real>& joints,
                        const Bodies<Real>& bodies) {

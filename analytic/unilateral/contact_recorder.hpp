@@ -7,8 +7,7 @@
 
 namespace rockstack {
 
-/// Takes what one interface bears at one time into account. Where the normal force is `rounding` or less, it
-/// is zero, and nothing rubs.
+/// Takes what an interface bears into account. A normal force up to `rounding` is zero, and nothing rubs.
 template <class Real>
 void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tangential, const Real& rounding,
                   const Real& time) {
@@ -56,8 +55,15 @@ class ContactRecorder {
     while (sample_due()) {
       const Real s = (Real(options_.sample_times[next_sample_]) - start) / series.length;
       if (s >= end_s) break;
-      note_sample({series.at(std::max(s, Real(0))), rigid}, springs, spring_series, std::max(s, Real(0)),
-                  series);
+      const Real at = std::max(s, Real(0));
+      ContactState<Real> state{series.at(at), rigid};
+      if (springs.empty()) {
+        note_sample(std::move(state), springs);
+        continue;
+      }
+      SpringContacts<Real> then = springs;
+      then.go(spring_series, at, series.at(0), state.bodies);
+      note_sample(std::move(state), then);
     }
     if (!options_.validity && !options_.peaks) return;
     const Joints<Real> joints = springs.shown(rigid);
@@ -119,8 +125,7 @@ class ContactRecorder {
       });
     }
   }
-  /// Of one impact. Of less than a millionth of the momentum that the stack has after falling its own size,
-  /// those of chatter, nothing is told.
+  /// Of one impact. Impulses below a millionth of that of the stack's fall by its own size are chatter.
   void note_impulses(const ShortVector<ContactForce<Real>>& impulses, const Real& time) {
     for (std::size_t k = 0; k < impulses.size(); ++k)
       if (impulses[k].normal > negligible_impulse_)
@@ -139,15 +144,6 @@ class ContactRecorder {
   }
 
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
-
-  /// At s of a step.
-  void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs,
-                   const SpringSeries<Real>& series, const Real& s, const ModeSeries<Real>& motion) {
-    if (springs.empty()) return note_sample(std::move(state), springs);
-    SpringContacts<Real> then = springs;
-    then.go(series, s, motion.at(0), state.bodies);
-    note_sample(std::move(state), then);
-  }
 
   void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {
     place(stack_, state.joints, state.bodies);

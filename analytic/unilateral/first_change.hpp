@@ -120,8 +120,7 @@ bool lands(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real&
   return is_over_face(guard, s);
 }
 
-/// Whether a guard that is negative from s on ends its step: a corner may meet the plane of a face beside it,
-/// and what flies may be beyond a face and come back.
+/// Whether a guard that is negative from s on ends its step: corners may be beside a face, and come back.
 template <class Real>
 bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
   if (guard.change == Change::landing) return lands(series, guard, s);

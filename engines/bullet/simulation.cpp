@@ -67,8 +67,7 @@ btScalar friction_of_pair(const btCollisionObject* a, const btCollisionObject* b
   return (a->getUserIndex() > b->getUserIndex() ? a : b)->getFriction();
 }
 
-/// What each body has for a pair of them to have what was asked for: Bullet multiplies restitution, takes
-/// stiffnesses in series and adds dampings.
+/// What each body of a pair has: Bullet multiplies restitution, takes stiffness in series and adds damping.
 struct Surface {
   btScalar restitution;
   btScalar stiffness, damping;  ///< N/m, N·s/m; both zero: none of its own

@@ -126,8 +126,7 @@ class ChipmunkSimulation final : public ShakenSimulation {
     add_shape(cpSegmentShapeNew(body, cpv(-reach, 0), cpv(reach, 0), 0));
     if (!moves_ground()) return;
     cpBodySetUserData(body, this);
-    // The library moves all bodies before it finds contacts; the velocities that it solves for then are those
-    // by which blocks move in the next step.
+    // All bodies move before contacts are found: velocities are solved for the next step.
     cpBodySetVelocityUpdateFunc(body, [](cpBody* ground, cpVect, cpFloat, cpFloat) {
       const auto& self = *static_cast<const ChipmunkSimulation*>(cpBodyGetUserData(ground));
       if (const GroundStep* next = self.next_ground())

@@ -21,17 +21,13 @@ bool fits(const std::string& words, const std::string& word) {
 Scene at_rest(std::vector<Block> blocks, double duration) {
   Scene scene;
   scene.duration = duration;
-  scene.initial.angles.assign(blocks.size(), 0);
-  scene.initial.velocities.assign(blocks.size(), 0);
+  scene.initial.angles = scene.initial.velocities = std::vector<double>(blocks.size());
   scene.blocks = std::move(blocks);
   return scene;
 }
 
 GroundMotion constant(double value) {
-  GroundMotion motion;
-  motion.interval = 10;
-  motion.samples = {value, value};
-  return motion;
+  return {.interval = 10, .samples = {value, value}};
 }
 
 Scene slender_block(double duration) {

@@ -110,8 +110,7 @@ Judgement quarter_period_error_is_of_first_order(const Adapter& adapter) {
   return {std::isnan(ratio) ? HUGE_VAL : ratio, 0.25, "error over that at eight times the step"};
 }
 
-/// Housner 1963: the angular velocity falls by the factor 1 − 3/2 sin² α. Before and after are taken from the
-/// start and the next peak by the energy integral.
+/// Housner 1963: the angular velocity falls to 1 − 3/2 sin² α of it, here from start and peak by energy.
 Judgement impact_loses_housners_share(const Adapter& adapter) {
   const double dt = short_step(adapter);
   const Scene scene = slender_block(1.1);

@@ -143,11 +143,7 @@ void note(int info, ::Simulation*) {
 }
 
 std::shared_ptr<SiconosVector> vector_of(double x, double y, double angle) {
-  auto vector = std::make_shared<SiconosVector>(3);
-  vector->setValue(0, x);
-  vector->setValue(1, y);
-  vector->setValue(2, angle);
-  return vector;
+  return std::make_shared<SiconosVector>(std::vector<double>{x, y, angle});
 }
 
 /// Each block is a dynamical system with three coordinates, each corner over a face an interaction.

@@ -179,13 +179,11 @@ const std::vector<BrokenWorker>& broken_workers() {
 }
 
 std::vector<std::string> engines_left_out() {
-  std::vector<std::string> names;
-  for (const std::string& name : split(ROCKSTACK_KNOWN_ENGINES)) {
-    const bool there =
-        is_built(name) ||
-        std::ranges::any_of(found().engines, [&](const WorkerEngine& engine) { return engine.name == name; });
-    if (!there) names.push_back(name);
-  }
+  std::vector<std::string> names = split(ROCKSTACK_KNOWN_ENGINES);
+  std::erase_if(names, [](const std::string& name) {
+    const auto has_it = [&](const WorkerEngine& engine) { return engine.name == name; };
+    return is_built(name) || std::ranges::any_of(found().engines, has_it);
+  });
   return names;
 }
 

@@ -14,8 +14,7 @@
 namespace rockstack {
 namespace {
 
-/// The largest resident size so far, in bytes. Linux also passes the parent's size at the fork on to the
-/// child's resource usage; this is the program's own.
+/// The largest resident size so far, bytes, of this program alone: usage has that of its parent at the fork.
 double peak_memory() {
   std::ifstream stream("/proc/self/status");
   for (std::string word; stream >> word;) {

@@ -35,8 +35,7 @@ RunReply explain(const ProcessEnd& end, const Limits& limits) {
   return {status, with_last_words(reason, end)};
 }
 
-/// The most bytes that a reply to this takes: numbers of at most 25 characters, in lists; contacts tell no
-/// more impacts than steps of each interface have.
+/// The most bytes of a reply: numbers of up to 25 characters; no more impacts than steps of each interface.
 std::uint64_t reply_limit(const RunRequest& asked) {
   const std::uint64_t numbers = (asked.setup.steps + 1) * asked.setup.blocks.size();
   const std::uint64_t each = asked.bodies ? 8 * 27 + 160 : 2 * 27;

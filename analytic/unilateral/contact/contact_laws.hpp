@@ -61,8 +61,7 @@ bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, c
   return true;
 }
 
-/// All modes that obey, each tried: of what touches, each part, pivot or stay, and what sticks may slide.
-/// Nothing is tried where that were more than `most`.
+/// All modes that obey: what touches parts, pivots or stays, what sticks may slide. None of more than `most`.
 template <class Real>
 std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                           std::size_t most) {
@@ -103,8 +102,7 @@ std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts
 // The rule: a slip is judged by the face that it meets. A pair of corners slides inward where T > μN, and
 // outward where −T' > μN'; else it sticks. So it is the limit wherever both agree, and sticks where nothing
 // can part it. Where friction is so small that both ways are open, φ > 2 arctan μ, it slides inward. Impulses
-// are judged alike. Between the limits, an event tells that there are several motions. Where the other one is
-// followed, the pair is settled on the face on which it sticks, as wider or narrower blocks would.
+// are judged alike.
 
 /// Whether the corners of both blocks at a pivot are at one place.
 template <class Real>
@@ -161,7 +159,7 @@ bool changes_face(const ContactQuestion<Real>& question, const ShortVector<Conta
 template <class Real>
 int first_to_change(const TouchingContacts<Real>& contacts, const ShortVector<int>& pairs,
                     const Joints<Real>& mode) {
-  const auto forces = held_forces(contacts, mode);
+  const auto forces = held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
   const Real rounding = tolerance<Real>(1e-12) * largest_force(forces);
   for (const int k : pairs)
     if (changes_face(contacts.question(), forces, k, mode[k], rounding)) return k;

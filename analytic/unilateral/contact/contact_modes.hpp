@@ -260,8 +260,7 @@ class OtherModes {
   ShortVector<FreeVector<Real>, 2> motions_;  ///< of the first mode, then of these
 };
 
-/// Adds what other faces of the pairs of corners lead to, where it obeys, of accelerations one that goes on
-/// along its faces, where there are few to try.
+/// Adds what other faces of few pairs of corners lead to, where it obeys, and accelerations stay on them.
 template <class Real>
 void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> joints, const Joints<Real>& mode,
                         OtherModes<Real>& others) {

@@ -4,8 +4,7 @@
 
 namespace rockstack {
 
-/// What one interface does to the block above it: forces in N and N·m, or impulses; the moment is about its
-/// held point, and that of a pivot is zero.
+/// What an interface does to the block above, N and N·m, or impulses; the moment is about its held point.
 template <class Real>
 struct ContactForce {
   Real normal = 0, tangential = 0, moment = 0;
@@ -72,12 +71,6 @@ ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contac
     force.tangential = joint.slip == 0 ? values[at++] : Real(-joint.slip * contact.friction * force.normal);
   }
   return forces;
-}
-
-template <class Real>
-ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contacts,
-                                            const Joints<Real>& mode) {
-  return held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
 }
 
 /// The motion that is left of a free one where `contacts` are in a mode of theirs, or of velocities.

@@ -22,8 +22,7 @@ void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_
   }
 }
 
-/// Moves a block off the face that holds it, and gives its centre a velocity along and across what is below,
-/// against a frame that moves and turns with that.
+/// Moves a block off its face, and gives its centre a velocity in a frame that goes with what is below.
 template <class Real>
 void lift(const ContactModel<Real>& stack, int block, const Real& gap, const Point<Real>& velocity,
           ContactState<Real>& state) {

@@ -9,8 +9,7 @@ namespace rockstack {
 template <class Real>
 using PlaneSeries = Polynomial<Real, Point<Real>>;
 
-/// A block's pose over a step, with the directions of its axes on those of the ground: along its faces, (cos
-/// θ, −sin θ), and up, (sin θ, cos θ).
+/// A block's pose over a step, its axes on the ground's: along, (cos θ, −sin θ), and up, (sin θ, cos θ).
 template <class Real>
 struct BodySeries {
   PlaneSeries<Real> centre;

@@ -73,38 +73,21 @@ class SpringContacts {
     const bool moves = point.slide != 0 || law.friction == 0;
     if (guard.change == SpringChange::slide ? moves : guard.change >= SpringChange::grip && !moves) return;
     const Real held = elastic_energy(stack_, point, bodies);
-    switch (guard.change) {
-      case SpringChange::touch:
-        point.corner_below = guard.below;
-        start_pushing(point, bodies);
-        point.at_face =
-            abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
-        break;
-      case SpringChange::push_again:
-        start_pushing(point, bodies);
-        break;
-      case SpringChange::part:
-        point.slide = 0;
-        // However shallow a depth is, its spring is left behind: taken for zero, it would touch at once.
-        point.press = law.damping > 0 && !point.at_face ? Press::left_behind : Press::off;
-        point.at_face = point.press == Press::off;
-        break;
-      case SpringChange::leave:
-        point.press = Press::off;
-        point.at_face = true;
-        break;
-      case SpringChange::slide:
-        point.slide = guard.way;
-        break;
-      case SpringChange::grip:
-        point.slide = 0;
-        break;
-      case SpringChange::pass:
-        pass_to_other_corner(stack_, bodies, point);
-        break;
-      default:
-        break;
+    const auto is = [&](SpringChange change) { return guard.change == change; };
+    if (is(SpringChange::touch)) point.corner_below = guard.below;
+    if (is(SpringChange::touch) || is(SpringChange::push_again)) start_pushing(point, bodies);
+    if (is(SpringChange::touch))
+      point.at_face =
+          abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
+    if (is(SpringChange::part) || is(SpringChange::leave)) {
+      // However shallow a depth is, its spring is left behind: taken for zero, it would touch at once.
+      const bool stays = is(SpringChange::part) && law.damping > 0 && !point.at_face;
+      point.press = stays ? Press::left_behind : Press::off;
+      point.at_face = !stays;
     }
+    if (is(SpringChange::part) || is(SpringChange::grip)) point.slide = 0;
+    if (is(SpringChange::slide)) point.slide = guard.way;
+    if (is(SpringChange::pass)) pass_to_other_corner(stack_, bodies, point);
     losses(point).damped += held - elastic_energy(stack_, point, bodies);
     if (guard.change == SpringChange::pass) losses(point).rubbed += slip_at_once(stack_, bodies, point);
   }
@@ -166,8 +149,7 @@ class SpringContacts {
     return bound(0) ? Contact::left : Contact::right;
   }
 
-  /// A sign of a bed changes, not where another guard at the same time has changed it. The other end's does
-  /// so too where it is as near to zero as rounding.
+  /// A sign of a bed changes, if no other guard has changed it; at the other end too where that is rounding.
   void apply_to_bed(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
     SpringPoint<Real>& point = points_[guard.point];
     BedState& bed = point.bed;

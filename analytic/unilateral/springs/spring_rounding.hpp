@@ -22,9 +22,8 @@ namespace rockstack {
 // face and the rate of its stretch are continuous in places, velocities and stretches: behind a dashpot as
 // the force is clamped to ±μN, without one as the stretch is (a sweeping process). So accelerations are, and
 // F has one rate on both sides of F = 0. Filippov's sliding, where either side drives F back to zero, does
-// not occur. A slider that is at F = 0 for a while, as where N and T vanish together, creeps: it sticks or
-// slips, whichever it did, while F is within its rounding, and the difference is one of rounding. Between two
-// changes F goes through twice that.
+// not occur. A slider at F = 0 for a while, as where N and T vanish together, creeps: it sticks or slips,
+// whichever it did, while F is within its rounding. Between two changes F goes through twice that.
 
 /// What roundings make of places and velocities, and so of the quantities of points. SI units.
 template <class Real>

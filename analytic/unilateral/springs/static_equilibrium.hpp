@@ -90,9 +90,9 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
         -Real(block.mass) * Real(gravity.across), Real(0);
   }
   const auto foot = [&](std::size_t k) -> Point<Real> {
-    const Point<Real> arm =
-        turned<Real>(Point<Real>(0, -stack.half_height(k)) - stack.centre(k), bodies.at[k].angle);
-    return {bodies.at[k].x + arm.x(), bodies.at[k].y + arm.y()};
+    const Pose<Real>& at = bodies.at[k];
+    return Point<Real>(at.x, at.y) +
+           turned<Real>(Point<Real>(0, -stack.half_height(k)) - stack.centre(k), at.angle);
   };
   SpringPoints<Real> standing = points;
   for (SpringPoint<Real>& point : standing) point.slide = 0;

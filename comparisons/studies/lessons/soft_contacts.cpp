@@ -88,7 +88,7 @@ Meaning of_erp(const char* words, double erp, double cfm) {
 
 /// MuJoCo's, at the depth at which four points bear the block: solimp makes the impedance d of the depth (up
 /// to half its width here), d and the time constant of solref the spring. Formulas:
-/// engines/mujoco/mujoco.cpp.
+/// engines/mujoco/README.md.
 Meaning of_solref(const char* words, double time, const Block& block, double gravity) {
   constexpr double d0 = 0.9, d1 = 0.95, width = 1e-3;  // solimp; m
   Meaning meaning{"mujoco", words, {{"solref_timeconst", time}}, 0, 0, 0};
