@@ -173,7 +173,6 @@ class Lane {
     if (!solver_.seek_motion()) return false;
     if (changed) {
       arrive(rows, lane);
-      describe_pattern(rows, lane);
       describe_state(rows, lane);
       clear_ = solver_.ties().all_clear();
       rows.clear[lane] = clear_ ? 1 : 0;
@@ -212,19 +211,13 @@ class Lane {
     }
   }
 
-  void describe_pattern(StepRows<N>& rows, std::size_t lane) {
-    const Pattern& pattern = solver_.state().pattern;
-    const Interfaces watched = solver_.ties().may_open(solver_.state());
-    for (std::size_t k = 0; k < N; ++k) {
-      rows.side[k][lane] = sign(pattern[k]);
-      rows.watched[k][lane] = watched.test(k) ? 1 : 0;
-    }
-  }
-
   void describe_state(StepRows<N>& rows, std::size_t lane) const {
     const State<double, blocks>& state = solver_.state();
+    const Interfaces watched = solver_.ties().may_open(state);
     const History& known = solver_.recorder().so_far();
     for (std::size_t k = 0; k < N; ++k) {
+      rows.side[k][lane] = sign(state.pattern[k]);
+      rows.watched[k][lane] = watched.test(k) ? 1 : 0;
       rows.angle[k][lane] = state.angles[k];
       rows.velocity[k][lane] = state.velocities[k];
       rows.peak[k][lane] = known.peaks.empty() ? std::numeric_limits<double>::infinity() : known.peaks[k];
