@@ -181,7 +181,6 @@ EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
 /// obeys without that.
 template <class Real>
 bool couples(const TouchingContacts<Real>& contacts, const TouchingInterface<Real>& contact) {
-  using std::abs;
   for (std::size_t i = 0; i < contact.points(); ++i) {
     const std::size_t row = contact.point(i);
     if (contacts.effect(row, row) <= contact.friction * abs(contacts.effect(row, contact.slip())))
@@ -239,7 +238,6 @@ std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, co
   // Of each force as large as it is: obeys() asks the largest one, which may be that of a block a million
   // times as heavy.
   const auto in_cones = [&](const Joints<Real>& other) {
-    using std::abs;
     const ShortVector<ContactForce<Real>> forces = respond(contacts, other).forces;
     return std::all_of(interfaces.begin(), interfaces.end(), [&](const auto& contact) {
       const ContactForce<Real>& force = forces[contact.interface];

@@ -13,7 +13,6 @@ namespace rockstack {
 template <class Real>
 void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tangential, const Real& rounding,
                   const Real& time) {
-  using std::abs;
   const bool bears = normal > rounding;
   raise_demand(demand, bears ? normal : Real(0), bears ? Real(abs(tangential) / normal) : Real(0), time);
 }
@@ -22,7 +21,6 @@ void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tan
 /// none, or where one block has turned past a right angle to the other, so that their faces no longer meet.
 template <class Real>
 Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface) {
-  using std::abs;
   Real gap = std::numeric_limits<Real>::infinity();
   if (abs(relative_angle(bodies.at, interface)) >= pi<Real> / 2) return gap;
   for (const bool below : {false, true})
@@ -43,7 +41,6 @@ class ContactRecorder {
   /// Keeps references to `stack` and `options`.
   ContactRecorder(const Scene& scene, const ContactModel<Real>& stack, const SolveOptions& options)
       : stack_(stack), options_(options), offsets_(scene.initial.offsets) {
-    using std::sqrt;
     Real mass = 0;
     for (const Block& block : stack.blocks) mass += block.mass;
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * mass * scene.gravity;

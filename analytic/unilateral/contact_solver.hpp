@@ -35,7 +35,6 @@ class ContactSolver {
         recorder_(scene, stack_, options),
         cancelled_(options.cancelled),
         branching_(branching) {
-    using std::cos;
     if constexpr (!std::is_same_v<Real, double>) require_digits(stack_);
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));

@@ -16,7 +16,6 @@ struct ComplementarySolution {
 /// The largest size of numbers, 0 of none.
 template <class Real>
 Real largest(const ShortNumbers<Real>& numbers) {
-  using std::abs;
   Real size = 0;
   for (const Real& number : numbers) size = std::max<Real>(size, abs(number));
   return size;
@@ -62,7 +61,6 @@ struct Tableau {
 
   /// True where row i leaves before row j: the lexicographic order of right side and inverse basis.
   bool leaves_before(std::size_t i, std::size_t j, std::size_t column) const {
-    using std::abs;
     const Real rounding = tolerance<Real>(1e-13);
     for (std::size_t entry = 0; entry <= size; ++entry) {
       const bool first_of_all = entry == 0;
@@ -120,8 +118,6 @@ std::optional<ComplementarySolution<Real>> lemke(const NumberTable<Real>& matrix
 /// Factors for unknowns and their conditions that bring the diagonal to one; where it is zero, the row.
 template <class Real>
 ShortNumbers<Real> balance(const NumberTable<Real>& matrix, std::size_t size) {
-  using std::abs;
-  using std::sqrt;
   ShortNumbers<Real> factors(size, 1);
   for (std::size_t i = 0; i < size; ++i)
     if (matrix(i, i) > 0) factors[i] = 1 / sqrt(matrix(i, i));

@@ -17,8 +17,6 @@ struct ContactKinematics {
 template <class Real>
 Point<Real> turned(const Point<Real>& vector, const Real& angle) {
   if (angle == 0) return vector;  // as all of the ground
-  using std::cos;
-  using std::sin;
   const Real cosine = cos(angle);
   const Real sine = sin(angle);
   return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};

@@ -36,7 +36,6 @@ ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int 
 /// True where every law of contact holds in a mode, of `joints` that touch so and could be in another.
 template <class Real>
 bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, const Joints<Real>& mode) {
-  using std::abs;
   const ContactForceRows<Real> held = held_by(contacts, mode);
   const ShortNumbers<Real> values = holding(contacts, held);
   const ShortVector<ContactForce<Real>> forces = held_forces(contacts, mode, values);

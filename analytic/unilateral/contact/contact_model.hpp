@@ -17,7 +17,6 @@ Real tolerance(double in_double) {
 /// What goes with the root of roundings: the time over which a force or a gap comes to be told from them.
 template <class Real>
 Real root_tolerance(double in_double) {
-  using std::sqrt;
   return Real(in_double) *
          sqrt(std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon()));
 }
@@ -170,10 +169,7 @@ struct ContactModel {
     return sum;
   }
   /// √(H/g), s.
-  Real fall_time(const Real& gravity) const {
-    using std::sqrt;
-    return sqrt(height() / gravity);
-  }
+  Real fall_time(const Real& gravity) const { return sqrt(height() / gravity); }
   Real half_width(int body) const {
     return body < 0 ? std::numeric_limits<Real>::infinity() : Real(blocks[body].half_width);
   }
@@ -238,7 +234,6 @@ Overlap<Real> overlap(const ContactModel<Real>& stack, int interface, const Real
 /// them.
 template <class Real>
 Real overhang(const ContactModel<Real>& stack, int interface, const Real& offset, int side) {
-  using std::abs;
   const Real upper = stack.half_width(interface);
   const Real beyond = stack.half_width(interface - 1) - side * offset - upper;
   return abs(beyond) <= tolerance<Real>(1e-13) * upper ? Real(0) : beyond;

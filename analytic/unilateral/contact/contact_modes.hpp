@@ -16,7 +16,6 @@ void add_points(const TouchingInterface<Real>& contact, int slip, ContactForceRo
 template <class Real>
 std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts,
                                           const Joints<Real>& joints) {
-  using std::abs;
   const ContactQuestion<Real>& question = contacts.question();
   ContactForceRows<Real> sticking, points;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
@@ -93,7 +92,6 @@ struct RubbingSolution {
 template <class Real>
 std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                          const ShortNumbers<Real>& borne = {}) {
-  using std::abs;
   const ContactQuestion<Real>& question = contacts.question();
   ContactForceRows<Real> rows;
   ShortNumbers<Real> signs;  // of each row; 0 of the slip, of which there is none in the equations

@@ -21,7 +21,6 @@ struct ModeResponse {
 /// The largest part of a force along or across a face.
 template <class Real>
 Real largest_force(const ShortVector<ContactForce<Real>>& forces) {
-  using std::abs;
   Real size = 0;
   for (const ContactForce<Real>& force : forces)
     size = std::max<Real>(size, std::max<Real>(abs(force.normal), abs(force.tangential)));
@@ -105,8 +104,6 @@ ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<R
 /// arms of their contact.
 template <class Real>
 Real most_turning(const ContactModel<Real>& stack, const Poses<Real>& rates, const FreeVector<Real>& free) {
-  using std::abs;
-  using std::sqrt;
   Real path = 0, turning = 0, change = 0, least = std::numeric_limits<Real>::infinity();
   for (std::size_t k = 0; k < rates.size(); ++k) {
     const Block& block = stack.blocks[k];
@@ -124,8 +121,6 @@ Real most_turning(const ContactModel<Real>& stack, const Poses<Real>& rates, con
 /// reciprocal condition number, by largest rows' sums, of what forces do, each in the unit of its own effect.
 template <class Real>
 Real conditioning(const ContactModel<Real>& stack) {
-  using std::abs;
-  using std::sqrt;
   Joints<Real> joints(stack.blocks.size());
   Bodies<Real> bodies{Poses<Real>(joints.size()), Poses<Real>(joints.size())};
   place(stack, joints, bodies);

@@ -8,8 +8,6 @@ namespace rockstack {
 template <class Real>
 void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_velocities,
                ContactState<Real>& state) {
-  using std::cos;
-  using std::sin;
   Pose<Real> carried;
   for (std::size_t k = 0; k < slip_velocities.size(); ++k) {
     Joint<Real>& joint = state.joints[k];

@@ -43,7 +43,6 @@ Joints<Real> likely_mode(const TouchingContacts<Real>& contacts, Joints<Real> jo
 template <class Real>
 bool surely_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
                   const ShortVector<int>& pairs) {
-  using std::abs;
   if (std::ranges::any_of(mode, [](const Joint<Real>& joint) { return joint.slip != 0; })) return false;
   const ContactQuestion<Real>& question = contacts.question();
   const ContactForceRows<Real> held = held_by(contacts, mode);

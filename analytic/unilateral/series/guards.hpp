@@ -41,7 +41,6 @@ class GuardCollector {
  public:
   GuardCollector(const ContactModel<Real>& stack, const Joints<Real>& joints, const ModeSeries<Real>& series)
       : stack_(stack), joints_(joints), series_(series) {
-    using std::abs;
     for (std::size_t k = 0; k < joints.size(); ++k)
       inertia_ += 2 * stack.blocks[k].mass * series.bodies[k].centre[2].template lpNorm<1>();
   }
@@ -67,7 +66,6 @@ class GuardCollector {
   }
 
   void add_toppling(int k, const Real& angle) {
-    using std::abs;
     const Polynomial<Real>& lean = series_.bodies[k].angle;
     if (abs(lean[0]) + reach(lean) < angle) return;
     push_if_needed(line(angle, -1, lean), Change::topple, k);
@@ -110,7 +108,6 @@ class GuardCollector {
   }
   /// A force, or one times `factor`. Of blocks that fly side by side it is rounding: no event may come of it.
   void push_force(const Polynomial<Real>& force, const Real& factor, int k) {
-    using std::abs;
     const Real rounding = tolerance<Real>(1e-14) * factor * inertia_;
     if (std::any_of(force.begin(), force.end(), [&](const Real& part) { return abs(part) > rounding; }))
       push_if_needed(force, Change::force, k);
@@ -126,7 +123,6 @@ class GuardCollector {
   /// corners asks one of them of the upper face: with φ the angle between the faces, what is left there, μN'
   /// + side T', is N (μ cos φ − side sin φ) + T (μ sin φ + side cos φ).
   void add_friction(int k, const Hull<Real>& normal) {
-    using std::abs;
     const Joint<Real>& joint = joints_[k];
     const Real friction = stack_.friction[k];
     const Hull<Real> tangential = hull(force(k).tangential);
@@ -169,7 +165,6 @@ class GuardCollector {
   }
 
   void add_flat_ends(int k) {
-    using std::abs;
     for (const int side : {-1, 1}) {
       Polynomial<Real> ahead = times(ends_below(k, side) ? -1 : 1, overhang(k, side));
       // Corners that have just passed each other are even.
@@ -225,7 +220,6 @@ class GuardCollector {
 
   /// How much a corner's turn may move it up or down, m.
   Real swing(int k) const {
-    using std::abs;
     const Polynomial<Real>& angle = series_.bodies[k].angle;
     return (stack_.half_width(k) + abs(stack_.centre(k).x())) * (abs(angle[0]) + reach(angle));
   }

@@ -14,8 +14,6 @@ class SeriesMaker {
   SeriesMaker(const ContactModel<Real>& stack, const Joints<Real>& joints, const Bodies<Real>& start,
               Known& known, ModeSeries<Real>& series)
       : stack_(stack), joints_(joints), start_(start), known_(known), series_(series) {
-    using std::cos;
-    using std::sin;
     series_.bodies.resize(joints.size());
     series_.forces.resize(joints.size());
     series_.along.resize(joints.size());
@@ -84,8 +82,6 @@ class SeriesMaker {
 
   /// The largest coefficient of order m, positions over a length, angles and directions as they are.
   Real size_of(std::size_t m, const Real& unit) const {
-    using std::abs;
-    using std::max;
     Real place = known_.size_of(m);
     Real turn = 0;
     for (const BodySeries<Real>& body : series_.bodies) {
@@ -98,7 +94,6 @@ class SeriesMaker {
 
   /// The largest coefficient of order n of forces.
   Real force_of(std::size_t n) const {
-    using std::abs;
     Real size = 0;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
       size = std::max<Real>(size, abs(series_.forces[k].normal[n]));
@@ -249,7 +244,6 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
     reached = of_forces <= 1 && of_position(orders + 1) <= 1 && of_position(orders) <= 1 &&
               orders > 2 + known.silent_orders();
   }
-  using std::pow;
   const auto excess = [&] { return std::max({of_position(orders + 1), of_position(orders), of_forces}); };
   const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / excess(), 1 / Real(most));
   maker.finish(orders, std::min(ratio, Real(1)));

@@ -174,7 +174,6 @@ class SpringContacts {
   /// A sign of a bed changes, not where another guard at the same time has changed it. The other end's does
   /// so too where it is as near to zero as rounding.
   void apply_to_bed(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
-    using std::abs;
     SpringPoint<Real>& point = points_[guard.point];
     BedState& bed = point.bed;
     const PointLaw<Real> law = law_of(stack_, point.interface);
@@ -228,7 +227,6 @@ class SpringContacts {
 
   /// Whether the depth is zero to rounding.
   bool is_at_face(const SpringPoint<Real>& point, const Bodies<Real>& bodies) const {
-    using std::abs;
     return abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
   }
 

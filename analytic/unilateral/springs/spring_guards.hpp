@@ -190,7 +190,6 @@ class SpringGuards {
   /// other end, its zero between them must not be lost in what it is taken to round by.
   void consider_sign(std::size_t i, SpringChange change, std::size_t end, bool BedEnd::*above,
                      const Real& rounding, const std::array<Polynomial<Real>, 2>& quantity) {
-    using std::abs;
     const auto& ends = points_[i].bed.ends;
     const int way = ends[end].*above ? 1 : -1;
     SpringGuard<Real> guard{times(way, quantity[end]), change, i, way};
@@ -202,7 +201,6 @@ class SpringGuards {
 
   void add_crossing(std::size_t i, const std::array<Polynomial<Real>, 2>& depth,
                     const std::array<Polynomial<Real>, 2>& pressure, const Real& rounding) {
-    using std::abs;
     const int way = points_[i].bed.crossed ? 1 : -1;
     const Polynomial<Real> difference =
         combined(1, product(pressure[0], depth[1]), -1, product(pressure[1], depth[0]));

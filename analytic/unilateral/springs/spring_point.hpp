@@ -146,8 +146,6 @@ FreeVector<Real> forces_of(const ContactModel<Real>& stack, const SpringPoints<R
 template <class Real>
 Real fastest_rate(const ContactModel<Real>& stack, const SpringPoints<Real>& points,
                   const Bodies<Real>& bodies) {
-  using std::abs;
-  using std::sqrt;
   Real square = 0;
   Real damped = 0;
   Real relaxing = 0;

@@ -34,7 +34,6 @@ struct SpringRounding {
   Real speed = 0;  ///< ν, m/s
 
   SpringRounding(const ContactModel<Real>& stack, const Bodies<Real>& bodies) {
-    using std::abs;
     const Real height = stack.height();
     Real fastest = 0;
     for (const Pose<Real>& rate : bodies.rate)
@@ -62,7 +61,6 @@ struct SpringRounding {
 /// that range downwards, or, once it has left it upwards, where it is zero.
 template <class Real>
 std::optional<Real> told_crossing(Polynomial<Real> series, const Real& rounding) {
-  using std::abs;
   if (series.terms == 0 || !(abs(series[0]) <= rounding)) return first_crossing(series);
   series[0] = std::max<Real>(series[0], 0);
   const std::optional<Real> crossing = first_crossing(series);
@@ -104,7 +102,6 @@ template <class Real>
 void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
                           SpringPoint<Real>& point) {
   using std::copysign;
-  using std::sqrt;
   const ContactKinematics<Real> before = kinematics_of(stack, bodies, point);
   const Real stretch = before.slip - point.slider;
   point.corner_below = !point.corner_below;
@@ -126,7 +123,6 @@ void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& b
 /// holds it, or stands still where it holds already. Returns what that rubs, J.
 template <class Real>
 Real slip_at_once(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
-  using std::abs;
   const PointLaw<Real> law = law_of(stack, point.interface);
   if (!point.pushes() || point.slide == 0 || law.tangential_damping > 0) return 0;
   const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);

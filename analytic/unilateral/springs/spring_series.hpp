@@ -109,7 +109,6 @@ class SpringSeries {
 
   /// The largest coefficient m of a stretch that goes by a law of its own, m.
   Real size_of(std::size_t m) const {
-    using std::abs;
     Real size = 0;
     for (const GrowingSpring<Real>& spring : growing_)
       if (spring.start.slide != 0) size = std::max<Real>(size, abs(coefficient(spring.stretch, m - 1)));

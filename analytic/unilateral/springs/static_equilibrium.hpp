@@ -151,7 +151,6 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     before = largest;
   }
   for (const SpringPoint<Real>& point : standing) {
-    using std::abs;
     const PointLaw<Real> law = law_of(stack, point.interface);
     const PointForce<Real> force = force_of(stack, point, bodies, kinematics_of(stack, bodies, point));
     if (!(force.normal > 0) || abs(force.tangential) > law.friction * force.normal) return std::nullopt;
@@ -163,7 +162,6 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
 /// in all: a trapezium of pressure, or a triangle.
 template <class Real>
 Real depth_under(const Real& weight, const Real& stiffness, const Real& rise) {
-  using std::sqrt;
   const Real level = weight / stiffness;
   return 2 * level > rise ? Real(level + rise / 2) : Real(sqrt(2 * level * rise));
 }
