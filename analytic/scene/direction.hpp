@@ -13,6 +13,7 @@ using std::atan2;
 using std::cos;
 using std::hypot;
 using std::sin;
+using std::sqrt;
 
 // Cosine and sine of an angle in double precision, by one rule for a number and for numbers side by side, so
 // that both have the same bits: what a library has for each parts in the last one. Up to one radian, which

@@ -13,8 +13,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Two independent standard normal numbers (Box & Muller 1958); the library's own distribution may differ
-/// from one compiler to the next.
+/// Two independent standard normal numbers (Box & Muller 1958); the library's own may differ by compiler.
 std::array<double, 2> draw_normal(std::mt19937_64& generator) {
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 0.5) * 0x1p-53; };
   const double radius = std::sqrt(-2 * std::log(uniform()));
@@ -96,10 +95,6 @@ void correct_base_line(const SyntheticMotion& motion, std::vector<double>& sampl
     samples[i] -= flat_part * flat[i] + rising_part * rising[i];
 }
 
-void require(bool allowed, const std::string& key, double value, const std::string& range) {
-  if (!allowed) throw FieldError(key, value, range);
-}
-
 }  // namespace
 
 double synthetic_cutoff(const SyntheticMotion& motion) {
@@ -156,18 +151,20 @@ GroundMotion make_synthetic(const SyntheticMotion& motion) {
 
 void validate(const SyntheticMotion& motion, const std::string& key) {
   require_positive(key + ".peak", motion.peak);
-  require(motion.duration > 0 && motion.duration <= 1000, key + ".duration", motion.duration,
-          "a number > 0 and at most 1000");
-  require(motion.interval >= motion.duration / 20000 && motion.interval <= motion.duration / 16,
-          key + ".interval", motion.interval,
-          "from " + number_text(motion.duration / 20000) + " to " + number_text(motion.duration / 16) +
-              ", the duration in 20000 to 16 parts");
-  require(motion.frequency >= 1 / motion.duration && motion.frequency <= synthetic_cutoff(motion),
-          key + ".frequency", motion.frequency,
-          "from " + number_text(1 / motion.duration) + ", one cycle in the duration, to " +
-              number_text(synthetic_cutoff(motion)) + " Hz");
-  require(motion.damping > 0 && motion.damping <= 1, key + ".damping", motion.damping,
-          "a number > 0 and at most 1");
+  if (!(motion.duration > 0 && motion.duration <= 1000))
+    throw FieldError(key + ".duration", motion.duration, "a number > 0 and at most 1000");
+  const double shortest = motion.duration / 20000, longest = motion.duration / 16;
+  if (!(motion.interval >= shortest && motion.interval <= longest))
+    throw FieldError(key + ".interval", motion.interval,
+                     "from " + number_text(shortest) + " to " + number_text(longest) +
+                         ", the duration in 20000 to 16 parts");
+  const double least = 1 / motion.duration, most = synthetic_cutoff(motion);
+  if (!(motion.frequency >= least && motion.frequency <= most))
+    throw FieldError(
+        key + ".frequency", motion.frequency,
+        "from " + number_text(least) + ", one cycle in the duration, to " + number_text(most) + " Hz");
+  if (!(motion.damping > 0 && motion.damping <= 1))
+    throw FieldError(key + ".damping", motion.damping, "a number > 0 and at most 1");
 }
 
 }  // namespace rockstack

@@ -9,13 +9,9 @@ namespace {
 
 constexpr int longest_peer_header = 60;
 
-bool is_comment(std::string_view line) {
-  const std::string_view text = trimmed(line);
-  return text.empty() || std::string_view("#%!/;").find(text.front()) != std::string_view::npos;
-}
-
+/// Whether a line, which is no comment, tells the number of values.
 bool announces_values(std::string_view line) {
-  return contains(line, "npts") && !is_comment(line);
+  return contains(line, "npts") && trimmed(line).find_first_of("#%!/;") != 0;
 }
 
 bool is_peer(Cursor cursor) {
