@@ -23,8 +23,7 @@ struct LawRun {
   std::vector<std::string> cells;              ///< the whole row as text, for LawResults::columns
 };
 
-/// What `rockstack compare` has written of a study of impact laws, besides what its page takes from
-/// impact-laws.json.
+/// What `rockstack compare` has written of a study of impact laws, without what its page alone takes.
 struct LawResults {
   std::size_t states = 0;  ///< that engines were asked about
   std::vector<std::string> left_out;

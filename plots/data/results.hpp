@@ -27,15 +27,13 @@ namespace fs = std::filesystem;
 /// Names and texts in the order of the file.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-/// A text that names a file or folder of results: never a path to elsewhere. @throws InputError naming
-/// `place`.
+/// A text that names a file or folder of results, no path to elsewhere. @throws InputError naming `place`.
 std::string file_name(const std::string& text, const std::string& place);
 
 /// Everything that an object says, nested names joined by dots.
 Facts facts_of(const Json& object);
 
-/// What was read of files: each is read once and kept while there is room, since figures and pages of one
-/// scene show the same histories.
+/// What was read of files: each is read once and kept while there is room, as a scene's figures share them.
 class KeptFiles {
  public:
   /// What `read` makes of a file. A file is always read by the same function.

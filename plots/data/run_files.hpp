@@ -55,8 +55,7 @@ struct ImpactLoss {
 /// @throws InputError naming the file and what is wrong in it.
 std::vector<ImpactLoss> impact_losses(const Run& run);
 
-/// A number of each draw of a run, rising; empty where the run has no draws. @throws InputError naming the
-/// file and what is wrong in it.
+/// A number of each draw of a run, rising; none without draws. @throws InputError naming file and fault.
 std::vector<double> replicates_of(const Run& run, const std::string& quantity);
 
 /// How many perturbed scenes of a run end one way.

@@ -40,8 +40,7 @@ struct StepEnds {
 /// Those of the series that a run belongs to.
 StepEnds step_ends(const Comparison& comparison, const Run& run);
 
-/// The sets that share the first rank of the comparison's verdict, in words that say whether replicates tell
-/// them apart.
+/// The sets that share the verdict's first rank, in words that say whether replicates tell them apart.
 std::string first_of_all(const Comparison& comparison);
 
 /// Whether several solvers stand beside each other in several scenes, so that scores say something.

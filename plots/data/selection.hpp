@@ -4,8 +4,7 @@
 
 namespace rockstack::plots {
 
-/// What a figure over time shows of a scene: the exact run, and of each of shown_lines() the run with the
-/// smallest time step.
+/// What figures over time show: the exact run, and of each of shown_lines() that with the smallest step.
 struct Shown {
   std::vector<Run> exact;  ///< one run, or none where it failed
   std::vector<Run> engines;

@@ -68,8 +68,7 @@ std::string legend_plots(const Legend& legend, double top, double width) {
   return text + "set border\nset tics\nunset key\n";
 }
 
-/// Long words are set smaller than usual, so that they stay inside the figure; `fitting` letters of the usual
-/// size do.
+/// Long words are smaller than usual to stay inside the figure; `fitting` letters of the usual size do.
 int words_size(const std::string& words, std::size_t usual, std::size_t fitting) {
   return static_cast<int>(usual * fitting / std::max(words.size(), fitting));
 }
@@ -77,8 +76,7 @@ int words_size(const std::string& words, std::size_t usual, std::size_t fitting)
 /// Letters of the usual size that a line under the title has room for, capitals among them.
 constexpr std::size_t readable = 105;
 
-/// One line under the title, its middle at `height`, a share of the figure's from below; nothing without
-/// words.
+/// A line under the title, its middle at `height`, a share of the figure's from below; none without words.
 std::string question_line(const std::string& words, double height) {
   if (words.empty()) return "";
   return fmt::format("set label {} noenhanced at screen 0.5, screen {} center font ',{}' tc rgb '#404040'\n",
@@ -95,8 +93,7 @@ std::size_t next_break(const std::string& words, std::size_t from) {
   return words.size();
 }
 
-/// The question in a line, and what follows its mark in another, or in two where the letters of one would be
-/// too small.
+/// The question in a line, its answer in another, or in two where the letters of one would be too small.
 std::vector<std::string> question_lines(const std::string& question) {
   const std::size_t mark = question.find("? ");
   if (question.empty()) return {};

@@ -124,8 +124,7 @@ std::string angle_name(int block);
 /// Height in pixels of one of `blocks` panels of equal size.
 double panel_height(int blocks);
 
-/// How many bins of time a curve may have where that many curves share a figure, so that its file stays
-/// small.
+/// How many bins of time a curve may have where so many share a figure, so that its file stays small.
 std::size_t bins_for(std::size_t curves);
 
 }  // namespace rockstack::plots

@@ -38,8 +38,7 @@ std::string curve_style(const Run& run, std::size_t order);
 /// "with points …" for a run's marks.
 std::string mark_style(const Run& run, double size);
 
-/// The model error of a fit as a plot, a line across the panel: dashed where the bounds tell it from none,
-/// dotted where they do not.
+/// The model error of a fit as a line across the panel: dashed where bounds tell it from none, else dotted.
 std::string floor_plot(const StepFit& fit, const std::string& colour);
 
 }  // namespace rockstack::plots

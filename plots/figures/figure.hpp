@@ -23,8 +23,7 @@ struct SceneSubject {
   /// The scene's title over the reason why there is nothing to show.
   Drawing nothing(const std::string& reason) const { return empty_sheet(heading(scene), reason); }
 
-  /// The exact run and the engines' runs that figures over time show, of these only those that have all of
-  /// some files.
+  /// The exact run and the engines' runs that figures over time show, these only with all of some files.
   Shown shown(const std::vector<std::string>& files = {}) const;
   /// The time that some motions take, and what its shade means as an entry of the legend.
   TimeAxis time_axis(const std::vector<Run>& runs, Legend& legend) const;
@@ -100,8 +99,7 @@ fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const 
 /// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot fails.
 void draw_figures(const fs::path& results, const Comparison& comparison);
 
-/// Draws the figures of what is neither, whose files are there, as results/figures/<figure>.png, .svg and
-/// .pdf. @throws likewise.
+/// The same of what is neither, whose files are there, as results/figures/<figure>.png, .svg and .pdf.
 void draw_figures(const fs::path& results);
 
 /// Draws the motion of every scene of a results folder that a player could show, as

@@ -27,8 +27,7 @@ Cells followed_by(Cells columns, const Cells& others) {
 
 const Cells share_columns{"impacts", "laws differ", "differ (%)", "none", "none (%)"};
 
-/// Rows of cells together that have the same number of blocks and the same other name: its parts, then
-/// counts.
+/// Rows of cells that have the same number of blocks and the same other name: its parts, then counts.
 template <class Name>
 std::string share_rows(const Cells& columns, const std::vector<LawCell>& cells, const Name& name) {
   const auto percent = [](double share) { return fmt::format("{:.2f}", share); };

@@ -1,8 +1,7 @@
 #include "plots/data/run_files.hpp"
 #include "plots/pages/sections.hpp"
 
-// What a comparison's page says of its runs: all numbers, parameters and files, contacts, parts of
-// differences.
+// What a page says of a comparison's runs: all numbers, parameters, files, contacts, parts of differences.
 
 namespace rockstack::plots {
 namespace {

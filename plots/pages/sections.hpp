@@ -38,8 +38,7 @@ std::vector<SolverRemarks> remarks(const Comparison& comparison);
 /// The same as a section of a page; nothing where there is none.
 std::string remarks_section(const Comparison& comparison);
 
-/// All runs of a comparison: ten columns, errors first, and a switch that shows the others. The name of a run
-/// leads to its details.
+/// All runs: ten columns, errors first, and a switch that shows the others. A run's name leads to details.
 std::string runs_table(const Comparison& comparison);
 
 /// Version, parameters and files of every run. @throws InputError naming a malformed file.

@@ -33,8 +33,7 @@ struct SheetPages {
   fs::path sheet, key;
 };
 
-/// The problem sheet LESSON-sheet-SEED.html and LESSON-key-SEED.html beside their answers, the file
-/// LESSON-key-SEED.json.
+/// LESSON-sheet-SEED.html and LESSON-key-SEED.html beside their answers, the file LESSON-key-SEED.json.
 SheetPages write_sheet(const fs::path& answers);
 
 /// Prints a page by the program `chromium`, the paper as the page's style says.

@@ -99,8 +99,7 @@ std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& 
 constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
-/// From nought to when it stops agreeing, or to the edge, with the quartiles over replicates of what decides:
-/// angles or centres.
+/// From nought to when it stops agreeing, or to the edge, with quartiles of what decides, angles or centres.
 void add_times(Plots& plots, const Place& place, const JudgedScene& scale, double edge) {
   const Run& run = *place.run;
   if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
@@ -117,8 +116,7 @@ void add_times(Plots& plots, const Place& place, const JudgedScene& scale, doubl
             {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
 }
 
-/// The largest difference before the horizon: of an angle in rad, or of a centre as a share of the least
-/// block height.
+/// The largest difference before the horizon: of an angle, rad, or of a centre over the least block height.
 double largest_of(const Run& run) {
   return std::max(run.largest_angle_difference.value_or(0), run.relative_position_difference.value_or(0));
 }

@@ -131,8 +131,7 @@ std::string words_of(const StepLine& line) {
   return line.size() < 2 ? finest : finest + ", " + step(line.back()) + " dashed";
 }
 
-/// A panel a line over the exact curve; `runs` are the exact one, where there is one, and both ends of each
-/// line.
+/// A panel a line over the exact curve; `runs` are the exact one, if any, and both ends of each line.
 void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Curve>& curves,
                const std::vector<StepLine>& lines, int block, const TimeAxis& axis) {
   const auto plot = [&](std::size_t run, const std::string& style) {

@@ -8,8 +8,7 @@ namespace {
 
 constexpr auto number_words = "number of the exact impact";
 
-/// Impacts are counted, so that the axis has whole numbers alone, up to `most` of them, and none beyond the
-/// last.
+/// Impacts are counted: the axis has whole numbers alone, up to `most` of them, and none beyond the last.
 std::string number_settings(double last, double most) {
   int step = 1;
   for (int i = 0; last / step > most; ++i) step = i % 2 == 0 ? step * 5 : step * 2;
@@ -44,8 +43,7 @@ Verdicts verdicts_on(const Run& run) {
   return verdicts;
 }
 
-/// A scale that is linear up to 10^first and logarithmic beyond, on both sides of zero; one unit a power of
-/// ten.
+/// A scale that is linear up to 10^first and logarithmic beyond, either side of zero; a unit a power of ten.
 struct SignedLog {
   int first, last;
 

@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/drawing/maps.hpp"
 #include "plots/figures/figure.hpp"
 

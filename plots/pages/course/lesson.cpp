@@ -7,8 +7,7 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
-/// As many digits as tell the numbers of a column apart, four at least: times of chatter need more than
-/// those of swings.
+/// As many digits as tell a column's numbers apart, four at least: times of chatter need more than others.
 int digits_of(const Json& rows, std::size_t column) {
   std::set<std::string> numbers;
   for (const Json& row : rows)
@@ -74,8 +73,7 @@ std::string prediction_section(const Json& question, Values numbers) {
       filled_in(text_at(part, "why"), numbers));
 }
 
-/// Names with a colon are parts of a page; numbers have none. A figure is drawn for slides where `slides`
-/// asks for it.
+/// Names with a colon are parts of a page, others numbers. A figure is drawn for slides that ask for it.
 void add_parts(const fs::path& results, const Comparison& comparison, const Json& start,
                const std::string& slides, Values& values) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
