@@ -232,11 +232,6 @@ void serve_comparison(Executor& executor, const std::function<std::vector<Suite>
 }
 
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
-                      const CompareOptions& options) {
-  return compare(suites, folder, *make_threads(options.jobs), options);
-}
-
-CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       Executor& executor, const CompareOptions& options) {
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
