@@ -148,8 +148,8 @@ std::string replicates_identity(const Job& job) {
                                                      replicates.steps, replicates.scene, replicates.seed)));
 }
 
-Checksums checksums(const RunFiles& files) {
-  Checksums sums;
+std::map<std::string, std::string> checksums(const RunFiles& files) {
+  std::map<std::string, std::string> sums;
   for (const auto& [name, text] : files)
     if (name != summary_name) sums[name] = fmt::format("{:016x}", checksum(text));
   return sums;
@@ -159,7 +159,7 @@ std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, 
   const auto whole = [&](const Json& summary) -> std::optional<RunMetrics> {
     const auto row = summary.get<RunMetrics>();
     if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
-    for (const auto& [name, sum] : summary.at("files").get<Checksums>())
+    for (const auto& [name, sum] : summary.at("files").get<std::map<std::string, std::string>>())
       if (fmt::format("{:016x}", checksum(bytes_of(run_folder / name))) != sum) return {};
     return row;
   };
