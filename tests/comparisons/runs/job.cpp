@@ -1,4 +1,4 @@
-#include "comparisons/runs/job.hpp"
+#include "comparisons/runs/compare.hpp"
 
 #include <gtest/gtest.h>
 
