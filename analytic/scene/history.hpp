@@ -136,7 +136,8 @@ struct BasicHistory {
   std::span<const Real> angles_at(std::size_t sample) const { return row(angles, sample); }
   std::span<const Real> velocities_at(std::size_t sample) const { return row(velocities, sample); }
   /// Of values that are stored row by row.
-  std::span<const Real> row(const std::vector<Real>& values, std::size_t sample) const {
+  template <class Value>
+  std::span<const Value> row(const std::vector<Value>& values, std::size_t sample) const {
     const auto width = static_cast<std::size_t>(blocks);
     return {values.data() + sample * width, width};
   }

@@ -28,6 +28,12 @@ std::string text_of_each(const List& list, Text text, const std::string& between
   return all;
 }
 
+/// The part of that name. Precondition: it is there.
+template <class List>
+const auto& part_named(const List& list, const std::string& name) {
+  return *std::find_if(list.begin(), list.end(), [&](const auto& part) { return part.name == name; });
+}
+
 /// The first part that is so, or where there is none, a new one at the end.
 template <class Part, class Is>
 Part& found_or_added(std::vector<Part>& list, const Is& is, Part added) {

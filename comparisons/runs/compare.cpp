@@ -50,7 +50,7 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
     if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one);
     if (!is_engine(one)) continue;
-    one.outcome = outcome(one, scene_in(scenes, nominal.scene));
+    one.outcome = outcome(one, part_named(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
   for (const auto& [cell, own] : cells) rank(own);
@@ -229,11 +229,6 @@ void serve_comparison(Executor& executor, const std::function<std::vector<Suite>
     }
     return compute_task(jobs, task, command, executor.count());
   });
-}
-
-CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
-                      const CompareOptions& options) {
-  return compare(suites, folder, *make_threads(options.jobs), options);
 }
 
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,

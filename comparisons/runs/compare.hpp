@@ -23,11 +23,9 @@ struct Progress {
 std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
                          std::size_t at_a_time);
 
-/// How runs are made, which changes no result but times.
+/// What results name as their command, and what is told while they are made.
 struct CompareOptions {
-  std::string command = {};  ///< written into the results
-  /// Runs at a time, ≥ 1; with more than one, times are those of runs that share the machine.
-  std::size_t jobs = 1;
+  std::string command = {};                                                ///< written into the results
   std::function<void(const Progress&)> progress = [](const Progress&) {};  ///< from one thread at a time
   /// Likewise of an engine's row as soon as it is done, without its rank.
   std::function<void(const RunMetrics&)> row = [](const RunMetrics&) {};
@@ -71,10 +69,7 @@ void serve_comparison(Executor& executor, const std::function<std::vector<Suite>
 /// timed and use all of it. A run that fails costs its own row. A run that is in the folder, done and of the
 /// same identity, is not made again, nor are its replicates. The folder must be there (files.hpp).
 /// @throws InputError as require_comparable(); std::runtime_error where a file cannot be written.
-CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
-                      const CompareOptions& options);
-
-/// The same by an executor of any kind, whatever options.jobs. Precondition: executor.leads().
+/// Precondition: executor.leads().
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       Executor& executor, const CompareOptions& options);
 

@@ -84,11 +84,8 @@ std::string identity(const Job& job);
 /// The same of a run's replicates.
 std::string replicates_identity(const Job& job);
 
-/// Names and checksums of files, in hexadecimal.
-using Checksums = std::map<std::string, std::string>;
-
-/// Of all files of a run but its summary, which keeps them.
-Checksums checksums(const RunFiles& files);
+/// Checksums, in hexadecimal, of all files of a run by their names, but of its summary, which keeps them.
+std::map<std::string, std::string> checksums(const RunFiles& files);
 
 /// The row of a run that is done, of that identity, and whose files are all there as they were written; or
 /// nothing. Files beside those, such as its replicates, do not count.

@@ -262,8 +262,8 @@ std::string name(Verdict verdict) {
 
 Evidence gather(const Suite& suite) {
   Evidence evidence;
-  evidence.free = find_scene(suite.scenes, suite.statements->free).scene;
-  evidence.shaken = find_scene(suite.scenes, suite.statements->shaken).scene;
+  evidence.free = part_named(suite.scenes, suite.statements->free).scene;
+  evidence.shaken = part_named(suite.scenes, suite.statements->shaken).scene;
   evidence.shaken.duration = std::max(evidence.shaken.duration, evidence.shaken.horizontal.end());
   evidence.free_answers = answers(suite, evidence.free);
   evidence.shaken_answers = answers(suite, evidence.shaken);

@@ -14,15 +14,15 @@
 namespace rockstack {
 namespace {
 
-/// What replicates are asked for of a suite: no sample is kept.
-Suite without_histories(const Suite& suite) {
+/// What replicates are asked for of a job's suite: no sample is kept.
+Suite without_histories(const Job& job) {
   Suite lean;
-  lean.tolerance = suite.tolerance;
-  lean.wanted = suite.wanted;
+  lean.tolerance = job.suite.tolerance;
+  lean.wanted = job.suite.wanted;
   lean.wanted.histories = false;
-  lean.softness = suite.softness;
-  lean.limits = suite.limits;
-  lean.replicates = suite.replicates;
+  lean.softness = job.suite.softness;
+  lean.limits = job.suite.limits;
+  lean.replicates = replicates_of(job);
   return lean;
 }
 
@@ -90,8 +90,7 @@ bool is_replicated(const Job& job) {
 }
 
 MadeReplicates make_replicates(const Job& job, std::size_t threads) {
-  Suite suite = without_histories(job.suite);
-  suite.replicates = replicates_of(job);
+  const Suite suite = without_histories(job);
   const Job lean{suite, job.scene, job.dt, job.series, nullptr, job.horizon};
   std::vector<RunMetrics> rows(static_cast<std::size_t>(suite.replicates.runs) - 1);
   std::vector<std::size_t> parts(rows.size());

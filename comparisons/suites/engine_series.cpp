@@ -10,17 +10,10 @@
 namespace rockstack {
 namespace {
 
-bool left_out(const std::string& name) {
-  const auto missing = engines_left_out();
-  return std::ranges::any_of(
-      missing, [&](const std::string& engine) { return name == engine || name.starts_with(engine + ":"); });
-}
-
 std::vector<double> read_steps(const Node& table) {
   const Node* node = find(table, "dt");
   if (node == nullptr) return default_steps();
-  for (const Node& child : entries(*node, "an array of at least one step > 0, s"))
-    if (!(number(child) > 0)) throw wrong_value(child, "a number > 0");
+  for (const Node& child : entries(*node, "an array of at least one step > 0, s")) number_above_zero(child);
   return numbers(*node);
 }
 
@@ -86,8 +79,11 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
 
 std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::path& folder) {
   require_table(table, engine_keys);
-  const Node* name = find(table, "name");
-  if (find(table, "worker") == nullptr && name != nullptr && left_out(text(*name))) return {};
+  if (const Node* name = find(table, "name"); name != nullptr && find(table, "worker") == nullptr) {
+    const std::string& asked = text(*name);
+    for (const std::string& left_out : engines_left_out())
+      if (asked == left_out || asked.starts_with(left_out + ":")) return {};
+  }
   const WorkerEngine& engine = read_engine(table, folder);
   std::vector<EngineSeries> list;
   for (const std::string& settings : read_settings(table))

@@ -164,10 +164,6 @@ std::string Variant::name() const {
   return names.at(static_cast<std::size_t>(choice));
 }
 
-const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
-  return *std::ranges::find(scenes, name, &NamedScene::name);
-}
-
 std::vector<std::string> names_of(const Wanted& wanted) {
   std::vector<std::string> names;
   for (const auto& [name, field] : result_names)

@@ -138,9 +138,6 @@ struct Suite {
   Limits limits;                   ///< of each engine run
 };
 
-/// The scene of that name. Precondition: it is there.
-const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name);
-
 /// Reads a scene and keeps its text. @throws InputError as read_scene().
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 

@@ -156,7 +156,8 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
           progress.total = of.total;
           if (stop) throw Cancelled();
         };
-        result = compare(suites, out, {.command = "rockstack.compare", .jobs = jobs, .progress = follow});
+        result =
+            compare(suites, out, *make_threads(jobs), {.command = "rockstack.compare", .progress = follow});
       },
       progress);
   return Json(result.rows).dump();

@@ -107,14 +107,12 @@ double largest_relative(const Difference& apart, std::size_t interface, double b
 double window_of(const std::vector<ImpactTime>& exact, std::size_t number, const Difference& apart,
                  double dt) {
   const ImpactTime& impact = exact[number];
+  const auto interface = static_cast<std::size_t>(impact.interface - 1);
   const double least = window_steps * dt, widest = std::max(least, widest_window(exact, number));
   double window = least;
   while (window < widest) {
-    const double drift = 2 *
-                         largest_relative(apart, static_cast<std::size_t>(impact.interface - 1),
-                                          impact.time - window, impact.time) /
-                         impact.approach;
-    const double wider = least + drift;
+    const double apart_at_most = largest_relative(apart, interface, impact.time - window, impact.time);
+    const double wider = least + 2 * apart_at_most / impact.approach;
     if (wider <= window) break;
     window = wider;
   }

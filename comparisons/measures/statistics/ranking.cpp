@@ -92,19 +92,14 @@ void rank(const Sets& sets, std::vector<RankedSet>& list) {
   for (RankedSet& set : list)
     set.rank = 1 + static_cast<int>(std::ranges::count_if(
                        list, [&](const RankedSet& other) { return other.failed < set.failed; }));
-  std::vector<TestChance> chances;
-  std::vector<bool> first_is_nearer;
-  for (std::size_t j = 1; j < list.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      const MannWhitney test = test_of(errors_of(list[i]), errors_of(list[j]));
-      chances.push_back(test);
-      first_is_nearer.push_back(test.superiority > 0.5);
-    }
-  }
-  const std::vector<double> p_values = adjust(chances, separation_level).p_values;
+  std::vector<MannWhitney> tests;
+  for (std::size_t j = 1; j < list.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) tests.push_back(test_of(errors_of(list[i]), errors_of(list[j])));
+  const std::vector<double> p_values = adjust({tests.begin(), tests.end()}, separation_level).p_values;
   for (std::size_t j = 0, pair = 0; j < list.size(); ++j)
     for (std::size_t i = 0; i < j; ++i, ++pair)
-      if (list[i].failed == list[j].failed && p_values[pair] <= separation_level && first_is_nearer[pair])
+      if (list[i].failed == list[j].failed && p_values[pair] <= separation_level &&
+          tests[pair].superiority > 0.5)
         ++list[j].rank;
 }
 

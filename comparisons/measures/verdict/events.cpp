@@ -44,7 +44,7 @@ std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>
                                                 const std::vector<JudgedScene>& scenes) {
   std::vector<const RunMetrics*> list;
   for (const RunMetrics& row : rows) {
-    if (!is_engine(row) || !row.error || event_of(row, scene_in(scenes, row.scene)).empty()) continue;
+    if (!is_engine(row) || !row.error || event_of(row, part_named(scenes, row.scene)).empty()) continue;
     const auto same = [&](const RunMetrics* other) {
       return other->scene == row.scene && set_name(*other) == set_name(row);
     };
@@ -60,9 +60,9 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   std::map<std::string, std::set<std::string>> sets;  // by what happens
   double deepest = 0, highest = 0;
   for (const RunMetrics* row : events) {
-    const std::string event = event_of(*row, scene_in(scenes, row->scene));
+    const std::string event = event_of(*row, part_named(scenes, row->scene));
     const std::string verb = event.substr(0, event.find_first_of(" ,"));
-    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, scene_in(scenes, row->scene)).depth);
+    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, part_named(scenes, row->scene)).depth);
     if (verb == "rises") highest = std::max(highest, row->gap.value_or(0));
     sets[verb == "sinks" || verb == "rises" || verb == "stands" ? verb : "falls"].insert(set_name(*row));
   }
@@ -102,7 +102,7 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::ve
   if (events.empty()) return "";
   if (events.size() > most) return counted_events(events, scenes);
   const auto told = [&](const RunMetrics* row) {
-    const std::string event = event_of(*row, scene_in(scenes, row->scene));
+    const std::string event = event_of(*row, part_named(scenes, row->scene));
     const char* subject = event.starts_with("block")                                 ? ""
                           : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
                                                                                      : "it ";

@@ -24,7 +24,7 @@ EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<Ju
   EndsOfSteps steps;
   for (const ReplicatedRow& row : rows) {
     if (!can_be_ranked(row)) continue;
-    const JudgedScene& scene = scene_in(scenes, row.scene);
+    const JudgedScene& scene = part_named(scenes, row.scene);
     Ends& ends = steps[*row.dt];
     const bool whole = agrees(row, scene);
     ends.times.push_back(whole ? INFINITY : agreement_end(row, scene));
@@ -174,10 +174,6 @@ std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<R
 }
 
 }  // namespace
-
-const JudgedScene& scene_in(const std::vector<JudgedScene>& scenes, const std::string& name) {
-  return *std::ranges::find(scenes, name, &JudgedScene::name);
-}
 
 std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
   std::vector<ReplicatedRow> own;

@@ -163,7 +163,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
 /// Whether blocks of an engine do not rest where those of the exact motion do, though nothing sinks or falls.
 bool row_is_off_at_rest(const RunMetrics& row, const std::vector<JudgedScene>& scenes) {
   if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
-  const JudgedScene& scene = scene_in(scenes, row.scene);
+  const JudgedScene& scene = part_named(scenes, row.scene);
   return !agrees(row, scene) && event_of(row, scene).empty();
 }
 

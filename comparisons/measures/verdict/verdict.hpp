@@ -42,9 +42,6 @@ std::string event_of(const RunMetrics& row, const JudgedScene& scene);
 /// What becomes of a run, in words: "agrees until 1.2 s", "rests, but sinks in by 86 mm", "failed: …".
 std::string outcome(const RunMetrics& row, const JudgedScene& scene);
 
-/// The scene of that name. Precondition: it is there.
-const JudgedScene& scene_in(const std::vector<JudgedScene>& scenes, const std::string& name);
-
 std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene);
 
 /// Until when engines agree with the exact motion, from coarse steps to fine ones, in a sentence; empty where

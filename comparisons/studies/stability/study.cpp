@@ -204,7 +204,7 @@ std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::
   std::vector<StabilityRun> rows;
   for (const RunMetrics& row : compare({study.suite}, folder, executor, options).rows) {
     rows.push_back(
-        {row, place(study, row), judge_stability(row, find_scene(study.suite.scenes, row.scene).scene)});
+        {row, place(study, row), judge_stability(row, part_named(study.suite.scenes, row.scene).scene)});
     rows.back().row.settings = settings_of(study, row.settings);
   }
   write_file(folder / "stability.csv", stability_csv(rows));

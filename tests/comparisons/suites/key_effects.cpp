@@ -99,7 +99,7 @@ std::string suite_outcome(const Settings& settings) {
   const TemporaryFolder folder;
   const fs::path input = written(std::move(file), settings, folder);
   const fs::path results = folder.path() / "results";
-  const auto rows = compare({read_suite(input, {})}, results, {}).rows;
+  const auto rows = compare({read_suite(input, {})}, results, *make_threads(1), {}).rows;
   return text_of(rows) + tables_of(results) +
          members_of(results / "comparison.json", {"title", "statements", "verdict"});
 }
