@@ -89,11 +89,8 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   request.limits.time = std::min(arguments.time_limit, arguments.within);
   if (common.talks()) print_legend(request);
   const Advice advice = advise(scene, request, arguments.out, common.command, listener(request, common));
-  if (common.json) {
-    fmt::print("{}\n", advice_json(scene, request, advice, common.command).dump(2));
-  } else if (!common.quiet) {
+  if (in_words(advice_json(scene, request, advice, common.command), common))
     print_advice(advice, arguments, request, scene.scene.duration, common);
-  }
   show_report(arguments.out, common);
   return advice.pick < 0 ? 1 : 0;
 }

@@ -175,8 +175,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
     }
   }
   report["broken"] = broken;
-  if (common.json) fmt::print("{}\n", report.dump(2));
-  if (common.talks()) fmt::print("{} of {} checks do not hold\n", broken, count);
+  if (in_words(report, common)) fmt::print("{} of {} checks do not hold\n", broken, count);
   return broken == 0 ? 0 : 1;
 }
 

@@ -60,6 +60,11 @@ void refuse_overrides(const Common& common, const char* reason) {
     throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
 }
 
+bool in_words(const Json& result, const Common& common) {
+  if (common.json) fmt::print("{}\n", result.dump(2));
+  return common.talks();
+}
+
 std::string shell_word(const std::string& word) {
   const auto plain = [](char letter) {
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0 ||

@@ -188,6 +188,9 @@ std::unique_ptr<Executor> make_executor(std::size_t threads);
 
 // What the program says on standard output; progress goes to standard error, and only to a terminal.
 
+/// Prints a result where it is wanted as JSON. Returns whether it is wanted in words.
+bool in_words(const Json& result, const Common& common);
+
 /// A word as a shell reads it back.
 std::string shell_word(const std::string& word);
 

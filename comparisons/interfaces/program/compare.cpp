@@ -76,15 +76,11 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
                        const Common& common) {
   const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
-  if (common.json) {
-    const Json list = each_of(kinds, [](const ImpactShare& kind) {
-      return Json{
-          {"kind", name(kind.kind)}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}};
-    });
-    fmt::print("{}\n", Json{{"kinds", list}, {"folder", folder.string()}}.dump(2));
-    return;
-  }
-  if (common.quiet) return;
+  const Json list = each_of(kinds, [](const ImpactShare& kind) {
+    return Json{
+        {"kind", name(kind.kind)}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}};
+  });
+  if (!in_words({{"kinds", list}, {"folder", folder.string()}}, common)) return;
   fmt::print("{:<18} {:>8} {:>9} {:>9}\n", "impact", "number", "differ", "none");
   for (const ImpactShare& kind : kinds)
     fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", name(kind.kind), kind.impacts,

@@ -16,10 +16,7 @@ namespace rockstack {
 namespace {
 
 /// A kind of input file with its tables.
-struct FileKeys {
-  const char* file;
-  std::initializer_list<const KeyTable*> tables;
-};
+using FileKeys = std::pair<const char*, std::initializer_list<const KeyTable*>>;
 
 constexpr std::initializer_list<const KeyTable*> measured_tables{&measured_keys};
 
@@ -37,9 +34,8 @@ void print_table(const KeyTable& table) {
   }
 }
 
-Json table_json(const FileKeys& file, const KeyTable& table) {
-  Json json{
-      {"file", file.file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", Json::array()}};
+Json table_json(const char* file, const KeyTable& table) {
+  Json json{{"file", file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", Json::array()}};
   for (const InputKey& key : table.keys)
     json["keys"].push_back({{"key", key.name},
                             {"unit", key.unit},
@@ -199,9 +195,9 @@ int keys_command(const KindArguments& arguments, const Common& common) {
   Json list = Json::array();
   if (!common.json)
     fmt::print("  {:<20} {:<11} {:<28} {}\n", "KEY", "UNIT", "DEFAULT", "RANGE, and below it MEANING");
-  for (const FileKeys& file : files) {
-    if (!arguments.kind.empty() && arguments.kind != file.file) continue;
-    for (const KeyTable* table : file.tables) {
+  for (const auto& [file, tables] : files) {
+    if (!arguments.kind.empty() && arguments.kind != file) continue;
+    for (const KeyTable* table : tables) {
       if (common.json)
         list.push_back(table_json(file, *table));
       else

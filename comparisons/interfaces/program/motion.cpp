@@ -27,23 +27,20 @@ void print_history(const Scene& scene, const History& history, const Support& su
   const std::string verdict = motion_verdict(scene, history, support);
   const std::vector<double> peaks = peak_angles(history);
   const std::vector<std::string> warnings = validity_warnings(scene, history);
-  if (common.json) {
-    Json json{{"verdict", verdict},
-              {"events", events},
-              {"peak_angles", peaks},
-              {"warnings", warnings},
-              {"folder", folder.string()}};
-    json.update(branches.json);
-    fmt::print("{}\n", json.dump(2));
-  } else if (!common.quiet) {
-    fmt::print("{}\n", verdict);
-    for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
-    for (std::size_t k = 0; const double peak : peaks)
-      fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
-    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
-    for (const std::string& line : branches.lines) fmt::print("{}\n", line);
-    fmt::print("results: {}\n", folder.string());
-  }
+  Json json{{"verdict", verdict},
+            {"events", events},
+            {"peak_angles", peaks},
+            {"warnings", warnings},
+            {"folder", folder.string()}};
+  json.update(branches.json);
+  if (!in_words(json, common)) return;
+  fmt::print("{}\n", verdict);
+  for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
+  for (std::size_t k = 0; const double peak : peaks)
+    fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
+  for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& line : branches.lines) fmt::print("{}\n", line);
+  fmt::print("results: {}\n", folder.string());
 }
 
 /// Follows all motions; returns 1 where one was given up.

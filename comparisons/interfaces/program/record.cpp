@@ -129,9 +129,7 @@ int record_command(const RecordArguments& arguments, const Common& common) {
     write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
     write_file(arguments.out / "record.json", whole.dump(2) + "\n");
   }
-  if (common.json) {
-    fmt::print("{}\n", json.dump(2));
-  } else if (!common.quiet) {
+  if (in_words(json, common)) {
     print_text(record, arguments.base_line);
     if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
   }

@@ -59,18 +59,16 @@ std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const 
 
 /// Runs done, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
-  if (common.json) {
-    fmt::print("{}\n", Json{{"runs", result.runs},
-                            {"done", result.done},
-                            {"computed", result.computed},
-                            {"failed", result.failed},
-                            {"seconds", result.seconds},
-                            {"folder", folder.string()}}
-                           .dump(2));
-  } else if (!common.quiet) {
-    fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
-    fmt::print("results: {}\n", folder.string());
-  }
+  if (!in_words({{"runs", result.runs},
+                 {"done", result.done},
+                 {"computed", result.computed},
+                 {"failed", result.failed},
+                 {"seconds", result.seconds},
+                 {"folder", folder.string()}},
+                common))
+    return;
+  fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
+  fmt::print("results: {}\n", folder.string());
 }
 
 void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,
@@ -79,10 +77,7 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
   std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
   for (const StabilityRun& row : rows)
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
-  if (common.json) {
-    fmt::print("{}\n", Json{{"verdicts", counts}, {"folder", out.string()}}.dump(2));
-    return;
-  }
+  if (!in_words({{"verdicts", counts}, {"folder", out.string()}}, common)) return;
   for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
   fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
 }
@@ -142,8 +137,7 @@ int fit_command(const FitArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::fit);
   const Fit found = fit(document, measured, parameters);
   write_fit(scene.title, measured, found, arguments.out, common.command);
-  if (common.json) fmt::print("{}\n", fit_json(scene.title, measured, found, common.command).dump(2));
-  if (common.talks()) {
+  if (in_words(fit_json(scene.title, measured, found, common.command), common)) {
     std::string changes;
     for (const FittedParameter& one : found.parameters) {
       fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,

@@ -27,15 +27,6 @@ void describe_record(const std::filesystem::path& name, MotionLibrary& library, 
   text += "\n";
 }
 
-/// The records that the base scene names.
-void describe_records(const SceneDocument& document, MotionLibrary& library, std::string& text) {
-  for (const char* key : {"ground.horizontal.record", "ground.vertical.record"}) {
-    const Node& node = nearest(document.root, key);
-    if (node.name == "record" && node.kind == Node::Kind::text)
-      describe_record(document.folder / node.text, library, text);
-  }
-}
-
 std::vector<Value> read_values(const Node& array) {
   std::vector<Value> values;
   for (const Node& child : entries(array, "an array of numbers or texts")) {
@@ -157,7 +148,11 @@ Json json_of(const Variation& variation) {
 std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
   std::string text = std::string(build::version) + "\n" + build::compiler + "\n" + build::flags + "\n";
   text += page_scene(ensemble.base.root).dump() + "\n";
-  describe_records(ensemble.base, library, text);
+  for (const char* key : {"ground.horizontal.record", "ground.vertical.record"}) {
+    const Node& node = nearest(ensemble.base.root, key);
+    if (node.name == "record" && node.kind == Node::Kind::text)
+      describe_record(ensemble.base.folder / node.text, library, text);
+  }
   text += std::to_string(ensemble.samples) + " " + std::to_string(ensemble.seed) + " " +
           number_text(ensemble.tolerance) + (ensemble.demands ? "\n" : " without demands\n");
   for (const Variation& variation : ensemble.variations) {
