@@ -91,14 +91,6 @@ struct Softness {
   double erp, cfm;
 };
 
-/// N/m in the library's own masses; a spring where all overlap is corrected, and through velocities.
-double stiffness_of(const btContactSolverInfo& info, const Softness& softness, double dt,
-                    double penetration) {
-  const bool split = info.m_splitImpulse != 0 && penetration <= info.m_splitImpulsePenetrationThreshold;
-  if (split || info.m_linearSlop != 0) return std::numeric_limits<double>::infinity();
-  return contact_stiffness(softness.erp, softness.cfm, dt);
-}
-
 class BulletSimulation final : public ShakenSimulation {
  public:
   BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
@@ -164,7 +156,13 @@ class BulletSimulation final : public ShakenSimulation {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const int number_a = a.getUserIndex(), number_b = b.getUserIndex();
     const Softness softness = softness_of(found);
-    const double stiffness = stiffness_of(world_.getSolverInfo(), softness, dt(), found.getDistance());
+    // A spring where all overlap is corrected, and through velocities.
+    const btContactSolverInfo& info = world_.getSolverInfo();
+    const bool split =
+        info.m_splitImpulse != 0 && found.getDistance() <= info.m_splitImpulsePenetrationThreshold;
+    const double stiffness = split || info.m_linearSlop != 0
+                                 ? std::numeric_limits<double>::infinity()
+                                 : contact_stiffness(softness.erp, softness.cfm, dt());
     return {.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1),
             .along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x(),
             .gap_before = found.getDistance(),
