@@ -74,18 +74,6 @@ struct Surface {
   int flags;
 };
 
-Surface surface_of(double mass_factor, const Parameters& parameters) {
-  return {scalar(std::sqrt(parameters.at("restitution"))),
-          scalar(2 * mass_factor * parameters.at("contactStiffness")),
-          scalar(0.5 * mass_factor * parameters.at("contactDamping")),
-          parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
-}
-
-double angle_of(const btRigidBody& body) {
-  const btMatrix3x3& turn = body.getWorldTransform().getBasis();
-  return std::atan2(-turn[1][0], turn[0][0]);
-}
-
 /// What makes a contact point a spring and a dashpot; cfm in s/kg.
 struct Softness {
   double erp, cfm;
@@ -95,7 +83,10 @@ class BulletSimulation final : public ShakenSimulation {
  public:
   BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
       : ShakenSimulation(setup, mass_factor(setup, parameters)),
-        surface_(surface_of(mass_factor_, parameters)),
+        surface_{scalar(std::sqrt(parameters.at("restitution"))),
+                 scalar(2 * mass_factor_ * parameters.at("contactStiffness")),
+                 scalar(0.5 * mass_factor_ * parameters.at("contactDamping")),
+                 parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0},
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
     // One callback for all worlds, as pairs know all that it asks for.
@@ -192,7 +183,10 @@ class BulletSimulation final : public ShakenSimulation {
 
   void advance() override {
     world_.stepSimulation(scalar(dt()), 0);
-    for (std::size_t k = 0; k < angles_.size(); ++k) angles_[k] = unwrap(angle_of(block(k)), angles_[k]);
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+      const btMatrix3x3& turn = block(k).getWorldTransform().getBasis();
+      angles_[k] = unwrap(std::atan2(-turn[1][0], turn[0][0]), angles_[k]);
+    }
   }
 
   void set_gravity(const BodyAcceleration& acceleration) override {
