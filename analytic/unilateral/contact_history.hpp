@@ -2,7 +2,7 @@
 
 #include "analytic/scene/lists.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
-#include "analytic/unilateral/springs/spring_energy.hpp"
+#include "analytic/unilateral/springs/spring_series.hpp"
 
 namespace rockstack {
 

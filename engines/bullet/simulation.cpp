@@ -74,36 +74,19 @@ struct Surface {
   int flags;
 };
 
-Surface surface_of(double mass_factor, const Parameters& parameters) {
-  return {scalar(std::sqrt(parameters.at("restitution"))),
-          scalar(2 * mass_factor * parameters.at("contactStiffness")),
-          scalar(0.5 * mass_factor * parameters.at("contactDamping")),
-          parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
-}
-
-double angle_of(const btRigidBody& body) {
-  const btMatrix3x3& turn = body.getWorldTransform().getBasis();
-  return std::atan2(-turn[1][0], turn[0][0]);
-}
-
 /// What makes a contact point a spring and a dashpot; cfm in s/kg.
 struct Softness {
   double erp, cfm;
 };
 
-/// N/m in the library's own masses; a spring where all overlap is corrected, and through velocities.
-double stiffness_of(const btContactSolverInfo& info, const Softness& softness, double dt,
-                    double penetration) {
-  const bool split = info.m_splitImpulse != 0 && penetration <= info.m_splitImpulsePenetrationThreshold;
-  if (split || info.m_linearSlop != 0) return std::numeric_limits<double>::infinity();
-  return contact_stiffness(softness.erp, softness.cfm, dt);
-}
-
 class BulletSimulation final : public ShakenSimulation {
  public:
   BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
       : ShakenSimulation(setup, mass_factor(setup, parameters)),
-        surface_(surface_of(mass_factor_, parameters)),
+        surface_{scalar(std::sqrt(parameters.at("restitution"))),
+                 scalar(2 * mass_factor_ * parameters.at("contactStiffness")),
+                 scalar(0.5 * mass_factor_ * parameters.at("contactDamping")),
+                 parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0},
         dispatcher_(&configuration_),
         solver_(solver, parameters) {
     // One callback for all worlds, as pairs know all that it asks for.
@@ -164,7 +147,13 @@ class BulletSimulation final : public ShakenSimulation {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const int number_a = a.getUserIndex(), number_b = b.getUserIndex();
     const Softness softness = softness_of(found);
-    const double stiffness = stiffness_of(world_.getSolverInfo(), softness, dt(), found.getDistance());
+    // A spring where all overlap is corrected, and through velocities.
+    const btContactSolverInfo& info = world_.getSolverInfo();
+    const bool split =
+        info.m_splitImpulse != 0 && found.getDistance() <= info.m_splitImpulsePenetrationThreshold;
+    const double stiffness = split || info.m_linearSlop != 0
+                                 ? std::numeric_limits<double>::infinity()
+                                 : contact_stiffness(softness.erp, softness.cfm, dt());
     return {.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1),
             .along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x(),
             .gap_before = found.getDistance(),
@@ -194,7 +183,10 @@ class BulletSimulation final : public ShakenSimulation {
 
   void advance() override {
     world_.stepSimulation(scalar(dt()), 0);
-    for (std::size_t k = 0; k < angles_.size(); ++k) angles_[k] = unwrap(angle_of(block(k)), angles_[k]);
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+      const btMatrix3x3& turn = block(k).getWorldTransform().getBasis();
+      angles_[k] = unwrap(std::atan2(-turn[1][0], turn[0][0]), angles_[k]);
+    }
   }
 
   void set_gravity(const BodyAcceleration& acceleration) override {

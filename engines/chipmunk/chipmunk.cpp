@@ -68,25 +68,19 @@ class ChipmunkSimulation final : public ShakenSimulation {
   }
 
  private:
-  /// Counts from 0, the ground.
-  static std::size_t number_of(const cpShape* shape) { return cpShapeGetCollisionType(shape); }
-
   /// A pair's friction is that of the interface under its upper body; the library would take the product.
   void set_contact(cpArbiter* pair) {
-    cpShape *a = nullptr, *b = nullptr;
-    cpArbiterGetShapes(pair, &a, &b);
-    cpArbiterSetFriction(pair, friction_[std::max(number_of(a), number_of(b)) - 1]);
+    cpShape *shape = nullptr, *other = nullptr;
+    cpArbiterGetShapes(pair, &shape, &other);
+    // Bodies count from 0, the ground.
+    const std::size_t a = cpShapeGetCollisionType(shape), b = cpShapeGetCollisionType(other);
+    cpArbiterSetFriction(pair, friction_[std::max(a, b) - 1]);
     cpArbiterSetRestitution(pair, elasticity_);
-    if (watches_contacts()) watch(pair, number_of(a), number_of(b));
-  }
-
-  void watch(const cpArbiter* pair, std::size_t a, std::size_t b) {
+    if (!watches_contacts()) return;
     const cpContactPointSet set = cpArbiterGetContactPointSet(pair);
     for (int i = 0; i < set.count; ++i) {
       const auto& found = set.points[i];
-      Touch& touch = touches_.emplace_back();
-      touch.pair = pair;
-      touch.number = i;
+      Touch& touch = touches_.emplace_back(Touch{{}, pair, i});
       touch.point.interface = std::max(a, b) - 1;
       touch.point.along = a > b ? on_body(a, found.pointA).x : on_body(b, found.pointB).x;
       touch.point.gap_before =

@@ -26,14 +26,6 @@ using dart::constraint::ContactConstraint;
 using dart::dynamics::BodyNode;
 using Solver = dart::constraint::BoxedLcpConstraintSolver;
 
-/// A contact of the step under way, where they are watched, in the axes of both bodies.
-struct Touch {
-  std::size_t interface = 0;
-  const BodyNode *upper = nullptr, *lower = nullptr;
-  Eigen::Vector3d on_upper, on_lower, normal;  ///< the normal points up
-  double depth = 0, push = 0, across = 0;      ///< m, N, N
-};
-
 std::unique_ptr<Solver> make_solver(DartSolver solver, const Parameters& parameters) {
   std::unique_ptr<Solver> made;
   if (solver == DartSolver::dantzig) {
@@ -77,11 +69,7 @@ class DartSimulation final : public ShakenSimulation {
             block->getVelocity(1), -block->getPosition(2), -block->getVelocity(2)};
   }
 
-  std::vector<ContactPoint> contacts() const override {
-    std::vector<ContactPoint> points;
-    for (const Touch& touch : touches_) points.push_back(point_of(touch));
-    return points;
-  }
+  std::vector<ContactPoint> contacts() const override { return contacts_; }
 
  private:
   void advance() override {
@@ -167,39 +155,31 @@ class DartSimulation final : public ShakenSimulation {
   }
 
   void watch(const std::vector<Eigen::Isometry3d>& before) {
-    touches_.clear();
+    contacts_.clear();
     for (const dart::collision::Contact& contact : world_->getLastCollisionResult().getContacts()) {
       if (dart::collision::Contact::isZeroNormal(contact.normal)) continue;
       const auto [lower, upper] = std::minmax(
           {number_of(owner(contact.collisionObject1)), number_of(owner(contact.collisionObject2))});
-      Touch& touch = touches_.emplace_back();
-      touch.interface = upper - 1;
-      touch.upper = body_of(upper);
-      touch.lower = body_of(lower);
-      touch.on_upper = before[upper].inverse() * contact.point;
-      touch.on_lower = before[lower].inverse() * contact.point;
+      const Eigen::Vector3d on_upper = before[upper].inverse() * contact.point;
+      const Eigen::Vector3d on_lower = before[lower].inverse() * contact.point;
       const double side = contact.normal.dot(before[upper].translation() - contact.point);
-      touch.normal = side < 0 ? Eigen::Vector3d(-contact.normal) : contact.normal;
-      touch.depth = contact.penetrationDepth;
-      touch.push = std::abs(contact.force.dot(contact.normal));
+      const Eigen::Vector3d up = side < 0 ? Eigen::Vector3d(-contact.normal) : contact.normal;
+      const Eigen::Vector3d apart =
+          body_of(upper)->getWorldTransform() * on_upper - body_of(lower)->getWorldTransform() * on_lower;
+      const double impulse = dt() / mass_factor_;
       // Across the plane nothing moves, and DART's forces there mean nothing.
-      touch.across = std::abs(contact.force[0] * contact.normal[1] - contact.force[1] * contact.normal[0]);
+      const double across = contact.force[0] * contact.normal[1] - contact.force[1] * contact.normal[0];
+      contacts_.push_back(
+          {upper - 1, on_upper[0], -contact.penetrationDepth, -contact.penetrationDepth + up.dot(apart),
+           impulse * std::abs(contact.force.dot(contact.normal)), impulse * std::abs(across)});
     }
-  }
-
-  ContactPoint point_of(const Touch& touch) const {
-    const Eigen::Vector3d apart =
-        touch.upper->getWorldTransform() * touch.on_upper - touch.lower->getWorldTransform() * touch.on_lower;
-    const double impulse = dt() / mass_factor_;
-    return {touch.interface,      touch.on_upper[0],     -touch.depth, -touch.depth + touch.normal.dot(apart),
-            impulse * touch.push, impulse * touch.across};
   }
 
   Parameters parameters_;
   dart::simulation::WorldPtr world_;
   BodyNode* ground_ = nullptr;
   std::vector<BodyNode*> blocks_;
-  std::vector<Touch> touches_;
+  std::vector<ContactPoint> contacts_;  ///< of the last step, where they are watched
 };
 
 std::vector<Setting> settings_of(DartSolver solver) {

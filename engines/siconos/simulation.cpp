@@ -35,9 +35,9 @@ struct Frame {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * own.x - s * own.y, s * own.x + c * own.y};
   }
-  Vector inward(const Vector& along) const {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * along.x + s * along.y, c * along.y - s * along.x};
+  Vector seen(const Vector& point) const {
+    const double c = std::cos(angle), s = std::sin(angle), along = point.x - x, up = point.y - y;
+    return {c * along + s * up, c * up - s * along};
   }
 };
 
@@ -61,18 +61,12 @@ class CornerOverFace : public LagrangianRheonomousR {
   }
 
   double gap(const BlockVector& q) const {
-    const Frame face = frame(q, 1 - touch_.corner_body);
-    const Vector point = corner(q);
-    const Vector on_face = face.inward({point.x - face.x, point.y - face.y});
+    const Vector on_face = frame(q, 1 - touch_.corner_body).seen(corner(q));
     return std::abs(on_face.x) <= touch_.half_width ? touch_.normal * (on_face.y - touch_.face) : apart;
   }
 
   /// Where the corner is along the lower face of the upper body, from its middle to the right, m.
-  double along(const BlockVector& q) const {
-    const Frame upper = frame(q, 0);
-    const Vector point = corner(q);
-    return upper.inward({point.x - upper.x, point.y - upper.y}).x;
-  }
+  double along(const BlockVector& q) const { return frame(q, 0).seen(corner(q)).x; }
 
   void computeh(double, const BlockVector& q, BlockVector&, SiconosVector& y) override {
     y.setValue(0, gap(q));
@@ -137,10 +131,6 @@ std::vector<Touch> touches(const Placement& upper, const Placement* lower) {
 
 /// Siconos tells of its solver's failures by a function for the whole process.
 thread_local std::size_t failed_solutions = 0;
-
-void note(int info, ::Simulation*) {
-  failed_solutions += info != 0 ? 1 : 0;
-}
 
 std::shared_ptr<SiconosVector> vector_of(double x, double y, double angle) {
   return std::make_shared<SiconosVector>(std::vector<double>{x, y, angle});
@@ -225,7 +215,8 @@ class SiconosSimulation final : public ShakenSimulation {
     problem_->setKeepLambdaAndYState(parameters.at("keepLambdaAndYState") != 0);
     simulation_ = std::make_shared<TimeStepping>(system_, std::make_shared<TimeDiscretisation>(0, dt()),
                                                  integrator_, problem_);
-    simulation_->setCheckSolverFunction(&note);
+    simulation_->setCheckSolverFunction(
+        [](int info, ::Simulation*) { failed_solutions += info != 0 ? 1 : 0; });
     simulation_->setWarnOnNonConvergence(false);
   }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/scene/spring_checks.hpp"
-#include "analytic/unilateral/springs/spring_energy.hpp"
 #include "analytic/unilateral/springs/spring_guards.hpp"
 #include "analytic/unilateral/springs/static_equilibrium.hpp"
 
