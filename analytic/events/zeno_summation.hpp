@@ -34,11 +34,7 @@ class ZenoSummation {
  public:
   /// Keeps a reference to `model`. `resolution` is of angles in rad, and of velocities in √(g/H), > 0.
   ZenoSummation(const Model<Real, N>& model, const Real& resolution)
-      : model_(model),
-        resolution_(resolution),
-        short_steps_(model, {.step = std::numeric_limits<double>::max()}) {
-    rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
-  }
+      : model_(model), resolution_(resolution) {}
 
   /// Whether chatter has to be followed further than it counts: flights are below a coarse resolution sooner.
   bool pays() const { return resolution_ < coarse; }
@@ -77,7 +73,8 @@ class ZenoSummation {
     const Real speed = abs(landing.after.relative[interface_]);
     const Real duration = duration_ * (speed / speed_) / (1 - ratio_);
     if (duration > landing.piece.length - landing.offset) return std::nullopt;
-    const auto closure = velocities_after(model_, landing.before, closed(landing.after.pattern, interface_));
+    const auto closure = velocities_after(model_, landing.before,
+                                          with_closed(landing.after.pattern, Interfaces().set(interface_)));
     RestOfChatter<Real, N> rest{interface_, duration, landing.after, closure, landing.impact.before.angles,
                                 fastest};
     if (!others_stay_open(rest)) return std::nullopt;
@@ -119,13 +116,8 @@ class ZenoSummation {
     return thrown;
   }
 
-  static Pattern closed(Pattern pattern, int interface) {
-    pattern[interface] = Contact::closed;
-    return pattern;
-  }
-
   State<Real, N> closed_at(const Landing& landing, int interface) const {
-    const Pattern pattern = closed(landing.after.pattern, interface);
+    const Pattern pattern = with_closed(landing.after.pattern, Interfaces().set(interface));
     const Chain<Real, N> chain = make_chain(model_.stack, pattern, landing.before.directions);
     return {pattern, landing.impact.before.angles,
             nearest_allowed(model_.stack, pattern, chain, landing.before.motion)};
@@ -207,8 +199,8 @@ class ZenoSummation {
 
   const Model<Real, N>& model_;
   Real resolution_;
-  Rk4Steps<Real, N> short_steps_;
-  Real rate_{};  ///< √(g/H), 1/s
+  Rk4Steps<Real, N> short_steps_{model_, {.step = std::numeric_limits<double>::max()}};
+  Real rate_ = sqrt(model_.gravity / (2 * model_.stack.half_height.sum()));  ///< √(g/H), 1/s
   // since the impact from which on chatter has been watched
   int interface_ = -1;
   int flights_ = 0;
