@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 
@@ -206,14 +207,14 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   constexpr std::size_t most_events = 2;
   const auto& rows = evidence.rows;
   std::vector<std::string> sentences;
-  sentences.reserve(scenes.size() + 2);
+  sentences.reserve(scenes.size() + 3);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
-  sentences.push_back(together(together(agreement_sentence(rows, scenes), doubt_sentence(rows)),
-                               event_sentence(rows, scenes, most_events)));
+  sentences.push_back(together(agreement_sentence(rows, scenes), doubt_sentence(rows)));
+  sentences.push_back(event_sentence(rows, scenes, most_events));
   sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
-  sentences.resize(std::min<std::size_t>(sentences.size(), 2));
+  sentences.resize(std::min<std::size_t>(sentences.size(), 3));
   return sentences;
 }
 

@@ -61,7 +61,7 @@ std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::
 
 /// What a comparison comes to, in sentences: the only place where they are made.
 struct ComparisonVerdict {
-  /// Two at most: until when engines agree, with what happens otherwise than exactly, and which sets are
+  /// Three at most: until when engines agree, what happens in them that does not exactly, and which sets are
   /// nearest in which scenes.
   std::vector<std::string> headline;
   /// One scene each, in their order.
