@@ -119,19 +119,15 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
                                      {"consistent", name(found.consistent)},
                                      {"count", found.count},
                                      {"clearness", found.clearness}});
-  json["cases"] = Json::array();
-  for (const ImpactCase& question : results.cases) json["cases"].push_back(case_json(question));
+  json["cases"] = each_of(results.cases, case_json);
   json["engines"] = Json::array();
-  std::vector<const WorkerEngine*> asked;
-  for (const EngineSeries& series : study.series) {
-    asked.push_back(series.engine);
+  for (const EngineSeries& series : study.series)
     json["engines"].push_back({{"engine", series.engine->name},
                                {"solver", series.engine->solver},
                                {"settings", series.settings},
                                {"parameters", series.parameters}});
-  }
   json["left_out"] = engines_left_out();
-  json["environment"] = environment(asked);
+  json["environment"] = environment(each_of(study.series, &EngineSeries::engine));
   json["command"] = command;
   return json;
 }

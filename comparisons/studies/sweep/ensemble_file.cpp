@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -52,14 +53,11 @@ void add_to_axes(Ensemble& ensemble, const Node& table) {
 }
 
 void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
-  std::vector<std::string> taken;
-  for (const Variation& other : ensemble.variations)
-    taken.insert(taken.end(), other.keys.begin(), other.keys.end());
-  for (const std::string& key : variation.keys) {
-    if (std::ranges::find(taken, key) != taken.end())
+  std::set<std::string> taken;
+  for (const Variation& other : ensemble.variations) taken.insert(other.keys.begin(), other.keys.end());
+  for (const std::string& key : variation.keys)
+    if (!taken.insert(key).second)
       throw InputError(fmt::format("{}: key = {}: must be varied only once", variation.place, one_line(key)));
-    taken.push_back(key);
-  }
 }
 
 void read_variations(Ensemble& ensemble, const Node& root) {

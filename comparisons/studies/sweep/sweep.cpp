@@ -41,14 +41,6 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
   write_summaries(folder, ensemble.summary);
 }
 
-void write_timing(const SweepResult& result, const Executor& executor, const SweepOptions& options) {
-  const Json json{{"command", options.command},
-                  {"workers", executor.description()},
-                  {"runs_computed", result.computed},
-                  {"seconds", result.seconds}};
-  write_file(options.folder / "timing.json", json.dump(2) + "\n");
-}
-
 }  // namespace
 
 std::size_t block_size(std::size_t runs) {
@@ -90,7 +82,11 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   write_results(ensemble, journal, options.folder);
   for (CsvLine line(options.folder / "runs.csv"); line.next();)
     result.failed += line.text("status") == "failed" ? 1 : 0;
-  if (result.computed > 0) write_timing(result, executor, options);
+  const Json timing{{"command", options.command},
+                    {"workers", executor.description()},
+                    {"runs_computed", result.computed},
+                    {"seconds", result.seconds}};
+  if (result.computed > 0) write_file(options.folder / "timing.json", timing.dump(2) + "\n");
   return result;
 }
 

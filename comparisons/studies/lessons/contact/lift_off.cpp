@@ -6,14 +6,9 @@
 namespace rockstack {
 namespace {
 
-/// Rates of the lowest block at a time, m/s: along the ground and up.
-struct Rates {
-  double along, up;
-};
-
-Rates rates_at(const Scene& scene, double time) {
-  const History history = solve(scene, {.sample_times = {time}});
-  return {history.centre_velocities[0], history.centre_velocities[1]};
+/// Velocities of centres at a time, m/s: of the lowest block along the ground, then up.
+std::vector<double> rates_at(const Scene& scene, double time) {
+  return solve(scene, {.sample_times = {time}}).centre_velocities;
 }
 
 InterfaceSummary summary_of(const Scene& scene) {
@@ -45,8 +40,8 @@ Table flight(const Scene& scene, const Throw& thrown, double landing) {
       {{"highest gap (mm)", fixed(1e3 * thrown.highest, 2), fixed(1e3 * summary_of(scene).highest_lift, 2)},
        {"lands at (s)", fixed(thrown.landing, 6), fixed(landing, 6)},
        {"speed at the landing (m/s)", fixed(thrown.landing_rate, 5),
-        fixed(-rates_at(scene, landing - aside).up, 5)},
-       {"speed after it (m/s)", "0", fixed(rates_at(scene, landing + aside).up, 5)}}};
+        fixed(-rates_at(scene, landing - aside)[1], 5)},
+       {"speed after it (m/s)", "0", fixed(rates_at(scene, landing + aside)[1], 5)}}};
 }
 
 /// The block slides from the start, at `speed`, and is thrown on its way.
@@ -61,10 +56,9 @@ Table slides(Scene scene, const Throw& thrown, double speed) {
     const History history = solve(scene, {.sample_times = {scene.duration}});
     const double landing = first_event(history, EventKind::impact)->time;
     constexpr double later = 1e-9;  // s: the speed falls by 1e-8 m/s
-    table.rows.push_back({cell(friction), cell(form.after_landing),
-                          cell(rates_at(scene, landing + later).along), cell(form.stop),
-                          cell(history.events.back().time), cell(form.distance), cell(history.slips.back()),
-                          cell(speed * speed / (2 * friction * scene.gravity))});
+    table.rows.push_back({cell(friction), cell(form.after_landing), cell(rates_at(scene, landing + later)[0]),
+                          cell(form.stop), cell(history.events.back().time), cell(form.distance),
+                          cell(history.slips.back()), cell(speed * speed / (2 * friction * scene.gravity))});
   }
   return table;
 }

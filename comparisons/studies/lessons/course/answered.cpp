@@ -76,9 +76,8 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
   Json json = summary(lesson, course);
   if (in_course) json["neighbours"] = neighbours(lesson);
   json["references"] = course.references;
-  json["predictions"] = Json::array();
-  for (const Problem& problem : course.predictions)
-    json["predictions"].push_back(answered(problem, values.measured));
+  json["predictions"] =
+      each_of(course.predictions, [&](const Problem& problem) { return answered(problem, values.measured); });
   json["text"] = file_text(file_of(lesson, ".html"));
   json["slides"] = file_text(file_of(lesson, ".html", "slides"));
   json["numbers"] = values.numbers;
@@ -137,8 +136,8 @@ std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder,
 }
 
 std::string course_json() {
-  Json list = Json::array();
-  for (const Lesson& lesson : lessons()) list.push_back(summary(lesson, read_course(lesson.name)));
+  const Json list =
+      each_of(lessons(), [](const Lesson& lesson) { return summary(lesson, read_course(lesson.name)); });
   return Json{{"lessons", list}}.dump(2) + "\n";
 }
 
