@@ -121,8 +121,7 @@ void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)
     }
   }
   if (tallies.empty()) return;
-  const auto blocks = static_cast<int>(job.scene.scene.blocks.size());
-  files["perturbed.csv"] = tallies_csv(tallies, blocks);
+  files["perturbed.csv"] = tallies_csv(tallies, static_cast<int>(job.scene.scene.blocks.size()));
 }
 
 /// The exact solver's run, or that of a variant of it, which is compared with it.
