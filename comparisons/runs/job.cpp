@@ -119,7 +119,7 @@ double predictable_time(const Scene& scene, const Replicates& replicates, double
 std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
   static const Variant measured{Variant::Choice::measured};
   std::vector<Job> jobs;
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
       const auto horizon = horizon_of(suite, scene);
       jobs.push_back({suite, scene, {}, nullptr, nullptr, horizon});
@@ -130,7 +130,6 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
       for (const EngineSeries& series : suite.series)
         for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series, nullptr, horizon});
     }
-  }
   return jobs;
 }
 

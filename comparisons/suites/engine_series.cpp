@@ -142,7 +142,7 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
   const Node* engines = find(root, "engines");
   if (engines == nullptr) return list;
   std::set<std::tuple<std::string, std::string, std::string, double>> runs;
-  for (const Node& table : entries(*engines, "an array of tables")) {
+  for (const Node& table : entries(*engines, "an array of tables"))
     for (EngineSeries& series : read_series(table, folder)) {
       for (const double dt : series.steps)
         if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
@@ -151,7 +151,6 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
                                        dt));
       list.push_back(std::move(series));
     }
-  }
   return list;
 }
 

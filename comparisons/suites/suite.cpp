@@ -232,7 +232,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
   if (largest == 0)
     throw InputError(fmt::format("--record {}: must not be zero throughout", record.string()));
   bool replaced = false;
-  for (Suite& suite : suites) {
+  for (Suite& suite : suites)
     for (NamedScene& scene : suite.scenes) {
       GroundMotion& motion = scene.scene.horizontal;
       if (motion.samples.empty()) continue;
@@ -245,7 +245,6 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
       scene.scene.duration = std::max(scene.scene.duration, motion.end());
       replaced = true;
     }
-  }
   if (!replaced)
     throw InputError(
         fmt::format("--record {}: no scene has a horizontal motion by samples to replace", record.string()));

@@ -46,13 +46,12 @@ Sets sets_of(const std::vector<ReplicatedRow>& all) {
 /// The least error of any set in each cell where one is done.
 std::map<Cell, double> least_errors(const Sets& sets) {
   std::map<Cell, double> least;
-  for (const auto& [name, errors] : sets) {
+  for (const auto& [name, errors] : sets)
     for (const auto& [cell, error] : errors) {
       if (!std::isfinite(error.median)) continue;
       double& known = least.try_emplace(cell, error.median).first->second;
       known = std::min(known, error.median);
     }
-  }
   return least;
 }
 

@@ -29,12 +29,11 @@ Found least(const Function& f, Range x, Range y) {
   const Range all_x = x, all_y = y;
   Found best;
   for (int round = 0; round < rounds; ++round) {
-    for (int i = 0; i <= cells; ++i) {
+    for (int i = 0; i <= cells; ++i)
       for (int j = 0; j <= (y.low < y.high ? cells : 0); ++j) {
         const double at_x = x.low + (x.high - x.low) * i / cells, at_y = y.low + (y.high - y.low) * j / cells;
         if (const double sum = f(at_x, at_y); sum < best.sum) best = {at_x, at_y, sum};
       }
-    }
     const auto around = [](double middle, Range now, Range all) {
       const double reach = 0.22 * (now.high - now.low);
       return Range{std::max(all.low, middle - reach), std::min(all.high, middle + reach)};
