@@ -74,9 +74,9 @@ void add_impacts(const Scene& scene, const History& exact, const CandidateMotion
   set_counts(compared, row.impacts_matched, row.impacts_missed, row.impacts_extra);
   row.first_impact_time_difference = first_difference(expected, candidate.impacts, horizon);
   if (*row.impacts_matched > 0) {
-    const TimeDifferences times = time_differences(compared);
-    row.rms_impact_time_difference = times.root_mean_square;
-    row.largest_impact_time_difference = times.largest;
+    const AlignmentCounts counts = count(compared);
+    row.rms_impact_time_difference = counts.rms_apart;
+    row.largest_impact_time_difference = counts.largest_apart;
   }
   // What the exact motion itself scores when it is read from samples as an engine's is.
   const auto sampled = observed_impacts(exact, chatter_speed(scene));
