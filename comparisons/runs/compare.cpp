@@ -156,9 +156,9 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   json["environment"] = environment(engines_of(suites));
   json["command"] = command;
   json["statements"] = statements_json(suites);
-  json["fit_definition"] = fit_definition();
+  json["fit_definition"] = fit_definition;
   json["fits"] = evidence.fits;
-  json["distribution_definition"] = distribution_definition();
+  json["distribution_definition"] = distribution_definition;
   json["distributions"] = evidence.distances;
   json["rows"] = rows;
   return json;

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<double> read_steps(const Node& table) {
   const Node* node = find(table, "dt");
-  if (node == nullptr) return default_steps();
+  if (node == nullptr) return default_steps;
   for (const Node& child : entries(*node, "an array of at least one step > 0, s")) number_above_zero(child);
   return numbers(*node);
 }
@@ -100,10 +100,6 @@ std::string value_text(const WorkerEngine& engine, const std::string& name, doub
 }
 
 }  // namespace
-
-std::vector<double> default_steps() {
-  return {1e-2, 1e-3, 1e-4};
-}
 
 EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
                          const Parameters& changes) {

@@ -258,7 +258,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
     suite.repeats = 1;
     suite.history_interval = scene.scene.duration / 2000;
   }
-  std::vector<double> steps = choice.steps.empty() ? default_steps() : choice.steps;
+  std::vector<double> steps = choice.steps.empty() ? default_steps : choice.steps;
   if (choice.quick && choice.steps.empty()) steps.pop_back();
   suite.scenes.push_back(std::move(scene));
   for (const WorkerEngine* engine : engines_of_choice(choice.engines))
