@@ -126,6 +126,16 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.contact_restitution = restitution_of(*row.contact_damping_ratio);
 }
 
+/// How far two motions' centres are apart at times of both, m.
+Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
+                               const std::vector<double>& second, std::size_t blocks) {
+  Difference result{blocks, times, {}};
+  result.values.reserve(times.size() * blocks);
+  for (std::size_t i = 0; i < 2 * times.size() * blocks; i += 2)
+    result.values.push_back(std::hypot(second[i] - first[i], second[i + 1] - first[i + 1]));
+  return result;
+}
+
 /// Where centres are; `exact` and `times`: those that are compared.
 void add_positions(const Scene& scene, const History& exact, const std::vector<double>& times,
                    const std::optional<BodyRecord>& bodies, double tolerance, RunMetrics& row) {

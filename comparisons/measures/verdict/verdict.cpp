@@ -232,15 +232,6 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
   return sentences;
 }
 
-std::string ranking_definition() {
-  return fmt::format(
-      "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
-      "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
-      "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
-      "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
-      100 * separation_level);
-}
-
 }  // namespace
 
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
@@ -263,7 +254,12 @@ Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScen
   Json json{{"headline", verdict.headline}, {"scenes", Json::array()}, {"ranking", verdict.ranking}};
   for (std::size_t i = 0; i < scenes.size(); ++i)
     json["scenes"].push_back({{"name", scenes[i].name}, {"sentences", verdict.scenes[i]}});
-  json["ranking_definition"] = ranking_definition();
+  json["ranking_definition"] = fmt::format(
+      "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
+      "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
+      "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
+      "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
+      100 * separation_level);
   return json;
 }
 
