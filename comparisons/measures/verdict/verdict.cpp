@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/lists.hpp"
