@@ -98,10 +98,8 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
                                  const History& engine) {
   DifferenceParts parts{difference(exact, rigid), difference(rigid, soft), difference(soft, engine)};
   const std::size_t samples = std::min({exact.size(), rigid.size(), soft.size(), engine.size()});
-  for (Difference* part : {&parts.model, &parts.softness, &parts.step}) {
-    part->times.resize(samples);
-    part->values.resize(samples * part->blocks);
-  }
+  for (Difference* part : {&parts.model, &parts.softness, &parts.step})
+    *part = up_to(std::move(*part), exact.times[samples - 1]);
   return parts;
 }
 

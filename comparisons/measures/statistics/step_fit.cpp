@@ -161,9 +161,8 @@ std::string failure(const StepFit& fit, double constant_sum, double limit) {
 }  // namespace
 
 StepFit fit_steps(const std::vector<StepError>& errors) {
-  std::vector<StepError> used;
-  for (const StepError& one : errors)
-    if (std::isfinite(one.error) && one.error > 0) used.push_back(one);
+  std::vector<StepError> used = errors;
+  std::erase_if(used, [](const StepError& one) { return !(std::isfinite(one.error) && one.error > 0); });
   StepFit fit;
   fit.points = used.size();
   if (fit.points < least_points) {

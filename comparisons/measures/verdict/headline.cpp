@@ -176,9 +176,8 @@ std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<R
 }  // namespace
 
 std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
-  std::vector<ReplicatedRow> own;
-  std::ranges::copy_if(rows, std::back_inserter(own),
-                       [&](const ReplicatedRow& one) { return one.scene == scene.name; });
+  std::vector<ReplicatedRow> own = rows;
+  std::erase_if(own, [&](const ReplicatedRow& one) { return one.scene != scene.name; });
   return own;
 }
 
