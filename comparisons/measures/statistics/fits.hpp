@@ -38,7 +38,7 @@ struct StepFit {
 };
 
 /// Fits errors at different steps. Errors that are not finite or not above zero are left out.
-StepFit fit_steps(const std::vector<StepError>& errors);
+StepFit fit_steps(std::vector<StepError> errors);
 
 /// The errors of one engine, solver and parameter set on one scene, fitted over its time steps.
 struct SeriesFit {

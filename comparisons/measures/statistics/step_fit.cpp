@@ -160,18 +160,17 @@ std::string failure(const StepFit& fit, double constant_sum, double limit) {
 
 }  // namespace
 
-StepFit fit_steps(const std::vector<StepError>& errors) {
-  std::vector<StepError> used = errors;
-  std::erase_if(used, [](const StepError& one) { return !(std::isfinite(one.error) && one.error > 0); });
+StepFit fit_steps(std::vector<StepError> errors) {
+  std::erase_if(errors, [](const StepError& one) { return !(std::isfinite(one.error) && one.error > 0); });
   StepFit fit;
-  fit.points = used.size();
+  fit.points = errors.size();
   if (fit.points < least_points) {
     fit.reason = fmt::format("{} steps are fewer than {}", fit.points, least_points);
     return fit;
   }
-  const Data data(used);
+  const Data data(errors);
   const auto [low, high] = std::ranges::minmax_element(
-      used, [](const StepError& a, const StepError& b) { return a.error < b.error; });
+      errors, [](const StepError& a, const StepError& b) { return a.error < b.error; });
   const Found best = best_curve(data);
   const std::size_t freedom = fit.points - parameters;
   const double ratio = reach_of_interval(freedom);
