@@ -234,19 +234,17 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
 }  // namespace
 
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
-  ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
-  for (const JudgedScene& scene : scenes)
-    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
-  return verdict;
+  const auto sentences = [&](const JudgedScene& scene) {
+    return sentences_of(evidence, scene, scenes.size() == 1);
+  };
+  return {headline_of(evidence, scenes), each_of(scenes, sentences), rank_all(evidence.rows)};
 }
 
 ComparisonVerdict verdict_from(const Json& json) {
-  ComparisonVerdict verdict{json.at("headline").get<std::vector<std::string>>(),
-                            {},
-                            json.at("ranking").get<std::vector<RankedSet>>()};
-  for (const Json& scene : json.at("scenes"))
-    verdict.scenes.push_back(scene.at("sentences").get<std::vector<std::string>>());
-  return verdict;
+  const auto sentences = [](const Json& scene) {
+    return scene.at("sentences").get<std::vector<std::string>>();
+  };
+  return {json.at("headline"), each_of(json.at("scenes"), sentences), json.at("ranking")};
 }
 
 Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes) {
