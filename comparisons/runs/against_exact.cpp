@@ -74,9 +74,9 @@ void add_impacts(const Scene& scene, const History& exact, const CandidateMotion
   set_counts(compared, row.impacts_matched, row.impacts_missed, row.impacts_extra);
   row.first_impact_time_difference = first_difference(expected, candidate.impacts, horizon);
   if (*row.impacts_matched > 0) {
-    const TimeDifferences times = time_differences(compared);
-    row.rms_impact_time_difference = times.root_mean_square;
-    row.largest_impact_time_difference = times.largest;
+    const AlignmentCounts counts = count(compared);
+    row.rms_impact_time_difference = counts.rms_apart;
+    row.largest_impact_time_difference = counts.largest_apart;
   }
   // What the exact motion itself scores when it is read from samples as an engine's is.
   const auto sampled = observed_impacts(exact, chatter_speed(scene));
@@ -124,6 +124,16 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.contact_points = bodies.contacts->points;
   row.contact_damping_ratio = damping_ratio(corner_of(*bodies.contacts), scene.blocks.front());
   row.contact_restitution = restitution_of(*row.contact_damping_ratio);
+}
+
+/// How far two motions' centres are apart at times of both, m.
+Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
+                               const std::vector<double>& second, std::size_t blocks) {
+  Difference result{blocks, times, {}};
+  result.values.reserve(times.size() * blocks);
+  for (std::size_t i = 0; i < 2 * times.size() * blocks; i += 2)
+    result.values.push_back(std::hypot(second[i] - first[i], second[i + 1] - first[i + 1]));
+  return result;
 }
 
 /// Where centres are; `exact` and `times`: those that are compared.

@@ -125,7 +125,7 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   const std::vector<RunMetrics>& rows = result.rows;
   Json json;
   json["scenes"] = Json::array();
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
       Json entry{{"name", scene.name}};
       entry.update(scene_json(scene.scene));
@@ -148,7 +148,6 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                     {"page", page_text(scene.document, scene.scene)}});
       json["scenes"].push_back(std::move(entry));
     }
-  }
   json["title"] = fmt::format("{}", fmt::join(each_of(suites, &Suite::title), "; "));
   json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
@@ -157,22 +156,21 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   json["environment"] = environment(engines_of(suites));
   json["command"] = command;
   json["statements"] = statements_json(suites);
-  json["fit_definition"] = fit_definition();
+  json["fit_definition"] = fit_definition;
   json["fits"] = evidence.fits;
-  json["distribution_definition"] = distribution_definition();
+  json["distribution_definition"] = distribution_definition;
   json["distributions"] = evidence.distances;
   json["rows"] = rows;
   return json;
 }
 
 void write_ground(const std::vector<Suite>& suites, const std::filesystem::path& folder) {
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
       if (scene.scene.horizontal.empty() && scene.scene.vertical.empty()) continue;
       std::filesystem::create_directories(folder / "ground");
       write_file(folder / "ground" / (scene.name + ".csv"), ground_csv(scene.scene));
     }
-  }
 }
 
 /// A step that is longer than one scene costs its rows there, one that is longer than all is a mistake.
@@ -197,11 +195,10 @@ void require_comparable(const std::vector<Suite>& suites) {
     std::set<std::tuple<std::string, std::string, double>> runs;
     for (const EngineSeries& series : suite.series) {
       const std::string engine = series.engine->full_name();
-      for (const double dt : series.steps) {
+      for (const double dt : series.steps)
         if (!runs.emplace(engine, series.settings, dt).second)
           throw InputError(fmt::format(
               "engine {}: must be in a comparison once; its results would share a folder", engine));
-      }
     }
     require_short_steps(suite);
     for (const NamedScene& scene : suite.scenes) {
@@ -210,10 +207,9 @@ void require_comparable(const std::vector<Suite>& suites) {
         throw InputError(
             fmt::format("{}: duration = {}: must be at most {} s in a comparison, which samples every {} s",
                         scene.duration_place, scene.scene.duration, longest, sample_interval));
-      if (!names.insert(scene.name).second) {
+      if (!names.insert(scene.name).second)
         throw InputError(fmt::format(
             "scene {}: must be in a comparison once; its results would share a folder", scene.name));
-      }
     }
   }
 }

@@ -60,12 +60,8 @@ double record_bytes(const Job& job) {
 
 }  // namespace
 
-bool is_baseline(const Job& job) {
-  return job.variant != nullptr && job.variant->choice == Variant::Choice::rk4;
-}
-
-bool is_measured(const Job& job) {
-  return job.variant != nullptr && job.variant->choice == Variant::Choice::measured;
+bool has_choice(const Job& job, Variant::Choice choice) {
+  return job.variant != nullptr && job.variant->choice == choice;
 }
 
 double horizon_of(const Job& job) {
@@ -91,7 +87,7 @@ RunMetrics describe(const Job& job) {
     row.settings = job.series->settings;
     row.run =
         folder_name(fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt));
-  } else if (is_baseline(job)) {
+  } else if (has_choice(job, Variant::Choice::rk4)) {
     row.dt = job.dt;
     row.engine = job.variant->name();
     row.solver = "runge-kutta";
@@ -99,7 +95,7 @@ RunMetrics describe(const Job& job) {
     row.run = fmt::format("{}.{}-{}", row.scene, row.engine, job.dt);
   } else {
     row.engine = job.variant != nullptr ? job.variant->name() : "exact";
-    row.solver = is_measured(job) ? "" : "taylor";
+    row.solver = has_choice(job, Variant::Choice::measured) ? "" : "taylor";
     row.run = row.scene + "." + row.engine;
   }
   return row;
@@ -119,7 +115,7 @@ double predictable_time(const Scene& scene, const Replicates& replicates, double
 std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
   static const Variant measured{Variant::Choice::measured};
   std::vector<Job> jobs;
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
       const auto horizon = horizon_of(suite, scene);
       jobs.push_back({suite, scene, {}, nullptr, nullptr, horizon});
@@ -130,7 +126,6 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
       for (const EngineSeries& series : suite.series)
         for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series, nullptr, horizon});
     }
-  }
   return jobs;
 }
 

@@ -32,11 +32,8 @@ struct Job {
       {};  ///< predictable_time(), one for all jobs of a scene; none: its duration
 };
 
-/// True for the variant with Runge–Kutta steps, the one that has a time step.
-bool is_baseline(const Job& job);
-
-/// True for the variant that a test has measured.
-bool is_measured(const Job& job);
+/// True for the variant of that choice: of rk4, which has a time step, or of what a test has measured.
+bool has_choice(const Job& job, Variant::Choice choice);
 
 /// Up to when the job's histories are compared, s; the duration where the exact motion cannot be found.
 double horizon_of(const Job& job);

@@ -121,8 +121,7 @@ void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)
     }
   }
   if (tallies.empty()) return;
-  const auto blocks = static_cast<int>(job.scene.scene.blocks.size());
-  files["perturbed.csv"] = tallies_csv(tallies, blocks);
+  files["perturbed.csv"] = tallies_csv(tallies, static_cast<int>(job.scene.scene.blocks.size()));
 }
 
 /// The exact solver's run, or that of a variant of it, which is compared with it.
@@ -132,7 +131,7 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
   };
   const Scene scene = as_run(job.scene.scene);
   SolveOptions timed;
-  if (is_baseline(job)) timed = {.integrator = Integrator::rk4, .step = job.dt};
+  if (has_choice(job, Variant::Choice::rk4)) timed = {.integrator = Integrator::rk4, .step = job.dt};
   SolveOptions options = timed;
   options.sample_times = regular_times(sample_interval, scene.duration);
   options.validity = true;
@@ -233,7 +232,9 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time) {
   RunMetrics row = describe(job);
   row.runs_at_a_time = static_cast<int>(runs_at_a_time);
-  const auto make = job.series != nullptr ? run_engine : is_measured(job) ? run_measured : run_solver;
+  const auto make = job.series != nullptr                        ? run_engine
+                    : has_choice(job, Variant::Choice::measured) ? run_measured
+                                                                 : run_solver;
   RunFiles files;
   Json json;
   try {

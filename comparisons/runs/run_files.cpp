@@ -97,10 +97,9 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 void thin_histories(RunFiles& files, double interval) {
   if (interval == 0) return;
-  for (const char* name : {"history.csv", "difference.csv", "energy.csv", "reactions.csv", "parts.csv"}) {
+  for (const char* name : {"history.csv", "difference.csv", "energy.csv", "reactions.csv", "parts.csv"})
     if (const auto file = files.find(name); file != files.end())
       file->second = thinned(file->second, interval);
-  }
 }
 
 void write_files(const RunFiles& files, const std::filesystem::path& folder) {

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<double> read_steps(const Node& table) {
   const Node* node = find(table, "dt");
-  if (node == nullptr) return default_steps();
+  if (node == nullptr) return default_steps;
   for (const Node& child : entries(*node, "an array of at least one step > 0, s")) number_above_zero(child);
   return numbers(*node);
 }
@@ -101,10 +101,6 @@ std::string value_text(const WorkerEngine& engine, const std::string& name, doub
 
 }  // namespace
 
-std::vector<double> default_steps() {
-  return {1e-2, 1e-3, 1e-4};
-}
-
 EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
                          const Parameters& changes) {
   EngineSeries series{&engine, settings,
@@ -142,7 +138,7 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
   const Node* engines = find(root, "engines");
   if (engines == nullptr) return list;
   std::set<std::tuple<std::string, std::string, std::string, double>> runs;
-  for (const Node& table : entries(*engines, "an array of tables")) {
+  for (const Node& table : entries(*engines, "an array of tables"))
     for (EngineSeries& series : read_series(table, folder)) {
       for (const double dt : series.steps)
         if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
@@ -151,7 +147,6 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
                                        dt));
       list.push_back(std::move(series));
     }
-  }
   return list;
 }
 

@@ -66,11 +66,9 @@ Perturbations read_perturbations(const Node& table) {
 Replicates read_replicates(const Node& table) {
   require_table(table, replicates_keys);
   const auto share = [&](const char* key, double& value, double most) {
-    const Node* node = find(table, key);
-    if (node == nullptr) return;
-    if (!(number(*node) >= 0 && node->number <= most))
-      throw wrong_value(*node, fmt::format("a number from 0 to {}", most));
-    value = node->number;
+    value = number_or(table, key, value);
+    if (!(value >= 0 && value <= most))
+      throw wrong_value(*find(table, key), fmt::format("a number from 0 to {}", most));
   };
   Replicates replicates;
   replicates.runs =

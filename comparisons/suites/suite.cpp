@@ -232,7 +232,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
   if (largest == 0)
     throw InputError(fmt::format("--record {}: must not be zero throughout", record.string()));
   bool replaced = false;
-  for (Suite& suite : suites) {
+  for (Suite& suite : suites)
     for (NamedScene& scene : suite.scenes) {
       GroundMotion& motion = scene.scene.horizontal;
       if (motion.samples.empty()) continue;
@@ -245,7 +245,6 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
       scene.scene.duration = std::max(scene.scene.duration, motion.end());
       replaced = true;
     }
-  }
   if (!replaced)
     throw InputError(
         fmt::format("--record {}: no scene has a horizontal motion by samples to replace", record.string()));
@@ -259,7 +258,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
     suite.repeats = 1;
     suite.history_interval = scene.scene.duration / 2000;
   }
-  std::vector<double> steps = choice.steps.empty() ? default_steps() : choice.steps;
+  std::vector<double> steps = choice.steps.empty() ? default_steps : choice.steps;
   if (choice.quick && choice.steps.empty()) steps.pop_back();
   suite.scenes.push_back(std::move(scene));
   for (const WorkerEngine* engine : engines_of_choice(choice.engines))

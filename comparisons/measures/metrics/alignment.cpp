@@ -140,23 +140,15 @@ std::vector<AlignedImpact> up_to(std::vector<AlignedImpact> alignment, double ti
 
 AlignmentCounts count(const std::vector<AlignedImpact>& alignment) {
   AlignmentCounts counts;
-  for (const AlignedImpact& line : alignment)
-    ++(!line.engine ? counts.missed : !line.exact ? counts.extra : counts.matched);
-  return counts;
-}
-
-TimeDifferences time_differences(const std::vector<AlignedImpact>& alignment) {
-  TimeDifferences result;
   double squares = 0;
   for (const AlignedImpact& line : alignment) {
-    if (!line.exact || !line.engine) continue;
-    const double apart = *line.engine - *line.exact;
+    ++(!line.engine ? counts.missed : !line.exact ? counts.extra : counts.matched);
+    const double apart = line.exact && line.engine ? *line.engine - *line.exact : 0;
     squares += apart * apart;
-    result.largest = std::max(result.largest, std::abs(apart));
+    counts.largest_apart = std::max(counts.largest_apart, std::abs(apart));
   }
-  const int matched = count(alignment).matched;
-  if (matched > 0) result.root_mean_square = std::sqrt(squares / matched);
-  return result;
+  if (counts.matched > 0) counts.rms_apart = std::sqrt(squares / counts.matched);
+  return counts;
 }
 
 std::vector<double> matching_windows(const std::vector<ImpactTime>& exact, const Difference& apart,

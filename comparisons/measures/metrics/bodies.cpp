@@ -26,15 +26,6 @@ std::vector<double> centres_of(const Scene& scene, const History& history) {
   return result;
 }
 
-Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
-                               const std::vector<double>& second, std::size_t blocks) {
-  Difference result{blocks, times, {}};
-  result.values.reserve(times.size() * blocks);
-  for (std::size_t i = 0; i < 2 * times.size() * blocks; i += 2)
-    result.values.push_back(std::hypot(second[i] - first[i], second[i + 1] - first[i + 1]));
-  return result;
-}
-
 double extent_of_motion(const Scene& scene, const History& history, const std::vector<double>& centres) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   double turn = 0, way = 0;

@@ -106,12 +106,11 @@ std::vector<InterfaceSummary> contact_summary(const History& history) {
     if (!history.gaps.empty() && std::isfinite(history.gaps[i]))
       one.highest_lift = std::max(one.highest_lift, history.gaps[i]);
   }
-  for (const Event& event : history.events) {
+  for (const Event& event : history.events)
     for (std::size_t k = 0; k < blocks; ++k) {
       list[k].slips += event.from.slides[k] == 0 && event.to.slides[k] != 0;
       list[k].lift_offs += event.from.contacts[k] != Contact::apart && event.to.contacts[k] == Contact::apart;
     }
-  }
   return list;
 }
 

@@ -30,9 +30,8 @@ std::size_t samples_up_to(const std::vector<double>& times, double time) {
 Difference difference(const History& first, const History& second) {
   const std::size_t count = common_samples(first, second);
   const auto blocks = static_cast<std::size_t>(first.blocks);
-  Difference result{blocks,
-                    {first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count)},
-                    std::vector<double>(count * blocks)};
+  Difference result{blocks, first.times, std::vector<double>(count * blocks)};
+  result.times.resize(count);
   for (std::size_t i = 0; i < result.values.size(); ++i)
     result.values[i] = second.angles[i] - first.angles[i];
   return result;
@@ -99,10 +98,8 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
                                  const History& engine) {
   DifferenceParts parts{difference(exact, rigid), difference(rigid, soft), difference(soft, engine)};
   const std::size_t samples = std::min({exact.size(), rigid.size(), soft.size(), engine.size()});
-  for (Difference* part : {&parts.model, &parts.softness, &parts.step}) {
-    part->times.resize(samples);
-    part->values.resize(samples * part->blocks);
-  }
+  for (Difference* part : {&parts.model, &parts.softness, &parts.step})
+    *part = up_to(std::move(*part), exact.times[samples - 1]);
   return parts;
 }
 

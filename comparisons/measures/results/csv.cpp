@@ -41,13 +41,12 @@ std::string take_quoted(std::string_view& rest, const std::string& where) {
 void split(std::string_view rest, Cells& cells, const std::string& where) {
   cells.clear();
   for (bool more = true; more;) {
-    std::string quoted;
     const bool is_quoted = !rest.empty() && rest.front() == '"';
-    if (is_quoted) quoted = take_quoted(rest, where);
+    std::string& cell = cells.emplace_back(is_quoted ? take_quoted(rest, where) : "");
     const std::size_t end = std::min(rest.find(','), rest.size());
     if (is_quoted && end != 0) throw InputError(where + ": text after a closing quote");
-    cells.push_back(is_quoted ? std::move(quoted) : std::string(rest.substr(0, end)));
-    if (cells.back().starts_with('\'') && needs_guard(cells.back())) cells.back().erase(0, 1);
+    if (!is_quoted) cell = rest.substr(0, end);
+    if (cell.starts_with('\'') && needs_guard(cell)) cell.erase(0, 1);
     more = end < rest.size();
     rest.remove_prefix(more ? end + 1 : end);
   }

@@ -120,12 +120,4 @@ void from_json(const Json& json, DistributionDistance& one) {
          json.at("runs"),  json.at("exact_mean"), json.at("mean"),     apart};
 }
 
-std::string distribution_definition() {
-  return "the same slightly perturbed scenes for every answer; distance is the Kolmogorov–Smirnov distance "
-         "between the engine's distribution of the quantity and the exact one, p_value the chance of that "
-         "distance or more if both were one distribution and the scenes drawn anew for each, critical the "
-         "distance with a chance of 5 %. peak_k is the largest angle of block k (rad), impacts counts those "
-         "above the chatter speed, toppled is 1 where a block topples";
-}
-
 }  // namespace rockstack

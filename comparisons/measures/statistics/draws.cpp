@@ -7,11 +7,7 @@ namespace rockstack {
 namespace {
 
 /// Two independent numbers, uniform between 0 and 1, both ends left out.
-struct UniformPair {
-  double first, second;
-};
-
-UniformPair draw_uniform(const DrawIndex& index) {
+std::pair<double, double> draw_uniform(const DrawIndex& index) {
   const auto low = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
   const auto high = [](std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32U); };
   const auto bits =

@@ -82,12 +82,4 @@ void from_json(const Json& json, SeriesFit& one) {
          json.at("settings"), json.at("quantity"), fit};
 }
 
-std::string fit_definition() {
-  return "error(dt) = gap + coefficient · dt^order, gap being the model error that no step takes away, by "
-         "least squares of ln error, gap ≥ 0 and order from 0.1 to 6; low and high are 95 % bounds of the "
-         "profile of the sum of squares; scatter is the root of the mean square deviation in ln error. A fit "
-         "holds with at least five steps, a scatter of at most ln 3, errors that fall with the step, and an "
-         "order that is bounded.";
-}
-
 }  // namespace rockstack

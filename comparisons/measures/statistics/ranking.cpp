@@ -46,13 +46,12 @@ Sets sets_of(const std::vector<ReplicatedRow>& all) {
 /// The least error of any set in each cell where one is done.
 std::map<Cell, double> least_errors(const Sets& sets) {
   std::map<Cell, double> least;
-  for (const auto& [name, errors] : sets) {
+  for (const auto& [name, errors] : sets)
     for (const auto& [cell, error] : errors) {
       if (!std::isfinite(error.median)) continue;
       double& known = least.try_emplace(cell, error.median).first->second;
       known = std::min(known, error.median);
     }
-  }
   return least;
 }
 
@@ -120,13 +119,12 @@ bool can_be_ranked(const RunMetrics& row) {
          row.motion.value_or(0) > rest_extent;
 }
 
-std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows) {
+std::vector<ReplicatedRow> rows_that_count(std::vector<ReplicatedRow> rows) {
   const auto is_single = [](const ReplicatedRow& one) { return one.errors.size() < 2; };
   const auto is_done = [](const ReplicatedRow& one) { return one.status == RunStatus::done; };
-  std::vector<ReplicatedRow> list = rows;
   if (!std::ranges::all_of(rows, is_single))
-    std::erase_if(list, [&](const ReplicatedRow& one) { return is_single(one) && is_done(one); });
-  return list;
+    std::erase_if(rows, [&](const ReplicatedRow& one) { return is_single(one) && is_done(one); });
+  return rows;
 }
 
 int replicates_that_tell_apart(std::size_t sets, std::size_t steps) {

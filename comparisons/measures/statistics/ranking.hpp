@@ -39,7 +39,7 @@ bool can_be_ranked(const RunMetrics& row);
 
 /// Rows without those of a single run where others have replicates: the error of one run is chance, and by it
 /// nothing is told apart. A run that is not done stays.
-std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows);
+std::vector<ReplicatedRow> rows_that_count(std::vector<ReplicatedRow> rows);
 
 /// The least number of replicates, five or more, with which each pair of so many sets can be told apart: of n
 /// replicates that lie apart at so many steps, at one by chance in 2 of (2n)!/n!² cases.

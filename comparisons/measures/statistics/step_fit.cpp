@@ -29,12 +29,11 @@ Found least(const Function& f, Range x, Range y) {
   const Range all_x = x, all_y = y;
   Found best;
   for (int round = 0; round < rounds; ++round) {
-    for (int i = 0; i <= cells; ++i) {
+    for (int i = 0; i <= cells; ++i)
       for (int j = 0; j <= (y.low < y.high ? cells : 0); ++j) {
         const double at_x = x.low + (x.high - x.low) * i / cells, at_y = y.low + (y.high - y.low) * j / cells;
         if (const double sum = f(at_x, at_y); sum < best.sum) best = {at_x, at_y, sum};
       }
-    }
     const auto around = [](double middle, Range now, Range all) {
       const double reach = 0.22 * (now.high - now.low);
       return Range{std::max(all.low, middle - reach), std::min(all.high, middle + reach)};
@@ -161,19 +160,17 @@ std::string failure(const StepFit& fit, double constant_sum, double limit) {
 
 }  // namespace
 
-StepFit fit_steps(const std::vector<StepError>& errors) {
-  std::vector<StepError> used;
-  for (const StepError& one : errors)
-    if (std::isfinite(one.error) && one.error > 0) used.push_back(one);
+StepFit fit_steps(std::vector<StepError> errors) {
+  std::erase_if(errors, [](const StepError& one) { return !(std::isfinite(one.error) && one.error > 0); });
   StepFit fit;
-  fit.points = used.size();
+  fit.points = errors.size();
   if (fit.points < least_points) {
     fit.reason = fmt::format("{} steps are fewer than {}", fit.points, least_points);
     return fit;
   }
-  const Data data(used);
+  const Data data(errors);
   const auto [low, high] = std::ranges::minmax_element(
-      used, [](const StepError& a, const StepError& b) { return a.error < b.error; });
+      errors, [](const StepError& a, const StepError& b) { return a.error < b.error; });
   const Found best = best_curve(data);
   const std::size_t freedom = fit.points - parameters;
   const double ratio = reach_of_interval(freedom);

@@ -175,11 +175,9 @@ std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<R
 
 }  // namespace
 
-std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
-  std::vector<ReplicatedRow> own;
-  std::ranges::copy_if(rows, std::back_inserter(own),
-                       [&](const ReplicatedRow& one) { return one.scene == scene.name; });
-  return own;
+std::vector<ReplicatedRow> rows_of(std::vector<ReplicatedRow> rows, const JudgedScene& scene) {
+  std::erase_if(rows, [&](const ReplicatedRow& one) { return one.scene != scene.name; });
+  return rows;
 }
 
 std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,

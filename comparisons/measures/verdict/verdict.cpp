@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/lists.hpp"
@@ -232,38 +231,32 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
   return sentences;
 }
 
-std::string ranking_definition() {
-  return fmt::format(
-      "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
-      "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
-      "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
-      "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
-      100 * separation_level);
-}
-
 }  // namespace
 
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
-  ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
-  for (const JudgedScene& scene : scenes)
-    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
-  return verdict;
+  const auto sentences = [&](const JudgedScene& scene) {
+    return sentences_of(evidence, scene, scenes.size() == 1);
+  };
+  return {headline_of(evidence, scenes), each_of(scenes, sentences), rank_all(evidence.rows)};
 }
 
 ComparisonVerdict verdict_from(const Json& json) {
-  ComparisonVerdict verdict{json.at("headline").get<std::vector<std::string>>(),
-                            {},
-                            json.at("ranking").get<std::vector<RankedSet>>()};
-  for (const Json& scene : json.at("scenes"))
-    verdict.scenes.push_back(scene.at("sentences").get<std::vector<std::string>>());
-  return verdict;
+  const auto sentences = [](const Json& scene) {
+    return scene.at("sentences").get<std::vector<std::string>>();
+  };
+  return {json.at("headline"), each_of(json.at("scenes"), sentences), json.at("ranking")};
 }
 
 Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes) {
   Json json{{"headline", verdict.headline}, {"scenes", Json::array()}, {"ranking", verdict.ranking}};
   for (std::size_t i = 0; i < scenes.size(); ++i)
     json["scenes"].push_back({{"name", scenes[i].name}, {"sentences", verdict.scenes[i]}});
-  json["ranking_definition"] = ranking_definition();
+  json["ranking_definition"] = fmt::format(
+      "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
+      "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
+      "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
+      "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
+      100 * separation_level);
   return json;
 }
 

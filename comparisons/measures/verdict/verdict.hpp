@@ -42,7 +42,7 @@ std::string event_of(const RunMetrics& row, const JudgedScene& scene);
 /// What becomes of a run, in words: "agrees until 1.2 s", "rests, but sinks in by 86 mm", "failed: …".
 std::string outcome(const RunMetrics& row, const JudgedScene& scene);
 
-std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene);
+std::vector<ReplicatedRow> rows_of(std::vector<ReplicatedRow> rows, const JudgedScene& scene);
 
 /// Until when engines agree with the exact motion, from coarse steps to fine ones, in a sentence; empty where
 /// no row moves. At most three steps are told.

@@ -8,6 +8,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
