@@ -25,7 +25,17 @@ class SeriesMaker {
       body.up.terms = max_terms<Real>;
       set_axes<Real>(body, 0, {sin(at.angle), cos(at.angle)});
     }
-    hold();
+    std::size_t count = 0;
+    for (const Joint<Real>& joint : joints_) count += joint.touches();
+    held_.resize(count);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      if (!joints_[k].touches()) continue;
+      held_[at].start(stack_, joints_[k], k, series_);
+      held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
+    }
+    system_ =
+        LinearSystem<Real>(size_, [&](std::size_t i, std::size_t j) { return rows_[i]->dot(*rows_[j]); });
   }
 
   /// What is known before accelerations are, for a step of that length.
@@ -126,20 +136,6 @@ class SeriesMaker {
   }
 
  private:
-  void hold() {
-    std::size_t count = 0;
-    for (const Joint<Real>& joint : joints_) count += joint.touches();
-    held_.resize(count);
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-      if (!joints_[k].touches()) continue;
-      held_[at].start(stack_, joints_[k], k, series_);
-      held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
-    }
-    system_ =
-        LinearSystem<Real>(size_, [&](std::size_t i, std::size_t j) { return rows_[i]->dot(*rows_[j]); });
-  }
-
   /// Coefficient n of accelerations by all forces, of contact forces by those that are known.
   void accelerate(std::size_t n, const ScaledBodyForce<Real>& body_force, ChainVector<Real>& motion) const {
     const Real x = coefficient(body_force.x, n), y = coefficient(body_force.y, n);
