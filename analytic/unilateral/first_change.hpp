@@ -113,7 +113,8 @@ bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const R
     const int k = guard.interface;
     const Real angle =
         value(series.bodies[k].angle, s) - (k > 0 ? value(series.bodies[k - 1].angle, s) : Real(0));
-    return !(guard.side * angle < -flat_angle<Real>)&&is_over_face(guard, s);
+    if (guard.side * angle < -flat_angle<Real>) return false;
+    return is_over_face(guard, s);
   }
   if (guard.change == Change::strike) return is_over_face(guard, s);
   return guard.change != Change::fall || guard.other.terms == 0 || value(guard.other, s) < 0;

@@ -121,18 +121,16 @@ class SeriesMaker {
       series_.along[joint.interface()] =
           joint.point().place_from_middle(joint.sticks() ? 1 : orders + 2).along;
     }
-    if (ratio < 1) {
-      known_.rescale_by(ratio);
-      series_.length *= ratio;
-      for (BodySeries<Real>& body : series_.bodies) {
-        rescale(body.angle, ratio);
-        for (PlaneSeries<Real>* part : {&body.centre, &body.along, &body.up}) rescale(*part, ratio);
-      }
-      for (ForceSeries<Real>& force : series_.forces)
-        for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment})
-          rescale(*part, ratio);
-      for (Polynomial<Real>& along : series_.along) rescale(along, ratio);
+    if (!(ratio < 1)) return;
+    known_.rescale_by(ratio);
+    series_.length *= ratio;
+    for (BodySeries<Real>& body : series_.bodies) {
+      rescale(body.angle, ratio);
+      for (PlaneSeries<Real>* part : {&body.centre, &body.along, &body.up}) rescale(*part, ratio);
     }
+    for (ForceSeries<Real>& force : series_.forces)
+      for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment}) rescale(*part, ratio);
+    for (Polynomial<Real>& along : series_.along) rescale(along, ratio);
   }
 
  private:

@@ -128,8 +128,7 @@ template <class Real>
 BedMoments<Real> moments_in_contact(const Real& left, const Real& right) {
   if (!(left > 0) && !(right > 0)) return {1, 0, Real(1) / 3};
   const auto zero = [&] { return Real((left + right) / (left - right)); };
-  const Real low = left > 0 ? Real(-1) : zero();
-  const Real high = right > 0 ? Real(1) : zero();
+  const Real low = left > 0 ? Real(-1) : zero(), high = right > 0 ? Real(1) : zero();
   return {(high - low) / 2, (high * high - low * low) / 4, (high * high * high - low * low * low) / 6};
 }
 
