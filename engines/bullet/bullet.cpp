@@ -1,5 +1,4 @@
 // Bullet beside the exact model; README.md says what its contacts are and why its sets are as they are.
-// `comparisons/tune` ranks sets; those here also hold the conformance tests.
 
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
