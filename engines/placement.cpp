@@ -1,7 +1,5 @@
 #include "engines/scene_setup.hpp"
 
-#include <utility>
-
 #include "analytic/scene/kinematics.hpp"
 
 namespace rockstack {
@@ -34,19 +32,14 @@ Pattern initial_pattern(const InitialState& initial) {
   return pattern;
 }
 
-/// Centres as chains of pivots have them, with the offsets, gaps and slips of the start besides.
-struct Centres {
-  Points<double> at, rate;
-};
-
 /// Moves blocks as `initial` says, each with all above it.
 struct Mover {
   const Scene& scene;
   const Pattern& pattern;
-  Centres centres;
+  Points<double> at, rate;  ///< centres as chains of pivots have them; offsets, gaps and slips come to them
   const InitialState& initial = scene.initial;
 
-  Centres moved() && {
+  void apply() {
     for (int k = 0; k < pattern.size; ++k) {
       if (const double offset = value(initial.offsets, k); offset != 0) move_off_centre(k, offset);
       if (has_gap(initial, static_cast<std::size_t>(k))) {
@@ -55,7 +48,6 @@ struct Mover {
         add(k, Point<double>::Zero(), turned_by(slip, 0, angle(holding(k))));
       }
     }
-    return std::move(centres);
   }
 
   double angle(int body) const { return value(initial.angles, body); }
@@ -72,8 +64,8 @@ struct Mover {
   }
 
   void add(int first, const Point<double>& way, const Point<double>& speed) {
-    centres.at.rightCols(pattern.size - first).colwise() += way;
-    centres.rate.rightCols(pattern.size - first).colwise() += speed;
+    at.rightCols(pattern.size - first).colwise() += way;
+    rate.rightCols(pattern.size - first).colwise() += speed;
   }
 
   /// The pivot goes from the end of centred faces to that of the faces as they overlap.
@@ -94,11 +86,11 @@ struct Mover {
     const auto column = [&](const Points<double>& points, int body) -> Point<double> {
       return body < 0 ? Point<double>(Point<double>::Zero()) : Point<double>(points.col(body));
     };
-    const Point<double> arm = column(centres.at, k) - column(centres.at, k - 1);
+    const Point<double> arm = column(at, k) - column(at, k - 1);
     const Point<double> speed =
-        column(centres.rate, k - 1) + turning(k - 1) * quarter_turned<double>(arm) +
+        column(rate, k - 1) + turning(k - 1) * quarter_turned<double>(arm) +
         turned_by(value(initial.slip_velocities, k), value(initial.gap_velocities, k), angle(k - 1));
-    add(k, Point<double>::Zero(), speed - column(centres.rate, k));
+    add(k, Point<double>::Zero(), speed - column(rate, k));
   }
 };
 
@@ -110,17 +102,17 @@ std::vector<Placement> place(const Scene& scene) {
   const Vector<double> velocities = vector_of<double>(scene.initial.velocities);
   const Pattern pattern = initial_pattern(scene.initial);
   const Chain<double> chain = make_chain(make_stack<double>(scene), pattern, angles);
-  const auto [middles, motions] =
-      Mover{scene, pattern, {centres(chain), centre_velocities(chain, velocities)}}.moved();
+  Mover mover{scene, pattern, centres(chain), centre_velocities(chain, velocities)};
+  mover.apply();
 
   std::vector<Placement> placements;
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
     const Block& block = scene.blocks[static_cast<std::size_t>(k)];
     const double depth = scene.engine.depth;
-    placements.push_back({.x = middles(0, k),
-                          .y = middles(1, k),
-                          .velocity_x = motions(0, k),
-                          .velocity_y = motions(1, k),
+    placements.push_back({.x = mover.at(0, k),
+                          .y = mover.at(1, k),
+                          .velocity_x = mover.rate(0, k),
+                          .velocity_y = mover.rate(1, k),
                           .angle = angles[k],
                           .angular_velocity = velocities[k],
                           .width = 2 * block.half_width,
