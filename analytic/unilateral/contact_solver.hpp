@@ -180,8 +180,7 @@ class ContactSolver {
     decide(impact->mode, state_.bodies, 0, true);
   }
 
-  /// Decides by the laws of contact as they stand `later`, s, at `bodies`. `placed`: these are on their
-  /// joints.
+  /// Decides by the laws of contact as they stand `later`, s, at `bodies`. `placed`: on their joints.
   void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& later, bool placed = false) {
     decided_ = true;
     const Joints<Real> touching = state_.joints;

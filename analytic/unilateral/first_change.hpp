@@ -94,8 +94,7 @@ Polynomial<Real> from(const Polynomial<Real>& polynomial, const Real& first) {
   return shifted;
 }
 
-/// Whether a corner is on its face, to rounding, and not about to pass an end; those of the ground are
-/// nowhere.
+/// Whether a corner is on its face, to rounding, and not about to pass an end; the ground has none.
 template <class Real>
 bool is_over_face(const Guard<Real>& guard, const Real& s) {
   const auto is_inside = [&](const Polynomial<Real>& within) {

@@ -118,11 +118,6 @@ ChosenSolver::ChosenSolver(BulletSolver solver, const Parameters& parameters) {
 
 ChosenSolver::~ChosenSolver() = default;
 
-std::size_t ChosenSolver::fallbacks() const {
-  if (algorithm == nullptr) return 0;
-  return static_cast<std::size_t>(static_cast<const btMLCPSolver&>(*constraints).getNumFallbacks());
-}
-
 std::vector<Engine> make_bullet() {
   using enum BulletSolver;
   return {with(sequential_impulse, "sequential-impulse"), with(nncg, "nncg"),
