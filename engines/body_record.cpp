@@ -152,8 +152,7 @@ InterfaceState on_ground(const Block& block, const BlockPose& pose) {
 
 InterfaceState on_block(const Block& lower, const BlockPose& lower_pose, const Block& upper,
                         const BlockPose& upper_pose) {
-  const Face top = face_of(lower, lower_pose, 1);
-  const Face bottom = face_of(upper, upper_pose, -1);
+  const Face top = face_of(lower, lower_pose, 1), bottom = face_of(upper, upper_pose, -1);
   const double leaning = upper_pose.angle < lower_pose.angle ? -1 : 1;
   return {std::max(deepest_corner(top, bottom), deepest_corner(bottom, top)), slip_of(top, bottom, leaning)};
 }

@@ -14,8 +14,7 @@ struct BlockPose {
 
 /// How a block stands on what is under it.
 struct InterfaceState {
-  /// How deep a corner lies below the other body's face that it is over, m, negative above it; −∞: none is
-  /// over.
+  /// How deep a corner lies below the other body's face that it is over, m, negative above it; −∞: over none.
   double depth = 0;
   /// How far the block has slipped to the right along what is under it, m: by its pivot on the side to which
   /// it leans, along the face. The pivot is the end of the faces' overlap there: a corner of the block, or of

@@ -68,8 +68,7 @@ const Setting& find_setting(const std::string& engine, const std::vector<Setting
 void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
                  double value);
 
-/// Checks what Engine::start was given.
-/// @throws std::invalid_argument as above, or for one that is missing.
+/// Checks what Engine::start was given. @throws std::invalid_argument as above, or for one that is missing.
 void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given);
 
 /// What an engine is able to do, and by which rules it is to be judged.

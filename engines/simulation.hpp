@@ -68,8 +68,8 @@ class ShakenSimulation : public Simulation {
  public:
   void step() final {
     const std::size_t now = steps_++;
-    if (now < ground_.size()) place_ground(ground_[now]);
-    if (now < accelerations_.size()) set_gravity(accelerations_[now]);
+    if (now < setup_.ground.size()) place_ground(setup_.ground[now]);
+    if (now < setup_.accelerations.size()) set_gravity(setup_.accelerations[now]);
     advance();
   }
   bool watch_contacts() override { return watched_ = true; }
@@ -77,17 +77,16 @@ class ShakenSimulation : public Simulation {
  protected:
   /// `mass_factor`: by what the adapter multiplies every mass; no angle depends on it.
   explicit ShakenSimulation(const Setup& setup, double mass_factor = 1)
-      : mass_factor_(mass_factor),
-        dt_(setup.dt),
-        ground_(setup.ground),
-        accelerations_(setup.accelerations) {}
+      : mass_factor_(mass_factor), setup_(setup) {}
 
-  double dt() const { return dt_; }
+  double dt() const { return setup_.dt; }
   bool watches_contacts() const { return watched_; }
   /// True where the ground really moves.
-  bool moves_ground() const { return !ground_.empty(); }
+  bool moves_ground() const { return !setup_.ground.empty(); }
   /// The ground in the next step; null where it rests or the scene is over.
-  const GroundStep* next_ground() const { return steps_ < ground_.size() ? &ground_[steps_] : nullptr; }
+  const GroundStep* next_ground() const {
+    return steps_ < setup_.ground.size() ? &setup_.ground[steps_] : nullptr;
+  }
   std::size_t steps() const { return steps_; }
 
   const double mass_factor_;
@@ -98,9 +97,7 @@ class ShakenSimulation : public Simulation {
   virtual void set_gravity(const BodyAcceleration& acceleration) = 0;
   virtual void advance() = 0;
 
-  double dt_;
-  std::vector<GroundStep> ground_;
-  std::vector<BodyAcceleration> accelerations_;
+  Setup setup_;
   std::size_t steps_ = 0;
   bool watched_ = false;
 };

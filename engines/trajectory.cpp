@@ -21,7 +21,6 @@ std::vector<double> relative_to_below(std::span<const double> values) {
 /// Of each interface: the lesser value of the two bodies that meet there; above the ground that of the block.
 std::vector<double> lesser(const std::vector<Placement>& blocks, double Placement::*value) {
   std::vector<double> list;
-  list.reserve(blocks.size());
   for (std::size_t k = 0; k < blocks.size(); ++k)
     list.push_back(std::min(blocks[k].*value, blocks[k == 0 ? 0 : k - 1].*value));
   return list;
@@ -128,11 +127,9 @@ void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<
 }
 
 bool has_ended(const Setup& setup, const Trajectory& trajectory) {
-  const std::size_t blocks = setup.blocks.size();
-  const std::span<const double> last = std::span(trajectory.angles).last(blocks);
-  for (std::size_t k = 0; k < blocks; ++k)
-    if (!(std::abs(last[k]) <= setup.toppling_angles[k])) return true;
-  return false;
+  const auto last = trajectory.angles.end() - static_cast<std::ptrdiff_t>(setup.blocks.size());
+  return !std::equal(last, trajectory.angles.end(), setup.toppling_angles.begin(),
+                     [](double angle, double most) { return std::abs(angle) <= most; });
 }
 
 void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt) {
@@ -183,7 +180,6 @@ Trajectory run(const Engine& engine, const Setup& setup, const Parameters& param
 std::vector<double> time_stepping(const Engine& engine, const Setup& setup, const Parameters& parameters,
                                   std::size_t steps, int repeats) {
   std::vector<double> seconds;
-  seconds.reserve(static_cast<std::size_t>(repeats));
   for (int run = 0; run < repeats; ++run) {
     const auto simulation = engine.start(setup, parameters);
     const auto start = std::chrono::steady_clock::now();

@@ -134,7 +134,7 @@ void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int inter
   Joint<Real>& joint = joints[interface];
   const Real angle = relative_angle(bodies.at, interface);
   joint.slip = 0;
-  if (abs(angle) <= flat_angle<Real>()) {
+  if (abs(angle) <= flat_angle<Real>) {
     joint.touch = Contact::closed;
   } else {
     joint.touch = angle > 0 ? Contact::right : Contact::left;
@@ -169,7 +169,7 @@ void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies
   for (const bool below : {true, false}) {
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
-      if (side * relative_angle(bodies.at, interface) < -flat_angle<Real>()) continue;
+      if (side * relative_angle(bodies.at, interface) < -flat_angle<Real>) continue;
       const CornerOnFace<Real> corner = stack.corner(interface, side, below);
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner);
       if (abs(rows.gap) <= gap && abs(rows.slip) <= stack.half_width(corner.face) + gap)

@@ -173,7 +173,7 @@ EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
                  : EventKind::stick;
 }
 
-/// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|. Else an interface has one mode.
+/// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|; else one interface has one mode.
 template <class Real>
 bool couples(const TouchingContacts<Real>& contacts, const TouchingInterface<Real>& contact) {
   for (std::size_t i = 0; i < contact.points(); ++i) {

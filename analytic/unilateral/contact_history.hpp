@@ -25,8 +25,7 @@ struct ContactSample {
   Real time = 0;  ///< s
   Bodies<Real> bodies;
   Joints<Real> joints;
-  std::vector<Real> slips = {},
-                    gaps = {};  ///< of each interface, m; where apart, the slip that it parted with
+  std::vector<Real> slips = {}, gaps = {};  ///< of interfaces, m; where apart, the slip that they parted with
   // Of stacks with springs, else empty.
   std::vector<SpringState<Real>> springs = {};  ///< of each interface
   FreeVector<Real> spring_accelerations = {};   ///< what all springs make of the motion

@@ -119,7 +119,7 @@ class ContactSolver {
       const int interface = springs_.points()[guard.point].interface;
       if (guard.change == SpringChange::fall) {
         ended_ = true;
-        return note_shown(EventKind::fall, interface + 1, before, state_.bodies.rate);
+        return note(EventKind::fall, interface + 1, before, state_.bodies.rate);
       }
       if (guard.change == SpringChange::pass) passes[interface] = true;
       springs_.apply(guard, state_.bodies);
@@ -128,7 +128,7 @@ class ContactSolver {
     const Joints<Real> after = springs_.shown(state_.joints);
     for (std::size_t k = 0; k < before.size(); ++k)
       if (const auto kind = change_of(before[k], after[k], passes[k]))
-        note_shown(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
+        note(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
     if (std::any_of(state_.joints.begin(), state_.joints.end(), std::mem_fn(&Joint<Real>::touches)))
       decide(Joints<Real>(state_.joints), state_.bodies, 0);
   }
@@ -140,7 +140,7 @@ class ContactSolver {
       const auto end = ending(guard.change);
       if (!end) continue;
       ended_ = true;
-      return note(*end, guard.interface + 1, before, state_.bodies.rate);
+      return note(*end, guard.interface + 1, springs_.shown(before), state_.bodies.rate);
     }
     Joints<Real> touching = state_.joints;
     const int interface = found.guards.front().interface + 1;
@@ -149,7 +149,7 @@ class ContactSolver {
     state_.joints = std::move(touching);
     hold();
     if (std::ranges::find(found.guards, Change::corner, &Guard<Real>::change) != found.guards.end())
-      note(EventKind::corner, interface, before, state_.bodies.rate);
+      note(EventKind::corner, interface, springs_.shown(before), state_.bodies.rate);
     decide(before, series.at(found.s + look_ahead_.time / series.length), look_ahead_.time);
   }
 
@@ -176,12 +176,11 @@ class ContactSolver {
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
     if (stack_.restitution > 0) fresh_.mark_bounces(touching, impact->mode, time());
-    note(impact->kind, interface, before, rates, impact->consistency);
+    note(impact->kind, interface, springs_.shown(before), rates, impact->consistency);
     decide(impact->mode, state_.bodies, 0, true);
   }
 
-  /// Decides by the laws of contact as they stand `later`, s, at `bodies`. `placed`: these are on their
-  /// joints.
+  /// Decides by the laws of contact as they stand `later`, s, at `bodies`. `placed`: on their joints.
   void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& later, bool placed = false) {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
@@ -215,8 +214,8 @@ class ContactSolver {
       hold();
     }
     if (!same_modes(before, state_.joints))
-      note(kind_of(before, state_.joints), lowest_change(before, state_.joints), before, rates,
-           others ? Consistency::several : Consistency::consistent);
+      note(kind_of(before, state_.joints), lowest_change(before, state_.joints), springs_.shown(before),
+           rates, others ? Consistency::several : Consistency::consistent);
   }
 
   /// As turn() of contact_decision.hpp, which chatter does not come to.
@@ -242,7 +241,8 @@ class ContactSolver {
                              : held_rates(smooth_, *mode, state_.bodies);
     state_.joints = *mode;
     if (!same_modes(joints, state_.joints))
-      note(EventKind::impact, lowest_change(joints, state_.joints), joints, rates, Consistency::none);
+      note(EventKind::impact, lowest_change(joints, state_.joints), springs_.shown(joints), rates,
+           Consistency::none);
     return state_.joints;
   }
 
@@ -254,14 +254,9 @@ class ContactSolver {
     return result;
   }
 
-  /// An event of rigid contacts.
+  /// An event between joints as they are shown.
   void note(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
             Consistency consistency = Consistency::consistent) {
-    note_shown(kind, interface, springs_.shown(from), before, consistency);
-  }
-
-  void note_shown(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
-                  Consistency consistency = Consistency::consistent) {
     recorder_.note_event({time(), kind, interface, from, springs_.shown(state_.joints), state_.bodies.at,
                           before, state_.bodies.rate, consistency});
   }

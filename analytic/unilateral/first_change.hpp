@@ -75,9 +75,7 @@ class FreshJoints {
 
 /// Angles below it are flat, rad.
 template <class Real>
-Real flat_angle() {
-  return tolerance<Real>(1e-14);
-}
+inline const Real flat_angle = tolerance<Real>(1e-14);
 
 /// The first changes of a step, at s of its length.
 template <class Real>
@@ -96,34 +94,27 @@ Polynomial<Real> from(const Polynomial<Real>& polynomial, const Real& first) {
   return shifted;
 }
 
-/// Whether a corner is on its face, to rounding, and not about to pass its end.
-template <class Real>
-bool is_inside(const Polynomial<Real>& within, const Real& s, const Real& rounding) {
-  const auto [distance, slope] = tangent(within, s);
-  return distance > rounding || (distance >= -rounding && slope >= 0);
-}
-
-/// Whether that holds of both ends; those of the ground are nowhere.
+/// Whether a corner is on its face, to rounding, and not about to pass an end; the ground has none.
 template <class Real>
 bool is_over_face(const Guard<Real>& guard, const Real& s) {
-  return guard.within.terms == 0 ||
-         (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
-}
-
-/// Whether a corner that meets a face is the one that the block above leans to, and on the face.
-template <class Real>
-bool lands(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
-  const int k = guard.interface;
-  const Real angle =
-      value(series.bodies[k].angle, s) - (k > 0 ? value(series.bodies[k - 1].angle, s) : Real(0));
-  if (guard.side * angle < -flat_angle<Real>()) return false;
-  return is_over_face(guard, s);
+  const auto is_inside = [&](const Polynomial<Real>& within) {
+    const auto [distance, slope] = tangent(within, s);
+    return distance > guard.rounding || (distance >= -guard.rounding && slope >= 0);
+  };
+  return guard.within.terms == 0 || (is_inside(guard.within) && is_inside(guard.within_other));
 }
 
 /// Whether a guard that is negative from s on ends its step: corners may be beside a face, and come back.
 template <class Real>
 bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
-  if (guard.change == Change::landing) return lands(series, guard, s);
+  if (guard.change == Change::landing) {
+    // The block above leans to the corner.
+    const int k = guard.interface;
+    const Real angle =
+        value(series.bodies[k].angle, s) - (k > 0 ? value(series.bodies[k - 1].angle, s) : Real(0));
+    if (guard.side * angle < -flat_angle<Real>) return false;
+    return is_over_face(guard, s);
+  }
   if (guard.change == Change::strike) return is_over_face(guard, s);
   return guard.change != Change::fall || guard.other.terms == 0 || value(guard.other, s) < 0;
 }

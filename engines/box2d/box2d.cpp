@@ -22,16 +22,6 @@ class LengthUnit {
   double metres_;
 };
 
-/// Both the same in both fixtures of a pair: the library takes the larger restitution, the lower threshold.
-struct Surface {
-  float radius, restitution, threshold;  ///< lengths in the library's unit
-};
-
-/// From 0, the ground, bottom to top.
-std::size_t number_of(b2Fixture& fixture) {
-  return fixture.GetUserData().pointer;
-}
-
 /// A contact point, and which of its pair's it is.
 struct Touch {
   ContactPoint point;
@@ -46,11 +36,12 @@ class Contacts : public b2ContactListener {
 
   /// A pair's friction is that of the interface under its upper body, not the root of the product.
   void PreSolve(b2Contact* pair, const b2Manifold* /*before*/) override {
-    const std::size_t a = number_of(*pair->GetFixtureA()), b = number_of(*pair->GetFixtureB());
-    const std::size_t interface = std::max(a, b) - 1;
+    b2Fixture *a = pair->GetFixtureA(), *b = pair->GetFixtureB();
+    // From 0, the ground, bottom to top.
+    b2Fixture& upper = *(a->GetUserData().pointer > b->GetUserData().pointer ? a : b);
+    const std::size_t interface = upper.GetUserData().pointer - 1;
     pair->SetFriction(static_cast<float>(friction_[interface]));
-    if (watched)
-      watch_points(*pair, interface, *(a > b ? pair->GetFixtureA() : pair->GetFixtureB())->GetBody());
+    if (watched) watch_points(*pair, interface, *upper.GetBody());
   }
 
   /// Called once more for each sub-step that the library takes within a step.
@@ -99,10 +90,10 @@ class Box2DSimulation final : public ShakenSimulation {
         unit_(parameters.at("lengthUnit")),
         velocity_iterations_(static_cast<int>(parameters.at("velocityIterations"))),
         position_iterations_(static_cast<int>(parameters.at("positionIterations"))),
-        surface_{static_cast<float>(parameters.at("polygonRadius")),
-                 static_cast<float>(parameters.at("restitution")),
-                 static_cast<float>(parameters.at("restitutionThreshold"))},
+        radius_(static_cast<float>(parameters.at("polygonRadius"))),
         contacts_(setup.friction, unit_) {
+    fixture_.restitution = static_cast<float>(parameters.at("restitution"));
+    fixture_.restitutionThreshold = static_cast<float>(parameters.at("restitutionThreshold"));
     world_.SetWarmStarting(parameters.at("warmStarting") != 0);
     world_.SetContinuousPhysics(parameters.at("continuousPhysics") != 0);
     world_.SetContactListener(&contacts_);
@@ -168,20 +159,18 @@ class Box2DSimulation final : public ShakenSimulation {
     definition.allowSleep = false;
     b2PolygonShape box;
     box.SetAsBox(unit_.to(0.5 * width), unit_.to(0.5 * height), centre, 0);
-    box.m_radius = surface_.radius;
-    b2FixtureDef fixture;
-    fixture.shape = &box;
-    fixture.restitution = surface_.restitution;
-    fixture.restitutionThreshold = surface_.threshold;
-    fixture.userData.pointer = bodies_.size();
+    box.m_radius = radius_;
+    fixture_.shape = &box;
+    fixture_.userData.pointer = bodies_.size();
     bodies_.push_back(world_.CreateBody(&definition));
-    bodies_.back()->CreateFixture(&fixture);
+    bodies_.back()->CreateFixture(&fixture_);
     return *bodies_.back();
   }
 
   LengthUnit unit_;
   int velocity_iterations_, position_iterations_;
-  Surface surface_;
+  float radius_;          ///< of all boxes' skins, in the library's unit
+  b2FixtureDef fixture_;  ///< of all: of a pair the library takes the larger restitution, the lower threshold
   Contacts contacts_;
   b2World world_{{0, 0}};
   std::vector<b2Body*> bodies_;  ///< the world's: ground first, then bottom to top

@@ -1,5 +1,4 @@
 // Bullet beside the exact model; README.md says what its contacts are and why its sets are as they are.
-// `comparisons/tune` ranks sets; those here also hold the conformance tests.
 
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
@@ -118,11 +117,6 @@ ChosenSolver::ChosenSolver(BulletSolver solver, const Parameters& parameters) {
 }
 
 ChosenSolver::~ChosenSolver() = default;
-
-std::size_t ChosenSolver::fallbacks() const {
-  if (algorithm == nullptr) return 0;
-  return static_cast<std::size_t>(static_cast<const btMLCPSolver&>(*constraints).getNumFallbacks());
-}
 
 std::vector<Engine> make_bullet() {
   using enum BulletSolver;

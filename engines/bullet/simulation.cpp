@@ -1,5 +1,6 @@
 #include "engines/bullet/simulation.hpp"
 
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
@@ -118,7 +119,11 @@ class BulletSimulation final : public ShakenSimulation {
             place.z(),    std::hypot(turn[0][2], turn[1][2])};
   }
 
-  std::size_t warnings() const override { return solver_.fallbacks(); }
+  /// How often Bullet gave a problem up and took sequential impulse in its place.
+  std::size_t warnings() const override {
+    if (solver_.algorithm == nullptr) return 0;
+    return static_cast<std::size_t>(static_cast<btMLCPSolver&>(*solver_.constraints).getNumFallbacks());
+  }
 
   /// Bullet keeps a contact's impulses for a warm start alone.
   bool watch_contacts() override { return tells_impulses(); }
@@ -166,8 +171,7 @@ class BulletSimulation final : public ShakenSimulation {
             .damping = contact_damping(softness.erp, softness.cfm) / mass_factor_};
   }
 
-  /// A point with a spring of its own has its own erp and cfm; solvers of complementarity problems take its
-  /// erp, and the world's cfm for all points.
+  /// A point with a spring has its own erp and cfm; complementarity problems take the world's cfm for all.
   Softness softness_of(const btManifoldPoint& point) const {
     const btContactSolverInfo& info = world_.getSolverInfo();
     Softness softness{info.m_erp2, info.m_globalCfm};

@@ -14,9 +14,6 @@ struct ChosenSolver {
   ChosenSolver(BulletSolver solver, const Parameters& parameters);
   ~ChosenSolver();
 
-  /// How often Bullet gave a problem up and took sequential impulse in its place.
-  std::size_t fallbacks() const;
-
   std::unique_ptr<btMLCPSolverInterface> algorithm;
   std::unique_ptr<btSequentialImpulseConstraintSolver> constraints;
 };

@@ -20,11 +20,9 @@ struct Destroy {
 
 /// A contact point of the step under way, where they are watched.
 struct Touch {
-  ContactPoint point;  ///< all but its impulses
+  ContactPoint point;  ///< its impulses are those that the library remembers without applying them
   const cpArbiter* pair = nullptr;
-  int number = 0;          ///< of the point among its pair's
-  cpFloat normal = 0;      ///< impulse that the library remembers without applying it, N·s
-  cpFloat tangential = 0;  ///< as above
+  int number = 0;  ///< of the point among its pair's
 };
 
 class ChipmunkSimulation final : public ShakenSimulation {
@@ -57,12 +55,11 @@ class ChipmunkSimulation final : public ShakenSimulation {
 
   std::vector<ContactPoint> contacts() const override {
     std::vector<ContactPoint> points;
-    points.reserve(touches_.size());
     for (const Touch& touch : touches_) {
       const cpContact& solved = touch.pair->contacts[touch.number];
       ContactPoint& point = points.emplace_back(touch.point);
-      point.normal = solved.jnAcc - touch.normal;
-      point.tangential = std::abs(solved.jtAcc - touch.tangential);
+      point.normal = solved.jnAcc - point.normal;
+      point.tangential = std::abs(solved.jtAcc - point.tangential);
     }
     return points;
   }
@@ -87,8 +84,8 @@ class ChipmunkSimulation final : public ShakenSimulation {
           cpvdot(cpvsub(at_start(b, found.pointB), at_start(a, found.pointA)), set.normal);
       touch.point.gap = found.distance;
       if (cpArbiterIsFirstContact(pair) == 0) continue;
-      touch.normal = pair->contacts[i].jnAcc;
-      touch.tangential = pair->contacts[i].jtAcc;
+      touch.point.normal = pair->contacts[i].jnAcc;
+      touch.point.tangential = pair->contacts[i].jtAcc;
     }
   }
 

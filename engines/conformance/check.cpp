@@ -92,8 +92,7 @@ double quarter_period(const Housner& block, double start) {
 
 double first_ground_impact(const History& history) {
   for (std::size_t i = 1; i < history.size(); ++i) {
-    const double before = history.angles_at(i - 1)[0];
-    const double after = history.angles_at(i)[0];
+    const double before = history.angles_at(i - 1)[0], after = history.angles_at(i)[0];
     if (after > 0) continue;
     return history.times[i - 1] + (history.times[i] - history.times[i - 1]) * before / (before - after);
   }

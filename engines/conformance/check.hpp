@@ -16,8 +16,7 @@ struct Adapter {
 
 /// What a check found: a measured number and what it may be at most.
 struct Judgement {
-  double value = 0;
-  double limit = 0;
+  double value = 0, limit = 0;
   std::string what;  ///< of the value, with its unit
   bool holds() const { return value <= limit; }
 };

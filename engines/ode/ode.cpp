@@ -1,5 +1,4 @@
-// The Open Dynamics Engine beside the exact model; README.md says what its contacts are and why its sets are
-// as they are. `comparisons/tune` ranks sets; those here also hold the conformance tests.
+// ODE beside the exact model; README.md says what its contacts are and why its sets are as they are.
 
 #include <fmt/format.h>
 #include <ode/ode.h>

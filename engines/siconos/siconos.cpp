@@ -8,25 +8,27 @@ namespace rockstack {
 std::unique_ptr<Simulation> start_siconos(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_siconos() {
+  const std::vector<Setting> settings{
+      {.name = "theta", .standard = 0.5, .most = 1},
+      {.name = "gamma", .standard = 0.5, .most = 1},
+      {.name = "constraintActivationThreshold", .unit = "m", .tuned = 1e-9},
+      {.name = "SICONOS_DPARAM_TOL", .standard = 1e-4, .tuned = 1e-12, .most = 1},
+      {.name = "SICONOS_IPARAM_MAX_ITER",
+       .standard = 1e3,
+       .tuned = 1e4,
+       .least = 1,
+       .most = 1e9,
+       .whole = true},
+      switch_setting("keepLambdaAndYState", true, true),
+      {.name = "en", .most = 1, .role = SettingRole::restitution},
+      {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
+      shaking_setting()};
   return {{{.name = "siconos",
             .solver = "nsgs",
             .version = "4.4.0, double precision",  // of Debian 12: its headers do not tell
             .licence = "Apache-2.0",
             .capabilities = {.planar = true, .lead = 0},
-            .settings = {{.name = "theta", .standard = 0.5, .most = 1},
-                         {.name = "gamma", .standard = 0.5, .most = 1},
-                         {.name = "constraintActivationThreshold", .unit = "m", .tuned = 1e-9},
-                         {.name = "SICONOS_DPARAM_TOL", .standard = 1e-4, .tuned = 1e-12, .most = 1},
-                         {.name = "SICONOS_IPARAM_MAX_ITER",
-                          .standard = 1000,
-                          .tuned = 10000,
-                          .least = 1,
-                          .most = 1e9,
-                          .whole = true},
-                         switch_setting("keepLambdaAndYState", true, true),
-                         {.name = "en", .most = 1, .role = SettingRole::restitution},
-                         {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
-                         shaking_setting()}},
+            .settings = settings},
            start_siconos}};
 }
 

@@ -17,11 +17,6 @@ std::unique_ptr<SimTK::Integrator> make_integrator(double choice, const SimTK::S
   return std::make_unique<SimTK::CPodesIntegrator>(system, SimTK::CPodes::BDF);
 }
 
-SimTK::Body::Rigid body_of(const Placement& block, double mass_factor) {
-  return SimTK::Body::Rigid(
-      SimTK::MassProperties(mass_factor * block.mass, Vec3(0), mass_factor * SimTK::Inertia(block.inertia)));
-}
-
 /// A half space whose face is at the height y of its body, which lies below or above that.
 SimTK::Transform face_at(double y, bool body_above) {
   return {SimTK::Rotation(SimTK::UnitVec3(0, body_above ? 1 : -1, 0), SimTK::XAxis), Vec3(0, y, 0)};
@@ -36,7 +31,9 @@ class SimbodySimulation final : public ShakenSimulation {
         gravity_(forces_, matter_, Vec3(setup.gravity.x, setup.gravity.y, 0)) {
     contact_.setTransitionVelocity(parameters.at("transition_velocity"));
     std::vector<SimTK::Body> bodies{matter_.Ground().getBody()};
-    for (const Placement& block : setup.blocks) bodies.push_back(body_of(block, mass_factor_));
+    for (const Placement& block : setup.blocks)
+      bodies.push_back(SimTK::Body::Rigid(SimTK::MassProperties(
+          mass_factor_ * block.mass, Vec3(0), mass_factor_ * SimTK::Inertia(block.inertia))));
     add_contacts(setup, bodies);
     matter_.Ground().updBody() = bodies[0];
     for (std::size_t k = 0; k < setup.blocks.size(); ++k)

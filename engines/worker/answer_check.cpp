@@ -11,10 +11,8 @@
 namespace rockstack {
 namespace {
 
-constexpr std::size_t longest_name = 60;
-
 bool is_word(std::string_view text, std::string_view others) {
-  return !text.empty() && text.size() <= longest_name && std::ranges::all_of(text, [&](char letter) {
+  return !text.empty() && text.size() <= 60 && std::ranges::all_of(text, [&](char letter) {
     const bool usual = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
     return usual || others.find(letter) != std::string_view::npos;
   });

@@ -129,8 +129,7 @@ class Child {
 
  private:
   std::string program_;
-  FileDescriptor failure_;
-  FileDescriptor complaints_;
+  FileDescriptor failure_, complaints_;
   pid_t number_ = 0;
 };
 

@@ -43,8 +43,7 @@ std::vector<std::string> engines_left_out();
 
 /// A program that should be a worker and does not answer as one: its interpreter is missing, say.
 struct BrokenWorker {
-  std::string program;
-  std::string reason;
+  std::string program, reason;
 };
 const std::vector<BrokenWorker>& broken_workers();
 }  // namespace rockstack

@@ -51,14 +51,6 @@ RunReply answer_run(const Engine& engine, const RunRequest& request) {
   return reply;
 }
 
-void write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written <= 0) throw std::runtime_error("the reply cannot be written");
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
 }  // namespace
 
 int serve(const std::vector<Engine>& engines) {
@@ -74,7 +66,12 @@ int serve(const std::vector<Engine>& engines) {
     } else {
       reply.engines.assign(engines.begin(), engines.end());
     }
-    write_all(reply_descriptor, to_bytes(reply, Form::messagepack));
+    const std::string answer = to_bytes(reply, Form::messagepack);
+    for (std::string_view left = answer; !left.empty();) {
+      const ssize_t written = ::write(reply_descriptor, left.data(), left.size());
+      if (written <= 0) throw std::runtime_error("the reply cannot be written");
+      left.remove_prefix(static_cast<std::size_t>(written));
+    }
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "a worker of rockstack: {}\n", error.what());

@@ -8,8 +8,7 @@ namespace rockstack {
 /// and with the second derivatives that velocities alone make. m, m/s².
 template <class Real = double>
 struct ContactKinematics {
-  Real gap = 0, slip = 0;
-  Real gap_bias = 0, slip_bias = 0;
+  Real gap = 0, slip = 0, gap_bias = 0, slip_bias = 0;
   FreeRow<Real> gap_row, slip_row;
 };
 

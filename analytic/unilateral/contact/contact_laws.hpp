@@ -12,10 +12,9 @@ template <class Real>
 ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int interface,
                                      const Joint<Real>& joint) {
   if (!joint.touches()) return {joint};
-  Joint<Real> apart = joint;
-  apart.touch = Contact::apart;
-  apart.slip = 0;
-  ShortVector<Joint<Real>, 10> result{apart};
+  ShortVector<Joint<Real>, 10> result{joint};
+  result[0].touch = Contact::apart;
+  result[0].slip = 0;
   for (const Contact touch : {Contact::left, Contact::closed, Contact::right}) {
     if (joint.pivots() && touch != joint.touch) continue;
     for (const int slip : {-1, 0, 1}) {

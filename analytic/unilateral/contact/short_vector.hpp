@@ -87,8 +87,7 @@ class ShortVector {
 
   std::array<T, few> own_;
   T* data_ = own_.data();
-  std::size_t size_ = 0;
-  std::size_t room_ = few;
+  std::size_t size_ = 0, room_ = few;
 };
 
 }  // namespace rockstack

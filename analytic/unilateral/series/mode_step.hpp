@@ -25,7 +25,17 @@ class SeriesMaker {
       body.up.terms = max_terms<Real>;
       set_axes<Real>(body, 0, {sin(at.angle), cos(at.angle)});
     }
-    hold();
+    std::size_t count = 0;
+    for (const Joint<Real>& joint : joints_) count += joint.touches();
+    held_.resize(count);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      if (!joints_[k].touches()) continue;
+      held_[at].start(stack_, joints_[k], k, series_);
+      held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
+    }
+    system_ =
+        LinearSystem<Real>(size_, [&](std::size_t i, std::size_t j) { return rows_[i]->dot(*rows_[j]); });
   }
 
   /// What is known before accelerations are, for a step of that length.
@@ -111,35 +121,19 @@ class SeriesMaker {
       series_.along[joint.interface()] =
           joint.point().place_from_middle(joint.sticks() ? 1 : orders + 2).along;
     }
-    if (ratio < 1) {
-      known_.rescale_by(ratio);
-      series_.length *= ratio;
-      for (BodySeries<Real>& body : series_.bodies) {
-        rescale(body.angle, ratio);
-        for (PlaneSeries<Real>* part : {&body.centre, &body.along, &body.up}) rescale(*part, ratio);
-      }
-      for (ForceSeries<Real>& force : series_.forces)
-        for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment})
-          rescale(*part, ratio);
-      for (Polynomial<Real>& along : series_.along) rescale(along, ratio);
+    if (!(ratio < 1)) return;
+    known_.rescale_by(ratio);
+    series_.length *= ratio;
+    for (BodySeries<Real>& body : series_.bodies) {
+      rescale(body.angle, ratio);
+      for (PlaneSeries<Real>* part : {&body.centre, &body.along, &body.up}) rescale(*part, ratio);
     }
+    for (ForceSeries<Real>& force : series_.forces)
+      for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment}) rescale(*part, ratio);
+    for (Polynomial<Real>& along : series_.along) rescale(along, ratio);
   }
 
  private:
-  void hold() {
-    std::size_t count = 0;
-    for (const Joint<Real>& joint : joints_) count += joint.touches();
-    held_.resize(count);
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-      if (!joints_[k].touches()) continue;
-      held_[at].start(stack_, joints_[k], k, series_);
-      held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
-    }
-    system_ =
-        LinearSystem<Real>(size_, [&](std::size_t i, std::size_t j) { return rows_[i]->dot(*rows_[j]); });
-  }
-
   /// Coefficient n of accelerations by all forces, of contact forces by those that are known.
   void accelerate(std::size_t n, const ScaledBodyForce<Real>& body_force, ChainVector<Real>& motion) const {
     const Real x = coefficient(body_force.x, n), y = coefficient(body_force.y, n);

@@ -15,8 +15,7 @@ namespace rockstack {
 // tᵏ behind dashpots, and with t²ᵏ without them.
 //
 // The rule: what is within its rounding of zero has no sign. A point goes on with what it does until one of
-// its quantities has left that range, to either side. The change is late by the time that takes, but the
-// forces that act meanwhile are wrong by no more than they round to.
+// its quantities has left that range, to either side.
 //
 // It also ends what would stick and slip without end. Where a slider starts or stops, the force along the
 // face and the rate of its stretch are continuous in places, velocities and stretches: behind a dashpot as

@@ -153,14 +153,8 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
 
 /// How far a soft interface gives way under a weight, m; how many of its points bear it.
 template <class Real>
-struct GivingWay {
-  Real depth;
-  int points;
-};
-
-template <class Real>
-GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Real& weight,
-                         const std::vector<SpringPoint<Real>*>& ends) {
+std::pair<Real, int> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Real& weight,
+                              const std::vector<SpringPoint<Real>*>& ends) {
   const SpringPoint<Real>& first = *ends.front();
   const SpringLaw<Real>& law = stack.springs[first.interface];
   if (first.is_bed()) {

@@ -120,16 +120,10 @@ struct GrowingBed {
 
 /// ½ ∫ ξⁿ dξ, n = 0, 1 and 2, over the deep part of a bed, ξ = −1 … 1 along the face; over all where none is.
 template <class Real>
-struct BedMoments {
-  Real whole, first, second;
-};
-
-template <class Real>
-BedMoments<Real> moments_in_contact(const Real& left, const Real& right) {
+std::array<Real, 3> moments_in_contact(const Real& left, const Real& right) {
   if (!(left > 0) && !(right > 0)) return {1, 0, Real(1) / 3};
   const auto zero = [&] { return Real((left + right) / (left - right)); };
-  const Real low = left > 0 ? Real(-1) : zero();
-  const Real high = right > 0 ? Real(1) : zero();
+  const Real low = left > 0 ? Real(-1) : zero(), high = right > 0 ? Real(1) : zero();
   return {(high - low) / 2, (high * high - low * low) / 4, (high * high * high - low * low * low) / 6};
 }
 
