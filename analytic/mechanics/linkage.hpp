@@ -141,17 +141,9 @@ struct ChainMass {
   std::array<PerBlock<Real, N>, capacity(N)> matrix;
   ConstrainedMass<Real, N> constrained;
 
-  /// From the cosine and the sine of each block's angle.
+  /// From the cosine and the sine of each block's angle: the matrix of absolute angles, then sums over all
+  /// blocks from either index up, those that turn with a relative angle.
   void factorise(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
-    fill(linkage, directions);
-    constrained.factorise(linkage.size(), linkage.free,
-                          [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
-  }
-
- private:
-  /// The matrix of absolute angles, then sums over all blocks from either index up: those that turn with a
-  /// relative angle.
-  void fill(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
     const std::size_t size = linkage.size();
     for (std::size_t j = 0; j < size; ++j) {
       links[j] = turned(directions[j], linkage.link_x[j], linkage.link_y[j]);
@@ -164,6 +156,7 @@ struct ChainMass {
       for (std::size_t j = 0; j < size; ++j) matrix[i][j] += matrix[i + 1][j];
     for (std::size_t j = size - 1; j-- > 0;)
       for (std::size_t i = 0; i < size; ++i) matrix[i][j] += matrix[i][j + 1];
+    constrained.factorise(size, linkage.free, [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
   }
 };
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/ground/records/record.hpp"
 #include "analytic/scene/ground/records/text.hpp"
 
 namespace rockstack::records {

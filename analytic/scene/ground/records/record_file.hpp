@@ -5,14 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace rockstack {
+#include "analytic/scene/ground/records/record.hpp"
 
-/// An accelerogram as read from a file, in SI units.
-struct Record {
-  double interval = 0;          ///< s, > 0
-  std::vector<double> samples;  ///< m/s², at least one
-  std::string format;           ///< what the file was recognised as, e.g. "PEER AT2"
-};
+namespace rockstack {
 
 /// The file that a record's name stands for: the name itself, without a channel as in "FILE:2".
 std::filesystem::path record_file(const std::filesystem::path& name);
