@@ -178,8 +178,7 @@ class StepKernel {
     }
   }
 
-  /// Where the step leads, in which the block leans by `most` at most. Its peak is to be known, or at an end
-  /// of the step.
+  /// Where the step leads, in which the block leans by `most` at most, its peak known or at an end.
   void end(const Coefficients& absolute, const Real& most, std::size_t k) {
     Real angle = 0;
     Real height = 0;

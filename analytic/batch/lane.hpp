@@ -15,8 +15,7 @@ class Lane {
   /// Keeps references to `scene` and `options`. @throws as Solver().
   Lane(const Scene& scene, const SolveOptions& options) : solver_(scene, options) {}
 
-  /// Goes on up to the first step of moving blocks, and asks for it. False where there is none: the history
-  /// is complete. @throws as Solver::run().
+  /// Goes on to the first step of moving blocks and asks for it; false at the end. @throws as Solver::run().
   bool start(StepRows<N>& rows, std::size_t lane) {
     solver_.start();
     describe_scene(rows, lane);
@@ -155,8 +154,7 @@ class Lane {
     return output;
   }
 
-  /// What the kernel has told of a step whose series stays as it is; what holds over all of a step holds over
-  /// the part that fit() leaves of it.
+  /// What the kernel has told of a step. What holds over all of it holds over the part that fit() leaves.
   Cleared cleared_by_bounds(const StepRows<N>& rows, std::size_t lane) const {
     Cleared cleared;
     if (!clear_) return cleared;

@@ -122,8 +122,7 @@ class IllConditioned : public std::domain_error {
 template <class Real>
 inline const Real least_diagonal_share = (1 << 30) * std::numeric_limits<Real>::epsilon();
 
-/// The allowed motion nearest to `free` (with any bias already taken off), as relative motions of the
-/// interfaces; zero where they are closed.
+/// The allowed motion nearest to `free`, with any bias taken off: relative motions, zero where closed.
 template <class Real, int N>
 struct NearestMotion {
   PerBlock<Real, N> relative;

@@ -7,8 +7,7 @@ namespace rockstack {
 template <class Real, int N>
 using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
 
-/// The mass matrix of relative angles, kg·m², with closed interfaces held: their rows and columns are those
-/// of the identity. As factors L D Lᵀ.
+/// The mass matrix of relative angles, kg·m², as factors L D Lᵀ; closed interfaces have the identity's rows.
 template <class Real, int N>
 class ConstrainedMass {
  public:

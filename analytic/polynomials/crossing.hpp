@@ -124,9 +124,8 @@ struct Maximum {
   }
 };
 
-/// The maximum to within `slack`, or what rounding makes of it; nothing where the polynomial stays at or
-/// below `least`. It is at an end or at the zero of a slope that falls; else it is searched for where
-/// Bernstein coefficients may pass it.
+/// The maximum to within `slack` or rounding; nothing where the polynomial does not pass `least`. It is at an
+/// end or at the zero of a slope that falls, or is searched for where Bernstein coefficients may pass it.
 template <class Real>
 std::optional<Maximum<Real>> maximum(const Polynomial<Real>& polynomial, const Real& least,
                                      const Real& slack = 0) {

@@ -34,8 +34,7 @@ class Recorder {
     }
   }
 
-  /// A step from `offset` into a ground piece up to the event that ends it. What ends as it starts bears
-  /// nothing.
+  /// A step from `offset` into a ground piece up to its event. What ends as it starts bears nothing.
   void note_step(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
                  const FirstEvent<Real>& event, const Cleared& cleared) {
     const Real start = piece.start + offset;
@@ -190,8 +189,7 @@ class Recorder {
     return false;
   }
 
-  /// Whether flights or impacts of chatter may come to ask more of an interface; they are told from what
-  /// is known by a hundredth.
+  /// Whether flights or impacts of chatter may ask more of an interface, to a hundredth of what is known.
   bool may_demand_more(const RestOfChatter<Real, N>& rest) const {
     const Real near = Real(1) / 100;
     if (keeps(rest.closure)) return true;

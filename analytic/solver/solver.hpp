@@ -8,8 +8,7 @@
 
 namespace rockstack {
 
-/// Solves a valid scene exactly: smooth motion in a fixed pattern, interrupted by events that are located to
-/// rounding.
+/// Solves a valid scene exactly: smooth motion in a fixed pattern, up to events that are located to rounding.
 template <class Real, int N = Eigen::Dynamic, template <class, int> class Steps = TaylorSteps>
 class Solver {
  public:

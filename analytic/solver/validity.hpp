@@ -20,8 +20,7 @@ void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangent
   raise_demand(demand, normal, ratio, time);
 }
 
-/// Whether an interface has come to pull, or to need more than the friction that surfaces have, and it is not
-/// known since when.
+/// Whether an interface pulls, or needs more friction than surfaces have, and it is not known since when.
 template <class Real>
 bool first_to_note(const BasicDemand<Real>& demand, const Real& available) {
   const Real never = std::numeric_limits<Real>::infinity();
@@ -68,8 +67,7 @@ void note_first_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& f
              std::min(first_below(available, 1), first_below(available, -1)));
 }
 
-/// True where sums of coefficients, which bound a polynomial (Hull), tell that a step demands
-/// no more than was known.
+/// True where sums of coefficients (Hull) tell that a step demands no more than was known.
 template <class Real>
 bool demands_no_more(const BasicDemand<Real>& demand, const ForcePolynomials<Real>& force,
                      const Real& rounding) {
@@ -89,8 +87,7 @@ bool demands_no_more(const BasicDemand<Real>& demand, const ForcePolynomials<Rea
   return true;
 }
 
-/// The greatest demands along a step up to `end` of its length; `start` and `length` are those of the step,
-/// s.
+/// The greatest demands along a step up to `end` of its length; `start` and `length` are the step's, s.
 template <class Real>
 void note_demand_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& force, const Real& end,
                        const Real& rounding, const Real& available, const Real& start, const Real& length) {

@@ -44,8 +44,7 @@ PlaneVector<Real> ahead(const PlaneVector<Real>& direction) {
   return {-direction.y, direction.x};
 }
 
-/// What the cosine and the sine of a block's angle are multiplied by to give (x, y)⊥ · push, with (x, y) in
-/// the block's frame.
+/// What the cosine and sine of a block's angle are multiplied by for (x, y)⊥ · push, (x, y) in its frame.
 template <class Real>
 PlaneVector<Real> coupling_of(const PlaneVector<Real>& push, const Real& x, const Real& y) {
   return {y * push.x - x * push.y, -(x * push.x + y * push.y)};

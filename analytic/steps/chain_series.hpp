@@ -13,11 +13,9 @@ namespace rockstack {
 //
 // with the known part a sum of products of lower coefficients. So Lagrange's equations (linkage.hpp) give the
 // coefficients (ψ'')ₙ of all blocks from one linear system, whose matrix is the mass matrix at the start of
-// the step: it is factorised once. What belongs to relative angles are sums from the top down, and held
-// interfaces drop out.
+// the step, factorised once. Of relative angles there are sums from the top down; held interfaces drop out.
 
-/// The series of a chain's motion over one step. Real may also be a pack of numbers that are computed side by
-/// side.
+/// The series of a chain's motion over one step, of numbers or of packs of them, computed side by side.
 template <class Real, int N>
 class ChainSeries {
  public:
@@ -31,8 +29,7 @@ class ChainSeries {
     bool margins;  ///< these and margin()
   };
 
-  /// From the blocks' directions and relative velocities times the step's length. Keeps a reference to
-  /// `linkage`.
+  /// From directions, and relative velocities times the step's length. Keeps a reference to `linkage`.
   ChainSeries(const Linkage<Real, N>& linkage, Equations equations, const Asked& asked,
               const Directions& directions, const PerBlock<Real, N>& advances)
       : linkage_(linkage),
@@ -45,8 +42,7 @@ class ChainSeries {
 
   std::size_t size() const { return linkage_.size(); }
 
-  /// Makes the step `ratio` times as long, where order 0 is known: its coefficients go with the length
-  /// squared.
+  /// Makes the step `ratio` times as long, where order 0 is known, which goes with the length squared.
   void shorten(const Real& ratio) {
     const Real square = ratio * ratio;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -86,8 +82,7 @@ class ChainSeries {
     return force(k, blocks_[k - 1].direction, n).normal;
   }
 
-  /// Forces at interface k along the normal and the direction of a block's face (the ground's: −1); order n,
-  /// likewise.
+  /// Forces at interface k across and along a block's face (the ground's: −1); order n, likewise.
   struct Force {
     Real normal, tangential;
   };

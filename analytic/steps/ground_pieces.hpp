@@ -108,9 +108,8 @@ class GroundPieces {
     piece_.length = end_ - piece_.start;
   }
 
-  /// A component from the start of the piece on: it goes on to the next sample, from `sample` on;
-  /// where the other component has ended the piece before, the sample is found anew. `constant` is added to
-  /// it.
+  /// A component from the start of the piece on, to the next sample after `sample`, which is found anew where
+  /// the other component has ended the piece before. `constant` is added to it.
   void follow(const GroundMotion& motion, const Real& constant, std::ptrdiff_t& sample,
               GroundComponent<Real>& component) const {
     if (motion.pulse) {

@@ -35,9 +35,8 @@ struct StepStart {
   }
 };
 
-/// Follows the orders of a series until what is left out is below a tolerance, relative to the step's motion.
-/// What is left out is estimated by the last coefficients, and at least by a 64th of those before them, which
-/// may be small by chance.
+/// Follows the orders of a series until what is left out is below a tolerance, relative to the step's motion:
+/// estimated by the last coefficients, as they may be small by chance at least by a 64th of those before.
 template <class Real>
 class Convergence {
  public:
@@ -86,8 +85,7 @@ class TaylorSteps {
     longest_ = 1 / rate_;
   }
 
-  /// A step from `offset` into a ground piece, no longer than `remaining`, with margins of `watched`
-  /// interfaces.
+  /// A step from `offset` into a ground piece, `remaining` at most, with margins of `watched` interfaces.
   DenseOutput<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& directions,
                                   const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
                                   const Real& offset, const Real& remaining, const Interfaces& watched) {

@@ -9,9 +9,8 @@
 
 namespace rockstack {
 
-// The one place where JSON and MessagePack come in, from files, workers, pages and other ranks. As with TOML,
-// what has more than most_levels is refused: whatever reads, copies or writes it next goes down level by
-// level.
+// The one place where JSON and MessagePack come in, from files, workers, pages and other ranks. As of TOML,
+// more than most_levels are refused: what reads, copies or writes them next goes down level by level.
 
 /// Reads bytes of one of the two forms. @throws InputError that begins with `subject`, "x.json: " or "the
 /// message " as it may be, and says what is wrong.
