@@ -155,7 +155,8 @@ Directions<Real, N> directions(const Vector<Real, N>& angles) {
 }
 
 /// Arms rₖ = (−σₖwₖ, hₖ), plus the centre's offset, and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ;
-/// of a small-angle stack upright and without widths. `pattern` as side() takes it. Calls of it would count.
+/// of a small-angle stack upright and without widths. `pattern` as side() takes it. Asked for so often that
+/// calls count.
 template <class Real, int N, class Sides>
 [[gnu::always_inline]] inline Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Sides& pattern,
                                                         const Directions<Real, N>& directions) {

@@ -110,8 +110,8 @@ struct Scene {
   std::string title;
   double duration = 0;    ///< s, > 0, at most 10⁷ √(R/a), see validate()
   double gravity = 9.81;  ///< m/s², > 0
-  /// By which the ground is turned from the level, rad, clockwise positive: it falls to the right; ≤ π/4, 45
-  /// degrees. Angles, x and y are the ground's, and so are both components of its motion.
+  /// By which the ground is turned from the level, rad, clockwise positive, at most π/4: it falls to the
+  /// right. Angles, x and y are the ground's, and so are both components of its motion.
   double inclination = 0;
   Law law = Law::consistent;  ///< engines follow it; `paper` is that of Spanos et al. 2001
   Equations equations = Equations::nonlinear;
@@ -163,8 +163,8 @@ double toppling_angle(const Scene& scene, int block);
 /// Checks a motion's numbers; `key` is the motion's own. @throws FieldError.
 void validate(const GroundMotion& motion, const std::string& key);
 
-/// Checks every number of a scene, as those of scene files, against its range. The duration is at most 10⁷
-/// √(R/a), with R the least half diagonal of a block and a the largest acceleration that gravity, ground and
+/// Checks every number of a scene, from a file or not, against its range. The duration is at most 10⁷ √(R/a),
+/// with R the least half diagonal of a block and a the largest acceleration that gravity, ground and
 /// the turning at the start may add up to: blocks that do not come to rest would be followed for ever.
 /// @throws FieldError whose text is "key = value: must be …".
 void validate(const Scene& scene);

@@ -13,7 +13,7 @@ namespace rockstack {
 //
 // with the known part a sum of products of lower coefficients. So Lagrange's equations (linkage.hpp) give the
 // coefficients (ψ'')ₙ of all blocks from one linear system, whose matrix is the mass matrix at the start of
-// the step, factorised once. Of relative angles there are sums from the top down; held interfaces drop out.
+// the step, factorised once. Relative angles have sums from the top down; held interfaces drop out.
 
 /// The series of a chain's motion over one step, of numbers or of packs of them, computed side by side.
 template <class Real, int N>

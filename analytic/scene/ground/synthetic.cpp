@@ -13,7 +13,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Two independent standard normal numbers (Box & Muller 1958); std's distribution differs between compilers.
+/// Two independent standard normal numbers (Box & Muller 1958); the library's own may differ by compiler.
 std::array<double, 2> draw_normal(std::mt19937_64& generator) {
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 0.5) * 0x1p-53; };
   const double radius = std::sqrt(-2 * std::log(uniform()));
