@@ -16,10 +16,9 @@ namespace rockstack {
 template <class Real, int N>
 struct RestingStack {
   PerBlock<Real, N> mass;  ///< kg, of all above an interface
-  Real gravity;            ///< m/s²
   Real critical_tilt;      ///< λ, less what rounding may make of it; negative where it falls by itself
 
-  explicit RestingStack(const Model<Real, N>& model) : gravity(model.gravity) {
+  explicit RestingStack(const Model<Real, N>& model) {
     const Linkage<Real, N> linkage = make_linkage(model.stack, closed_pattern(model.stack.size()));
     mass = linkage.mass;
     critical_tilt = std::numeric_limits<Real>::infinity();

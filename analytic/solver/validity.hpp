@@ -46,8 +46,7 @@ void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution
     if (abs(normal) <= negligible && abs(tangential) <= negligible) continue;
     BasicDemand<Real>& demand = demands[k];
     note_demand(demand, normal, tangential, solution.rounding[k], time);
-    const Real& friction = available[k];
-    if (first_to_note(demand, friction)) note_first(demand, friction, time, time);
+    note_first(demand, available[k], time, time);
   }
 }
 

@@ -32,7 +32,7 @@ Letter first_letter(std::string_view text) {
 bool is_shown(std::uint32_t code) {
   constexpr std::array<std::array<std::uint32_t, 2>, 5> hidden{
       {{0, 0x1f}, {0x7f, 0x9f}, {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}}};
-  return std::ranges::none_of(hidden, [&](auto& span) { return code >= span[0] && code <= span[1]; });
+  return !std::ranges::any_of(hidden, [&](auto& span) { return code >= span[0] && code <= span[1]; });
 }
 
 }  // namespace
