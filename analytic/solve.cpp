@@ -27,16 +27,11 @@ BasicHistory<Real> solve_stack_of(const Scene& scene, const SolveOptions& option
 }
 
 History solve_in_double(const Scene& scene, const SolveOptions& options, Branching* branching) {
-  switch (scene.blocks.size()) {
-    case 1:
-      return solve_stack_of<double, 1>(scene, options, branching);
-    case 2:
-      return solve_stack_of<double, 2>(scene, options, branching);
-    case 3:
-      return solve_stack_of<double, 3>(scene, options, branching);
-    default:
-      return solve_stack_of<double, Eigen::Dynamic>(scene, options, branching);
-  }
+  const std::size_t blocks = scene.blocks.size();
+  if (blocks == 1) return solve_stack_of<double, 1>(scene, options, branching);
+  if (blocks == 2) return solve_stack_of<double, 2>(scene, options, branching);
+  if (blocks == 3) return solve_stack_of<double, 3>(scene, options, branching);
+  return solve_stack_of<double, Eigen::Dynamic>(scene, options, branching);
 }
 
 template <class Real>

@@ -153,19 +153,15 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
     const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
     // Kernels know pivots alone, and no levers.
     const bool by_itself = scene->equations == Equations::small_angle || leaves_pivots(scene->law);
-    switch (by_itself ? 0 : scene->blocks.size()) {
-      case 1:
-        one[kind].add(number, std::move(*scene));
-        break;
-      case 2:
-        two[kind].add(number, std::move(*scene));
-        break;
-      case 3:
-        three[kind].add(number, std::move(*scene));
-        break;
-      default:
-        deliver(alone(number, *scene, options));
-    }
+    const std::size_t blocks = by_itself ? 0 : scene->blocks.size();
+    if (blocks == 1)
+      one[kind].add(number, std::move(*scene));
+    else if (blocks == 2)
+      two[kind].add(number, std::move(*scene));
+    else if (blocks == 3)
+      three[kind].add(number, std::move(*scene));
+    else
+      deliver(alone(number, *scene, options));
   }
   for (Lanes<1>& lanes : one) lanes.finish();
   for (Lanes<2>& lanes : two) lanes.finish();

@@ -94,30 +94,21 @@ Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& 
   if (pulse.shape == PulseShape::rectangle) return {amplitude};
   series.terms = max_orders<Real>;
   std::fill(series.begin(), series.end(), Real(0));
-  switch (pulse.shape) {
-    case PulseShape::sine:
-    case PulseShape::half_sine:
-      add_sine<Real>(series, amplitude, turn * elapsed, turn * length);
-      break;
-    case PulseShape::cosine:
-      add_sine<Real>(series, amplitude, turn * elapsed + pi<Real> / 2, turn * length);
-      break;
-    case PulseShape::ricker:
-      add_ricker<Real>(series, amplitude, turn / 2 * (elapsed - 2 * Real(pulse.period)), turn / 2 * length);
-      break;
-    case PulseShape::mavroeidis_papageorgiou: {
-      // The products of its sines as sums: the carrier, and the two bands beside it.
-      const Real cycles(pulse.cycles);
-      const Real s = elapsed - cycles * Real(pulse.period) / 2;
-      for (const int band : {-1, 0, 1}) {
-        const Real share = band == 0 ? Real(-1) / 2 : -(1 + Real(band) / cycles) / 4;
-        const Real rate = turn * (1 + Real(band) / cycles);
-        add_sine<Real>(series, amplitude * share, rate * s + Real(pulse.phase), rate * length);
-      }
-      break;
+  if (pulse.shape == PulseShape::ricker) {
+    add_ricker<Real>(series, amplitude, turn / 2 * (elapsed - 2 * Real(pulse.period)), turn / 2 * length);
+  } else if (pulse.shape == PulseShape::mavroeidis_papageorgiou) {
+    // The products of its sines as sums: the carrier, and the two bands beside it.
+    const Real cycles(pulse.cycles);
+    const Real s = elapsed - cycles * Real(pulse.period) / 2;
+    for (const int band : {-1, 0, 1}) {
+      const Real share = band == 0 ? Real(-1) / 2 : -(1 + Real(band) / cycles) / 4;
+      const Real rate = turn * (1 + Real(band) / cycles);
+      add_sine<Real>(series, amplitude * share, rate * s + Real(pulse.phase), rate * length);
     }
-    case PulseShape::rectangle:
-      break;
+  } else if (pulse.shape == PulseShape::cosine) {
+    add_sine<Real>(series, amplitude, turn * elapsed + pi<Real> / 2, turn * length);
+  } else {
+    add_sine<Real>(series, amplitude, turn * elapsed, turn * length);
   }
   const Real negligible = left_out<Real>() * abs(amplitude);
   while (series.terms > 1 && abs(series[series.terms - 1]) <= negligible) --series.terms;
