@@ -28,11 +28,7 @@ class Clearance {
  public:
   using Mask = typename Real::Mask;
 
-  explicit Clearance(const Real& start)
-      : start_(start),
-        touching_(start == Real(0)),
-        sum_(start),
-        least_(select(touching_, Real(std::numeric_limits<double>::infinity()), start)) {}
+  explicit Clearance(const Real& start) : start_(start) {}
 
   void add(const Real& coefficient) {
     reach_ += abs(coefficient);
@@ -47,8 +43,9 @@ class Clearance {
 
  private:
   Real start_;
-  Mask touching_;
-  Real sum_, least_;
+  Mask touching_ = start_ == Real(0);
+  Real sum_ = start_;
+  Real least_ = select(touching_, Real(std::numeric_limits<double>::infinity()), start_);
   Real reach_ = 0;
 };
 

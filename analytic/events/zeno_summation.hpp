@@ -34,11 +34,7 @@ class ZenoSummation {
  public:
   /// Keeps a reference to `model`. `resolution` is of angles in rad, and of velocities in √(g/H), > 0.
   ZenoSummation(const Model<Real, N>& model, const Real& resolution)
-      : model_(model),
-        resolution_(resolution),
-        short_steps_(model, {.step = std::numeric_limits<double>::max()}) {
-    rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
-  }
+      : model_(model), resolution_(resolution) {}
 
   /// Whether chatter has to be followed further than it counts: flights are below a coarse resolution sooner.
   bool pays() const { return resolution_ < coarse; }
@@ -207,8 +203,8 @@ class ZenoSummation {
 
   const Model<Real, N>& model_;
   Real resolution_;
-  Rk4Steps<Real, N> short_steps_;
-  Real rate_{};  ///< √(g/H), 1/s
+  Rk4Steps<Real, N> short_steps_{model_, {.step = std::numeric_limits<double>::max()}};
+  Real rate_ = sqrt(model_.gravity / (2 * model_.stack.half_height.sum()));  ///< √(g/H), 1/s
   // since the impact from which on chatter has been watched
   int interface_ = -1;
   int flights_ = 0;

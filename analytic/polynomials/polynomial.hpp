@@ -84,7 +84,6 @@ struct Polynomial {
     std::copy_n(other.begin(), terms, begin());
     return *this;
   }
-  ~Polynomial() = default;
   Polynomial(std::initializer_list<Coefficient> values) {
     for (const Coefficient& coefficient : values) coefficients[terms++] = coefficient;
   }

@@ -110,15 +110,6 @@ void validate_depth(const Scene& scene, std::size_t interface, const char* key, 
                        number_text(height, 3) + " m, is a contact");
 }
 
-void validate_depths(const Scene& scene) {
-  const CornerSprings& springs = scene.springs;
-  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
-    validate_depth(scene, k, "contact.stiffness", springs.stiffness[k], 2);
-  for (std::size_t k = 0; k < springs.bed_stiffness.size(); ++k)
-    validate_depth(scene, k, "contact.bed_stiffness", springs.bed_stiffness[k],
-                   2 * interface_half_width(scene, k));
-}
-
 /// Bounds on how fast the springs of a stack may be, 1/s, as it stands upright: nothing swings faster than
 /// √tr M⁻¹K, dies out faster than tr M⁻¹C, or relaxes faster than k/c, where sliders may move. And the scene
 /// file's key of what the largest of them is due to most.
@@ -213,7 +204,11 @@ void validate_springs(const Scene& scene) {
                        "inf where contact.stiffness is not: an interface has springs at corners or a bed");
   require_positive("contact.tangential", springs.tangential);
   require_effect(springs);
-  validate_depths(scene);
+  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
+    validate_depth(scene, k, "contact.stiffness", springs.stiffness[k], 2);
+  for (std::size_t k = 0; k < springs.bed_stiffness.size(); ++k)
+    validate_depth(scene, k, "contact.bed_stiffness", springs.bed_stiffness[k],
+                   2 * interface_half_width(scene, k));
   validate_steps(scene);
   if (!scene.initial.preloaded) validate_unloaded(scene);
 }

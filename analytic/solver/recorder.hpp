@@ -18,9 +18,6 @@ class Recorder {
   Recorder(const Model<Real, N>& model, const SolveOptions& options, const std::vector<double>& friction)
       : model_(model), options_(options), friction_(friction.begin(), friction.end()), event_limit_(model) {
     const int size = model.stack.size();
-    rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
-    negligible_impulse_ =
-        Real(1e-6) * model.stack.mass.sum() * sqrt(2 * model.gravity * model.stack.half_height.sum());
     history_.blocks = size;
     const std::size_t samples = options.sample_times.size();
     history_.times.reserve(samples);
@@ -237,8 +234,10 @@ class Recorder {
   const Model<Real, N>& model_;
   const SolveOptions& options_;
   std::vector<Real> friction_;  ///< that each interface has
-  Real rounding_{};             ///< of forces, N
-  Real negligible_impulse_{};   ///< N·s
+  /// Of forces, N.
+  Real rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model_.gravity * model_.stack.mass.sum());
+  Real negligible_impulse_ =  ///< N·s
+      Real(1e-6) * model_.stack.mass.sum() * sqrt(2 * model_.gravity * model_.stack.half_height.sum());
   EventLimit<Real> event_limit_;
   std::size_t next_sample_ = 0;
   std::size_t events_ = 0;

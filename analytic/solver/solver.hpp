@@ -16,12 +16,8 @@ class Solver {
   /// @throws std::invalid_argument for options out of range.
   Solver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
-        model_(make_model<Real, N>(scene)),
-        pieces_(scene),
         steps_(model_, options),
         recorder_(model_, options, options.validity ? friction_of(scene) : std::vector<double>()),
-        ties_(model_),
-        resting_(model_),
         cancelled_(options.cancelled),
         branching_(branching),
         collisions_(scene, model_, options) {
@@ -291,12 +287,12 @@ class Solver {
   }
 
   const Scene& scene_;
-  Model<Real, N> model_;
-  GroundPieces<Real> pieces_;
+  Model<Real, N> model_ = make_model<Real, N>(scene_);
+  GroundPieces<Real> pieces_{scene_};
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
-  TieBreaker<Real> ties_;
-  RestingStack<Real, N> resting_;
+  TieBreaker<Real> ties_{model_};
+  RestingStack<Real, N> resting_{model_};
   const std::function<bool()>* cancelled_;
   Branching* branching_;
   Collisions<Real, N> collisions_;

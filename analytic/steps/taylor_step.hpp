@@ -80,10 +80,7 @@ class TaylorSteps {
   TaylorSteps(const Model<Real, N>& model, const SolveOptions& options)
       : model_(model),
         forces_(options.validity),
-        tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {
-    rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
-    longest_ = 1 / rate_;
-  }
+        tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {}
 
   /// A step from `offset` into a ground piece, `remaining` at most, with margins of `watched` interfaces.
   DenseOutput<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& directions,
@@ -240,8 +237,8 @@ class TaylorSteps {
   const Model<Real, N>& model_;
   bool forces_;  ///< whether steps tell the forces
   Real tolerance_;
-  Real rate_;     ///< √(g/H), 1/s
-  Real longest_;  ///< s, for the next step
+  Real rate_ = sqrt(model_.gravity / (2 * model_.stack.half_height.sum()));  ///< √(g/H), 1/s
+  Real longest_ = 1 / rate_;                                                 ///< s, for the next step
 };
 
 }  // namespace rockstack
