@@ -44,13 +44,6 @@ struct FirstEvent {
   }
 };
 
-template <class Real, int N>
-Polynomial<Real> opening_angle(const DenseOutput<Real, N>& output, int interface) {
-  Polynomial<Real> polynomial = output.angles[interface];
-  for (Real& coefficient : polynomial) coefficient *= Real(sign(output.start.pattern[interface]));
-  return polynomial;
-}
-
 /// The hulls of relative angles beyond zero; of closed interfaces nothing.
 template <class Real, int N>
 using AngleHulls = std::array<Hull<Real>, capacity(N)>;
@@ -59,11 +52,12 @@ template <class Real, int N>
 void find_closing(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>& hulls,
                   const Interfaces& cleared, FirstEvent<Real>& event) {
   const Pattern& pattern = output.start.pattern;
-  std::array<Polynomial<Real>, capacity(N)> angles;  // of interfaces that may close
+  std::array<Polynomial<Real>, capacity(N)> angles;  // opening angles of interfaces that may close
   for (int k = 0; k < output.start.size(); ++k) {
     if (pattern[k] == Contact::closed || cleared.test(k)) continue;
     if (stays_clear(output.angles[k], hulls[k], sign(pattern[k]))) continue;
-    const Polynomial<Real>& guard = angles[k] = opening_angle(output, k);
+    Polynomial<Real>& guard = angles[k] = output.angles[k];
+    for (Real& coefficient : guard) coefficient *= Real(sign(pattern[k]));
     const auto crossing = first_crossing(guard);
     if (event.admit(crossing)) event.closing.set(k);
     if (const auto s = grazing(guard, crossing)) event.grazes.push_back({*s, EventKind::impact, k + 1});

@@ -73,7 +73,8 @@ class ZenoSummation {
     const Real speed = abs(landing.after.relative[interface_]);
     const Real duration = duration_ * (speed / speed_) / (1 - ratio_);
     if (duration > landing.piece.length - landing.offset) return std::nullopt;
-    const auto closure = velocities_after(model_, landing.before, closed(landing.after.pattern, interface_));
+    const auto closure = velocities_after(model_, landing.before,
+                                          with_closed(landing.after.pattern, Interfaces().set(interface_)));
     RestOfChatter<Real, N> rest{interface_, duration, landing.after, closure, landing.impact.before.angles,
                                 fastest};
     if (!others_stay_open(rest)) return std::nullopt;
@@ -115,13 +116,8 @@ class ZenoSummation {
     return thrown;
   }
 
-  static Pattern closed(Pattern pattern, int interface) {
-    pattern[interface] = Contact::closed;
-    return pattern;
-  }
-
   State<Real, N> closed_at(const Landing& landing, int interface) const {
-    const Pattern pattern = closed(landing.after.pattern, interface);
+    const Pattern pattern = with_closed(landing.after.pattern, Interfaces().set(interface));
     const Chain<Real, N> chain = make_chain(model_.stack, pattern, landing.before.directions);
     return {pattern, landing.impact.before.angles,
             nearest_allowed(model_.stack, pattern, chain, landing.before.motion)};

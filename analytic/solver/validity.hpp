@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/force_extremes.hpp"
 
@@ -18,14 +17,6 @@ void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangent
   if (normal == 0 && abs(tangential) <= rounding) return;
   const Real ratio = normal > 0 ? abs(tangential) / normal : std::numeric_limits<Real>::infinity();
   raise_demand(demand, normal, ratio, time);
-}
-
-/// Whether an interface pulls, or needs more friction than surfaces have, and it is not known since when.
-template <class Real>
-bool first_to_note(const BasicDemand<Real>& demand, const Real& available) {
-  const Real never = std::numeric_limits<Real>::infinity();
-  return (demand.least_normal < 0 && demand.first_pull_time == never) ||
-         (demand.friction > available && demand.first_slip_time == never);
 }
 
 /// Keeps the first times of what has come to be, both no earlier than they are known.
@@ -100,7 +91,11 @@ void note_demand_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& 
   note_extremes(demand, force.normal, force.tangential, end, rounding, [&](const Real& s) {
     note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding, start + s * length);
   });
-  if (first_to_note(demand, available)) note_first_along(demand, force, end, available, start, length);
+  // Where it pulls, or needs more friction than surfaces have, and it is not known since when.
+  const Real never = std::numeric_limits<Real>::infinity();
+  if ((demand.least_normal < 0 && demand.first_pull_time == never) ||
+      (demand.friction > available && demand.first_slip_time == never))
+    note_first_along(demand, force, end, available, start, length);
 }
 
 }  // namespace rockstack
