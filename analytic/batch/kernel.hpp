@@ -2,10 +2,7 @@
 
 #include "analytic/batch/bounds.hpp"
 #include "analytic/batch/foresight.hpp"
-#include "analytic/batch/load.hpp"
 #include "analytic/batch/record_walk.hpp"
-#include "analytic/batch/step_rows.hpp"
-#include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/taylor_step.hpp"
 
 namespace rockstack {

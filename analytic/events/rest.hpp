@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/mechanics/dynamics.hpp"
-#include "analytic/mechanics/linkage.hpp"
 #include "analytic/steps/ground_pieces.hpp"
 
 namespace rockstack {

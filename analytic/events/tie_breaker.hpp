@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/events/first_event.hpp"
-#include "analytic/mechanics/dynamics.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {

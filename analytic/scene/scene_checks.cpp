@@ -1,6 +1,5 @@
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"

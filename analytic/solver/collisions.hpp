@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/events/chatter.hpp"
-#include "analytic/mechanics/impact.hpp"
 #include "analytic/solver/recorder.hpp"
 
 namespace rockstack {

@@ -3,10 +3,7 @@
 #include "analytic/events/rest.hpp"
 #include "analytic/events/tie_breaker.hpp"
 #include "analytic/events/zeno_summation.hpp"
-#include "analytic/polynomials/crossing.hpp"
-#include "analytic/scene/solve_options.hpp"
 #include "analytic/solver/validity.hpp"
-#include "analytic/steps/ground_pieces.hpp"
 
 namespace rockstack {
 

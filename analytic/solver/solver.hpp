@@ -3,7 +3,6 @@
 #include "analytic/scene/branching.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/collisions.hpp"
-#include "analytic/steps/rk4.hpp"
 #include "analytic/steps/taylor_step.hpp"
 
 namespace rockstack {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <iterator>
-#include <optional>
 
 #include "analytic/scene/kinematics.hpp"
 

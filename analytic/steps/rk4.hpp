@@ -1,7 +1,5 @@
 #pragma once
 
-#include "analytic/mechanics/linkage.hpp"
-#include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/ground_pieces.hpp"

@@ -1,7 +1,6 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <random>
 

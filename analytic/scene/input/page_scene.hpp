@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/json.hpp"

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "analytic/scene/ground/records/record.hpp"
 
