@@ -3,12 +3,6 @@
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
 
-#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
-#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
-#include <BulletDynamics/MLCPSolvers/btLemkeSolver.h>
-#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
-#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
-
 #include "engines/bullet/simulation.hpp"
 
 namespace rockstack {
@@ -89,34 +83,7 @@ Engine with(BulletSolver solver, const char* name) {
           std::bind_front(start_bullet, solver)};
 }
 
-std::unique_ptr<btMLCPSolverInterface> make_algorithm(BulletSolver solver, const Parameters& parameters) {
-  if (solver == BulletSolver::mlcp_dantzig) return std::make_unique<btDantzigSolver>();
-  if (solver == BulletSolver::mlcp_lemke) {
-    auto lemke = std::make_unique<btLemkeSolver>();
-    lemke->m_maxLoops = static_cast<int>(parameters.at("maxLoops"));
-    lemke->m_maxValue = static_cast<btScalar>(parameters.at("maxValue"));
-    return lemke;
-  }
-  auto projected = std::make_unique<btSolveProjectedGaussSeidel>();
-  projected->m_leastSquaresResidualThreshold =
-      static_cast<btScalar>(parameters.at("leastSquaresResidualThreshold"));
-  return projected;
-}
-
 }  // namespace
-
-ChosenSolver::ChosenSolver(BulletSolver solver, const Parameters& parameters) {
-  if (solver == BulletSolver::sequential_impulse) {
-    constraints = std::make_unique<btSequentialImpulseConstraintSolver>();
-  } else if (solver == BulletSolver::nncg) {
-    constraints = std::make_unique<btNNCGConstraintSolver>();
-  } else {
-    algorithm = make_algorithm(solver, parameters);
-    constraints = std::make_unique<btMLCPSolver>(algorithm.get());
-  }
-}
-
-ChosenSolver::~ChosenSolver() = default;
 
 std::vector<Engine> make_bullet() {
   using enum BulletSolver;
