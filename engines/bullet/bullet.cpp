@@ -10,9 +10,6 @@ namespace {
 
 constexpr bool single_precision = sizeof(btScalar) == sizeof(float);
 
-/// SOLVER_USE_WARMSTARTING | SOLVER_SIMD
-constexpr int usual_mode = 4 | 256;
-
 /// What the tuned set changes.
 struct Tuned {
   double iterations = 50, erp2 = 0.2, cfm = 0;
@@ -48,7 +45,7 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
       {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
       {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},
-      {.name = "solverMode", .standard = usual_mode, .most = 8191, .whole = true},
+      {.name = "solverMode", .standard = SOLVER_USE_WARMSTARTING | SOLVER_SIMD, .most = 8191, .whole = true},
       {.name = "leastSquaresResidualThreshold"},
       {.name = "contactBreakingThreshold", .standard = 0.02, .tuned = tuned.breaking},
       {.name = "restitution", .most = 1, .role = SettingRole::restitution},
