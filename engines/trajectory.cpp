@@ -26,16 +26,6 @@ std::vector<double> lesser(const std::vector<Placement>& blocks, double Placemen
   return list;
 }
 
-/// The state that a simulation is in, as the last sample of its trajectory.
-void append(Trajectory& trajectory, const Simulation& simulation, std::size_t blocks, bool bodies) {
-  for (std::size_t k = 0; k < blocks; ++k) {
-    const BodyState body = simulation.body(k);
-    trajectory.angles.push_back(body.angle);
-    trajectory.velocities.push_back(body.angular_velocity);
-    if (bodies) trajectory.bodies.push_back(body);
-  }
-}
-
 }  // namespace
 
 ContactWatch::ContactWatch(const Setup& setup, double largest_friction)
@@ -159,7 +149,12 @@ Trajectory run(const Engine& engine, const Setup& setup, const Parameters& param
   std::optional<ContactWatch> contacts;
   if (bodies && simulation->watch_contacts()) contacts.emplace(setup, engine.capabilities.largest_friction);
   const auto observe = [&] {
-    append(trajectory, *simulation, blocks, bodies);
+    for (std::size_t k = 0; k < blocks; ++k) {
+      const BodyState body = simulation->body(k);
+      trajectory.angles.push_back(body.angle);
+      trajectory.velocities.push_back(body.angular_velocity);
+      if (bodies) trajectory.bodies.push_back(body);
+    }
     if (!contacts) return;
     contacts->observe(simulation->contacts(), std::span(trajectory.angles).last(blocks),
                       std::span(trajectory.velocities).last(blocks));

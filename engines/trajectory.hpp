@@ -55,9 +55,8 @@ class ContactWatch {
   };
   using Ends = std::array<End, 2>;  ///< left, right
 
-  /// ½kd² of the points that overlap by d and are springs which steps follow. One that makes the lighter body
-  /// move to and fro within a step, k dt² above its mass, is found overlapped by far more than any motion
-  /// could press it, and counts as rigid.
+  /// ½kd² of the points that overlap by d and are springs which steps follow. One with k dt² above the
+  /// lighter body's mass is found overlapped by far more than any motion could press it, and counts as rigid.
   double elastic_energy(const std::vector<ContactPoint>& points) const;
   void add_forces(const std::vector<ContactPoint>& points);
   void add_counts(const std::vector<Ends>& ends);

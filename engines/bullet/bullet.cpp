@@ -3,21 +3,12 @@
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
 
-#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
-#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
-#include <BulletDynamics/MLCPSolvers/btLemkeSolver.h>
-#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
-#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
-
 #include "engines/bullet/simulation.hpp"
 
 namespace rockstack {
 namespace {
 
 constexpr bool single_precision = sizeof(btScalar) == sizeof(float);
-
-/// SOLVER_USE_WARMSTARTING | SOLVER_SIMD
-constexpr int usual_mode = 4 | 256;
 
 /// What the tuned set changes.
 struct Tuned {
@@ -54,7 +45,7 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
       {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
       {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},
-      {.name = "solverMode", .standard = usual_mode, .most = 8191, .whole = true},
+      {.name = "solverMode", .standard = SOLVER_USE_WARMSTARTING | SOLVER_SIMD, .most = 8191, .whole = true},
       {.name = "leastSquaresResidualThreshold"},
       {.name = "contactBreakingThreshold", .standard = 0.02, .tuned = tuned.breaking},
       {.name = "restitution", .most = 1, .role = SettingRole::restitution},
@@ -89,34 +80,7 @@ Engine with(BulletSolver solver, const char* name) {
           std::bind_front(start_bullet, solver)};
 }
 
-std::unique_ptr<btMLCPSolverInterface> make_algorithm(BulletSolver solver, const Parameters& parameters) {
-  if (solver == BulletSolver::mlcp_dantzig) return std::make_unique<btDantzigSolver>();
-  if (solver == BulletSolver::mlcp_lemke) {
-    auto lemke = std::make_unique<btLemkeSolver>();
-    lemke->m_maxLoops = static_cast<int>(parameters.at("maxLoops"));
-    lemke->m_maxValue = static_cast<btScalar>(parameters.at("maxValue"));
-    return lemke;
-  }
-  auto projected = std::make_unique<btSolveProjectedGaussSeidel>();
-  projected->m_leastSquaresResidualThreshold =
-      static_cast<btScalar>(parameters.at("leastSquaresResidualThreshold"));
-  return projected;
-}
-
 }  // namespace
-
-ChosenSolver::ChosenSolver(BulletSolver solver, const Parameters& parameters) {
-  if (solver == BulletSolver::sequential_impulse) {
-    constraints = std::make_unique<btSequentialImpulseConstraintSolver>();
-  } else if (solver == BulletSolver::nncg) {
-    constraints = std::make_unique<btNNCGConstraintSolver>();
-  } else {
-    algorithm = make_algorithm(solver, parameters);
-    constraints = std::make_unique<btMLCPSolver>(algorithm.get());
-  }
-}
-
-ChosenSolver::~ChosenSolver() = default;
 
 std::vector<Engine> make_bullet() {
   using enum BulletSolver;

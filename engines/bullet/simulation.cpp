@@ -1,10 +1,13 @@
 #include "engines/bullet/simulation.hpp"
 
-#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btLemkeSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
 #include <algorithm>
-#include <utility>
 
 namespace rockstack {
 namespace {
@@ -63,6 +66,28 @@ void apply(const Parameters& parameters, btContactSolverInfo& info) {
   info.m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
 }
 
+/// What is inside a solver for complementarity problems; null in any other.
+std::unique_ptr<btMLCPSolverInterface> make_algorithm(BulletSolver solver, const Parameters& parameters) {
+  if (solver == BulletSolver::sequential_impulse || solver == BulletSolver::nncg) return nullptr;
+  if (solver == BulletSolver::mlcp_dantzig) return std::make_unique<btDantzigSolver>();
+  if (solver == BulletSolver::mlcp_lemke) {
+    auto lemke = std::make_unique<btLemkeSolver>();
+    lemke->m_maxLoops = static_cast<int>(parameters.at("maxLoops"));
+    lemke->m_maxValue = scalar(parameters.at("maxValue"));
+    return lemke;
+  }
+  auto projected = std::make_unique<btSolveProjectedGaussSeidel>();
+  projected->m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
+  return projected;
+}
+
+std::unique_ptr<btSequentialImpulseConstraintSolver> make_solver(BulletSolver solver,
+                                                                 btMLCPSolverInterface* algorithm) {
+  if (algorithm != nullptr) return std::make_unique<btMLCPSolver>(algorithm);
+  if (solver == BulletSolver::nncg) return std::make_unique<btNNCGConstraintSolver>();
+  return std::make_unique<btSequentialImpulseConstraintSolver>();
+}
+
 /// A pair's coefficient, that of the interface under its upper body, which has it.
 btScalar friction_of_pair(const btCollisionObject* a, const btCollisionObject* b) {
   return (a->getUserIndex() > b->getUserIndex() ? a : b)->getFriction();
@@ -89,7 +114,8 @@ class BulletSimulation final : public ShakenSimulation {
                  scalar(0.5 * mass_factor_ * parameters.at("contactDamping")),
                  parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0},
         dispatcher_(&configuration_),
-        solver_(solver, parameters) {
+        algorithm_(make_algorithm(solver, parameters)),
+        solver_(make_solver(solver, algorithm_.get())) {
     // One callback for all worlds, as pairs know all that it asks for.
     [[maybe_unused]] static const auto friction = gCalculateCombinedFrictionCallback = friction_of_pair;
     apply(parameters, world_.getSolverInfo());
@@ -121,8 +147,8 @@ class BulletSimulation final : public ShakenSimulation {
 
   /// How often Bullet gave a problem up and took sequential impulse in its place.
   std::size_t warnings() const override {
-    if (solver_.algorithm == nullptr) return 0;
-    return static_cast<std::size_t>(static_cast<btMLCPSolver&>(*solver_.constraints).getNumFallbacks());
+    if (algorithm_ == nullptr) return 0;
+    return static_cast<std::size_t>(static_cast<btMLCPSolver&>(*solver_).getNumFallbacks());
   }
 
   /// Bullet keeps a contact's impulses for a warm start alone.
@@ -179,7 +205,7 @@ class BulletSimulation final : public ShakenSimulation {
     const double spring = dt() * point.m_combinedContactStiffness1;
     const double both = spring + point.m_combinedContactDamping1;
     softness.erp = spring / both;
-    if (solver_.algorithm == nullptr) softness.cfm = 1 / both;
+    if (algorithm_ == nullptr) softness.cfm = 1 / both;
     return softness;
   }
 
@@ -256,10 +282,11 @@ class BulletSimulation final : public ShakenSimulation {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  ChosenSolver solver_;
+  std::unique_ptr<btMLCPSolverInterface> algorithm_;
+  std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  ///< ground first, then bottom to top
-  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_.constraints.get(), &configuration_};
+  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_.get(), &configuration_};
 };
 
 }  // namespace

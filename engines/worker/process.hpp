@@ -5,8 +5,8 @@
 namespace rockstack {
 
 /// Starts a program in a session of its own, without a terminal, gives it `input` as standard input and waits
-/// for its end. Safe to call from several threads. The program goes when this one does, and what it has
-/// started in its session goes with it.
+/// for its end. Safe to call from several threads. With this program it goes, and what it has started in its
+/// session.
 /// @throws std::runtime_error where the operating system will not start it.
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits);
 

@@ -14,9 +14,9 @@ void require_folders(const std::string& name, const std::string& given);
 /// Engines where they are kept.
 using EngineList = std::vector<std::reference_wrapper<const WorkerEngine>>;
 
-/// Every engine with every solver that this program was built with, and then those of the workers in the
-/// folders of workers_variable. A worker is asked once, when first needed; this asks all, and takes a tenth
-/// of a second for each that is a script. Engines switched off are not there, nor those of broken_workers().
+/// Every engine with every solver that this program was built with, then those of workers in the folders of
+/// workers_variable, but for broken_workers(). It asks each worker once, a tenth of a second where it is a
+/// script.
 const EngineList& engines();
 
 /// All solvers of the engine of a name, as "ode"; empty where there is none. Asks the worker of that name and

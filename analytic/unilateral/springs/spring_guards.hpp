@@ -227,17 +227,14 @@ class SpringGuards {
         const Real end = stack_.half_width(corner.face);
         guard.within = line(end, -1, place.along);
         guard.within_other = line(end, 1, place.along);
-        if (!below && lies_open(point.interface))
+        const auto pushes_here = [&](const SpringPoint<Real>& other) {
+          return other.interface == point.interface && other.pushes();
+        };
+        if (!below && std::none_of(points_.begin(), points_.end(), pushes_here))
           found_.consider_fall(i, line(end, point.side, place.along), guard.series);
       }
       found_.consider(std::move(guard), rounding_.place);
     }
-  }
-
-  bool lies_open(int interface) const {
-    return std::none_of(points_.begin(), points_.end(), [&](const SpringPoint<Real>& point) {
-      return point.interface == interface && point.pushes();
-    });
   }
 
   const ContactModel<Real>& stack_;
