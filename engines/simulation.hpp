@@ -30,9 +30,8 @@ struct ContactPoint {
   double damping = 0;  ///< N s/m where a dashpot is beside the spring; without meaning where there is none
 };
 
-/// Stiffness of a contact that takes away the share `erp` of its overlap in a step of `dt` s and gives way by
-/// `cfm` m/s for a force of 1 N: a spring and a dashpot, integrated by the implicit Euler method (ODE's
-/// manual, section 3.8.2). N/m; infinite for cfm = 0.
+/// Stiffness of a contact that takes away the share `erp` of its overlap in `dt` s and gives way by `cfm`
+/// m/s for 1 N: a spring and a dashpot by implicit Euler (ODE's manual, 3.8.2). N/m; infinite for cfm = 0.
 inline double contact_stiffness(double erp, double cfm, double dt) {
   return cfm > 0 ? erp / (dt * cfm) : std::numeric_limits<double>::infinity();
 }

@@ -1,6 +1,5 @@
-// A worker in C++, as an example of engines/README.md: springs, dashpots and sliders at the corners of
-// blocks, stepped by semi-implicit Euler in 64 parts of each step. Link rockstack::engine, implement
-// Simulation, serve an Engine.
+// An example of engines/README.md in C++: springs, dashpots and sliders at corners of blocks, stepped by
+// semi-implicit Euler in 64 parts of each step. It links rockstack::engine, and serves an Engine.
 
 #include <algorithm>
 #include <array>

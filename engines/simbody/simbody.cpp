@@ -4,9 +4,8 @@
 
 namespace rockstack {
 
-/// A stack inside Simbody (simulation.cpp, which is C++17: as C++20 comparisons of its headers are
-/// ambiguous). Precondition: `parameters` are checked. @throws std::exception with the library's own error,
-/// as all functions of the simulation do.
+/// A stack inside Simbody (simulation.cpp, C++17: as C++20 comparisons of its headers are ambiguous).
+/// Precondition: checked `parameters`. @throws std::exception with the library's own error, as its steps do.
 std::unique_ptr<Simulation> start_simbody(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_simbody() {

@@ -125,8 +125,7 @@ void require_contacts(const ContactRecord& contacts, std::size_t samples, const 
   }
 }
 
-/// "ValueError: …", "Exception in thread "main" …: …", "panic: …", "  what():  …"; not the frames of calls,
-/// which Java and JavaScript begin with "at".
+/// "ValueError: …", "panic: …", "  what():  …"; not frames of calls, in Java and JavaScript from "at" on.
 bool names_an_error(std::string lower) {
   for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   if (lower.starts_with("at ")) return false;

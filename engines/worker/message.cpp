@@ -43,15 +43,6 @@ std::optional<double> number_of(const json& value) {
   return {};
 }
 
-/// @throws std::runtime_error, as what a worker says is nobody's input.
-json parsed(std::string_view bytes, json::input_format_t format) {
-  try {
-    return parse_bytes<json>(bytes, format, "the message ");
-  } catch (const InputError& error) {
-    throw std::runtime_error(error.what());
-  }
-}
-
 }  // namespace
 
 std::string to_bytes(Message message) {
@@ -66,7 +57,12 @@ Message read_message(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool text = first != std::string_view::npos && bytes[first] == '{';
   const auto format = text ? json::input_format_t::json : json::input_format_t::msgpack;
-  Message message{parsed(bytes, format), text ? Form::json : Form::messagepack};
+  Message message{{}, text ? Form::json : Form::messagepack};
+  try {
+    message.fields = parse_bytes<json>(bytes, format, "the message ");
+  } catch (const InputError& error) {  // what a worker says is nobody's input
+    throw std::runtime_error(error.what());
+  }
   if (!message.fields.is_object() || !has_field(message.fields, version_field))
     throw std::runtime_error("the message is no object with a field `rockstack`");
   if (message.fields[version_field] != version)

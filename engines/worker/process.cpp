@@ -43,8 +43,7 @@ bool exchange(const FileDescriptor& socket, const Child& child, std::string_view
 }  // namespace
 
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits) {
-  const FileDescriptor in = memory_file(input);
-  const FileDescriptor reply = memory_file({});
+  const FileDescriptor in = memory_file(input), reply = memory_file({});
   Child child(program, in.get(), reply.get(), limits);
   Allowance time(child.number(), limits);
   child.wait_for_end(time, tick_of(limits));

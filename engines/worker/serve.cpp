@@ -24,20 +24,16 @@ double peak_memory() {
   return 0;
 }
 
-/// Runs until as many steps as the request wants have been taken, those of the trajectory among them.
-void warm_up(const Engine& engine, const RunRequest& request, std::size_t steps, RunReply& reply) {
-  if (request.warm_up <= steps) return;
-  const std::size_t runs = (request.warm_up - 1) / steps;
-  time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(runs));
-  reply.warm_up = (runs + 1) * steps;
-}
-
 RunReply answer_run(const Engine& engine, const RunRequest& request) {
   RunReply reply{"done"};
   try {
     reply.trajectory = run(engine, request.setup, request.parameters, request.bodies);
     const std::size_t steps = reply.trajectory.angles.size() / request.setup.blocks.size() - 1;
-    warm_up(engine, request, steps, reply);
+    if (request.warm_up > steps) {  // those of the trajectory are among them
+      const std::size_t runs = (request.warm_up - 1) / steps;
+      time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(runs));
+      reply.warm_up = (runs + 1) * steps;
+    }
     reply.seconds =
         time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(request.repeats));
   } catch (const NotFinite& failure) {
