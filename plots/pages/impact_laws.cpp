@@ -186,11 +186,9 @@ std::string content(const fs::path& folder, const LawResults& results, const Jso
 
 }  // namespace
 
-void write_impact_law_report(const std::filesystem::path& results) {
-  read_json(results / "impact-laws.json", [&](const Json& json) {
-    const std::string text = content(results, read_law_results(results), json);
-    write_file(results / "report.html", page(text_at(json, "title"), "report", text));
-  });
+void write_impact_law_report(const fs::path& results, const Json& json) {
+  const std::string text = content(results, read_law_results(results), json);
+  write_file(results / "report.html", page(text_at(json, "title"), "report", text));
 }
 
 }  // namespace rockstack::plots

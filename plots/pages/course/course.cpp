@@ -92,9 +92,8 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 
 }  // namespace
 
-void write_course(const fs::path& results) {
-  read_json(results / "course.json",
-            [&](const Json& course) { write_file(results / "index.html", course_page(results, course)); });
+void write_course(const fs::path& results, const Json& course) {
+  write_file(results / "index.html", course_page(results, course));
   const std::string player =
       filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}});
   write_file(
