@@ -67,20 +67,6 @@ std::vector<double> impact_times(const History& history, int interface) {
   return times;
 }
 
-ContactSummary read_contact_summary(const Run& run) {
-  const fs::path file = run.folder / "summary.json";
-  if (!fs::exists(file)) return {};
-  return read_json(file, [](const Json& json) {
-    ContactSummary summary;
-    for (const Json& one : json.value("contact", Json::array()))
-      summary.interfaces.push_back({one.at("final_slip").get<double>(), one.at("largest_slip").get<double>(),
-                                    one.at("highest_lift").get<double>(), one.at("slips").get<int>(),
-                                    one.at("lift_offs").get<int>()});
-    summary.warnings = json.value("validity_warnings", std::vector<std::string>());
-    return summary;
-  });
-}
-
 std::vector<ImpactLoss> impact_losses(const Run& run) {
   const auto energy = energies_of(run);
   const std::vector<double>& times = energy->times;

@@ -1,6 +1,7 @@
 #include "plots/pages/html.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
 
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
@@ -70,6 +71,12 @@ std::string inline_svg(const std::string& file, const std::string& prefix, const
   if (svg.size() > tag_length)
     svg.insert(tag_length, fmt::format(" role=\"img\" aria-label=\"{}\"", escaped(label)));
   return svg;
+}
+
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  boost::split(parts, text, [](char letter) { return letter == ';'; });
+  return parts;
 }
 
 std::string text_at(const Json& json, const char* key) {

@@ -17,6 +17,9 @@ std::string escaped(std::string_view text);
 /// <name>content</name>, the content as it is.
 std::string element(const std::string& name, const std::string& content, const std::string& attributes = "");
 
+/// The parts of a text that semicolons set apart.
+std::vector<std::string> parts_of(const std::string& text);
+
 /// What a description says under a name, as it is and for use in a page.
 std::string text_at(const Json& json, const char* key);
 std::string escaped_at(const Json& json, const char* key);
