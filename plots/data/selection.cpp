@@ -2,26 +2,23 @@
 
 #include <fmt/core.h>
 
+#include <boost/algorithm/string/erase.hpp>
+
 #include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack::plots {
 namespace {
 
-/// Where "+numIterations=…" or the like stands in a run's settings, and its length; npos where it does not.
-std::pair<std::size_t, std::size_t> iterations_in(const std::string& settings) {
-  constexpr std::string_view stem = "umIterations=";
-  const std::size_t at = settings.find(stem);
-  if (at == std::string::npos) return {at, 0};
-  const std::size_t begin = settings.rfind('+', at);
-  return {begin, std::min(settings.find('+', at), settings.size()) - begin};
+/// "+numIterations=…" or the like in a run's settings, empty where it does not stand there.
+std::string iterations_in(const std::string& settings) {
+  const std::size_t at = settings.find("umIterations=");
+  const std::size_t begin = at == std::string::npos ? at : settings.rfind('+', at);
+  return begin == std::string::npos ? "" : settings.substr(begin, settings.find('+', at) - begin);
 }
 
 /// Settings but for the iterations.
 std::string settings_of_line(const Run& run) {
-  std::string settings = run.settings;
-  if (const auto [begin, length] = iterations_in(settings); begin != std::string::npos)
-    settings.erase(begin, length);
-  return settings;
+  return boost::erase_first_copy(run.settings, iterations_in(run.settings));
 }
 
 /// Whether the runs that a suite gave iterations have one step: these make a line then, and else steps do.
@@ -93,9 +90,8 @@ std::vector<double> chosen_steps(const std::vector<Run>& runs) {
 }
 
 int iterations_of(const Run& run) {
-  const auto [begin, length] = iterations_in(run.settings);
-  if (begin == std::string::npos) return 0;
-  return static_cast<int>(std::strtol(run.settings.c_str() + run.settings.find('=', begin) + 1, nullptr, 10));
+  const std::string text = iterations_in(run.settings);
+  return static_cast<int>(std::strtol(text.c_str() + text.find('=') + 1, nullptr, 10));
 }
 
 std::string line_label(const Run& run) {
