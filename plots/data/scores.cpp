@@ -34,14 +34,14 @@ double left_of_error(const Comparison& comparison, const Run& run) {
 
 }  // namespace
 
-StepEnds step_ends(const Comparison& comparison, const Run& run) {
-  StepEnds ends{&run, &run};
+std::pair<const Run*, const Run*> step_ends(const Comparison& comparison, const Run& run) {
+  const Run *coarsest = &run, *finest = &run;
   for (const Run& other : comparison.runs) {
     if (!is_compared(other) || other.scene != run.scene || line_label(other) != line_label(run)) continue;
-    if (other.dt > ends.coarsest->dt) ends.coarsest = &other;
-    if (other.dt < ends.finest->dt) ends.finest = &other;
+    if (other.dt > coarsest->dt) coarsest = &other;
+    if (other.dt < finest->dt) finest = &other;
   }
-  return ends;
+  return {coarsest, finest};
 }
 
 const std::vector<SolverQuestion>& solver_questions() {

@@ -152,12 +152,8 @@ void add_forces(const std::vector<double>& times, const std::vector<double>& row
   track["reactions"] = packed(rows, 3 * static_cast<std::size_t>(blocks), stride);
 }
 
-Json player_events(const History& history, double chatter_speed) {
-  return {{"spans", spans_of(history)}, {"stops", stops_of(history, chatter_speed)}};
-}
-
 Json player_scene(const std::string& title, const std::vector<Block>& blocks, double gravity,
-                  const std::vector<double>& friction, Json events) {
+                  const std::vector<double>& friction, const History& history, double chatter_speed) {
   double mass = 0;
   Json shapes = Json::array();
   for (const Block& block : blocks) {
@@ -168,7 +164,7 @@ Json player_scene(const std::string& title, const std::vector<Block>& blocks, do
   }
   Json stage{{"title", title}, {"blocks", std::move(shapes)}, {"weight", mass * gravity}};
   make_room(stage);
-  stage["events"] = std::move(events);
+  stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(history, chatter_speed)}};
   if (!friction.empty()) stage["friction"] = friction;
   return stage;
 }
@@ -191,8 +187,8 @@ std::string for_script(const Json& data) {
 
 Json stage_of(const Scene& scene, const History& history) {
   Json stage = player_scene(scene.title, scene.blocks, scene.gravity,
-                            leaves_pivots(scene.law) ? friction_of(scene) : std::vector<double>(),
-                            player_events(history, chatter_speed(scene)));
+                            leaves_pivots(scene.law) ? friction_of(scene) : std::vector<double>(), history,
+                            chatter_speed(scene));
   const auto ground = [&](const auto& along) {
     return each_of(history.times, [&](double time) { return acceleration(along, time); });
   };

@@ -41,14 +41,11 @@ History with_events(const History& history);
 void add_forces(const std::vector<double>& times, const std::vector<double>& rows, int blocks,
                 std::size_t stride, Json& track);
 
-/// The pattern band and the events of an exact motion, "spans" and "stops". Impacts slower than
-/// `chatter_speed`, rad/s, are chatter.
-Json player_events(const History& history, double chatter_speed);
-
 /// What the player needs of a scene besides its tracks and the ground; `friction` of each interface, none
-/// where blocks keep to their pivots.
+/// where blocks keep to their pivots. Its "events" are the pattern band and the events of an exact motion,
+/// "spans" and "stops"; impacts slower than `chatter_speed`, rad/s, are chatter.
 Json player_scene(const std::string& title, const std::vector<Block>& blocks, double gravity,
-                  const std::vector<double>& friction, Json events);
+                  const std::vector<double>& friction, const History& history, double chatter_speed);
 
 /// Adds the acceleration of the ground at some times, s: to the right and upwards, m/s².
 void add_ground(const std::vector<double>& times, const std::vector<double>& right,

@@ -66,9 +66,10 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
     if (line.size() > 1) coarse.insert(line.back().run);
   }
   const Run& first = runs.front();
-  const Json events = player_events(first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
   Json data = player_scene(scene.title, scene.stack, scene.gravity,
-                           tells_slips(first) ? scene.friction : std::vector<double>(), events);
+                           tells_slips(first) ? scene.friction : std::vector<double>(),
+                           first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
+  const Json events = data["events"];
   if (!scene.ground_motion.empty()) {
     const auto columns = read_columns(scene.ground_motion, {"time", "horizontal", "vertical"});
     add_ground(columns[0], columns[1], columns[2], data);

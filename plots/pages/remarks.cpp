@@ -75,9 +75,8 @@ class Writer {
     for (const Score& score : accuracy_) {
       const std::string solver = solver_name(score.runs.front());
       list.push_back({solver, {}});
-      for (const auto add :
-           {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence, &Writer::add_energy,
-            &Writer::add_overlap, &Writer::add_cost, &Writer::add_failures})
+      for (const auto add : {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence,
+                             &Writer::add_worst, &Writer::add_failures})
         (this->*add)(solver, list.back().list);
     }
     return list;
@@ -137,33 +136,30 @@ class Writer {
          command(comparison_, *finest, steps_of(comparison_, *finest))});
   }
 
-  void add_energy(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = find_score(energy_, solver);
-    if (score == nullptr) return;
-    const double most = *std::ranges::max_element(score->values);
-    if (most < reported_gain) return;
-    list.push_back({fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
-                                score->worst().scene, most),
-                    again(score->worst())});
-  }
-
-  void add_overlap(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = find_score(overlap_, solver);
-    if (score == nullptr) return;
-    list.push_back({fmt::format("Blocks sink into each other by up to {:.2g} m ({}).",
-                                *std::ranges::max_element(score->values), score->worst().scene),
-                    again(score->worst())});
-  }
-
-  void add_cost(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = find_score(cost_, solver);
-    if (score == nullptr) return;
-    const double quickest = cost_.front().median;
-    list.push_back({score->median < reported_ratio * quickest
-                        ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score->median))
-                        : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
-                                      rounded_duration(score->median), score->median / quickest),
-                    again(score->worst())});
+  /// What contacts do and steps cost, where that is worst.
+  void add_worst(const std::string& solver, std::vector<Remark>& list) const {
+    const auto add = [&](const std::vector<Score>& scores, const auto& sentence) {
+      const Score* score = find_score(scores, solver);
+      if (score == nullptr) return;
+      const std::string words = sentence(*score, *std::ranges::max_element(score->values));
+      if (!words.empty()) list.push_back({words, again(score->worst())});
+    };
+    add(energy_, [](const Score& score, double most) {
+      return most < reported_gain
+                 ? ""
+                 : fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
+                               score.worst().scene, most);
+    });
+    add(overlap_, [](const Score& score, double most) {
+      return fmt::format("Blocks sink into each other by up to {:.2g} m ({}).", most, score.worst().scene);
+    });
+    add(cost_, [&](const Score& score, double) {
+      const double quickest = cost_.front().median;
+      return score.median < reported_ratio * quickest
+                 ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score.median))
+                 : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
+                               rounded_duration(score.median), score.median / quickest);
+    });
   }
 
   void add_failures(const std::string& solver, std::vector<Remark>& list) const {

@@ -132,10 +132,10 @@ std::string answer(const std::vector<Verdicts>& all) {
 
 /// What there is to say where no impact is matched. Precondition: there are runs.
 std::string without_matches(const std::vector<Verdicts>& all) {
-  const std::size_t missed =
-      std::ranges::max(each_of(all, [](const Verdicts& one) { return one.missed.size(); }));
-  const std::size_t extra =
-      std::ranges::max(each_of(all, [](const Verdicts& one) { return one.extra.size(); }));
+  const auto most = [&](std::vector<double> Verdicts::*list) {
+    return std::ranges::max(each_of(all, [&](const Verdicts& one) { return (one.*list).size(); }));
+  };
+  const std::size_t missed = most(&Verdicts::missed), extra = most(&Verdicts::extra);
   if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
   return fmt::format("No impact is in both: the exact motion has {}, an engine at most {}.", missed, extra);
 }
