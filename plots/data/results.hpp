@@ -62,6 +62,18 @@ struct Run : RunMetrics {
 
   bool done() const { return status == RunStatus::done; }
   bool exact() const { return engine == "exact"; }
+  /// Of the exact solver in another way than the scene's: other equations, a coefficient of friction of its
+  /// own, or any of both and other laws.
+  bool has_other_equations() const { return engine == "linear" || engine == "nonlinear"; }
+  bool has_own_friction() const { return engine.starts_with("friction="); }
+  bool is_variant() const {
+    return has_other_equations() || has_own_friction() || engine == "paper" || engine == "consistent" ||
+           engine == "unilateral";
+  }
+  /// Whether its history tells slips, gaps and places: blocks may leave their pivots.
+  bool tells_slips() const { return law == name(Law::unilateral) || law == name(Law::compliant); }
+  /// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
+  std::string solver_name() const { return exact() || solver.empty() ? engine : engine + ":" + solver; }
 };
 
 /// What a cell of a row holds as a number, NaN where it is empty.
@@ -89,6 +101,8 @@ struct ComparedScene : RecordedScene {
   bool alone = false;                      ///< one motion by itself: no run stands beside another
 
   bool has(const std::string& result) const { return std::ranges::find(results, result) != results.end(); }
+  /// The title with the law of its exact motion.
+  std::string heading() const { return law.empty() ? title : title + ", law " + law; }
   /// Until when histories can be compared, s.
   double horizon() const { return std::isnan(predictable_time) ? duration : predictable_time; }
 };
@@ -110,9 +124,6 @@ struct Comparison {
   std::vector<Run> runs;
 };
 
-/// A scene's title with the law of its exact motion.
-std::string heading(const ComparedScene& scene);
-
 /// Reads comparison.json. @throws InputError naming what is missing or malformed.
 Comparison read_comparison(const fs::path& results);
 
@@ -132,17 +143,5 @@ std::vector<Run> done_runs(const Comparison& comparison, const std::string& scen
 
 /// True where a scene's motion can be shown: histories were asked for, and a run is done.
 bool has_motion(const Comparison& comparison, const ComparedScene& scene);
-
-/// True for a run of the exact solver in another way than the scene's: other equations, a coefficient of
-/// friction of its own, or any of both and other laws.
-bool has_other_equations(const Run& run);
-bool has_own_friction(const Run& run);
-bool is_variant(const Run& run);
-
-/// True for a run whose history tells slips, gaps and places: blocks may leave their pivots.
-bool tells_slips(const Run& run);
-
-/// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
-std::string solver_name(const Run& run);
 
 }  // namespace rockstack::plots

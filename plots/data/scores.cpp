@@ -6,7 +6,7 @@ namespace rockstack::plots {
 namespace {
 
 bool is_compared(const Run& run) {
-  return run.done() && !is_variant(run) && !run.exact() && run.dt && run.rms_angle_difference;
+  return run.done() && !run.is_variant() && !run.exact() && run.dt && run.rms_angle_difference;
 }
 
 template <auto field>
@@ -107,7 +107,7 @@ bool has_scores(const Comparison& comparison) {
   for (const Run& run : comparison.runs)
     if (is_compared(run)) {
       scenes.insert(run.scene);
-      solvers.insert(solver_name(run));
+      solvers.insert(run.solver_name());
     }
   return scenes.size() > 2 && solvers.size() > 1;
 }

@@ -39,7 +39,7 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
   for (const Run& run : runs) {
     if (run.exact()) continue;
     const auto is_own = [&](const StepLine& line) {
-      return solver_name(line.front()) == solver_name(run) && settings(line.front()) == settings(run);
+      return line.front().solver_name() == run.solver_name() && settings(line.front()) == settings(run);
     };
     found_or_added(lines, is_own, {}).push_back(run);
   }
@@ -60,9 +60,9 @@ std::vector<StepLine> shown_lines(const Comparison& comparison, const std::strin
   std::vector<StepLine> lines = step_lines(comparison, scene);
   std::set<std::string> tuned;
   for (const StepLine& line : lines)
-    if (line.front().settings == "tuned") tuned.insert(solver_name(line.front()));
+    if (line.front().settings == "tuned") tuned.insert(line.front().solver_name());
   std::erase_if(lines, [&](const StepLine& line) {
-    return line.front().settings == "default" && tuned.contains(solver_name(line.front()));
+    return line.front().settings == "default" && tuned.contains(line.front().solver_name());
   });
   if (lines.size() <= most_lines) return lines;
   const auto error = [](const StepLine& line) { return line.front().error.value_or(HUGE_VAL); };
@@ -96,9 +96,9 @@ int iterations_of(const Run& run) {
 
 std::string line_label(const Run& run) {
   if (run.exact()) return "exact";
-  if (has_other_equations(run)) return "exact, " + run.engine + " equations";
-  if (has_own_friction(run)) return "exact, " + std::string(run.engine).replace(8, 1, " ");
-  if (is_variant(run)) return "exact, law " + run.engine;
+  if (run.has_other_equations()) return "exact, " + run.engine + " equations";
+  if (run.has_own_friction()) return "exact, " + std::string(run.engine).replace(8, 1, " ");
+  if (run.is_variant()) return "exact, law " + run.engine;
   std::string label = run.engine;
   if (!run.solver.empty()) label += " " + run.solver;
   if (!run.settings.empty()) label += ", " + run.settings;

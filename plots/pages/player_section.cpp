@@ -67,7 +67,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   }
   const Run& first = runs.front();
   Json data = player_scene(scene.title, scene.stack, scene.gravity,
-                           tells_slips(first) ? scene.friction : std::vector<double>(),
+                           first.tells_slips() ? scene.friction : std::vector<double>(),
                            first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
   const Json events = data["events"];
   if (!scene.ground_motion.empty()) {

@@ -15,14 +15,14 @@ constexpr double reported_ratio = 2;
 std::string command(const Comparison& comparison, const Run& run, const std::vector<double>& steps) {
   const auto scene = std::ranges::find(comparison.scenes, run.scene, &ComparedScene::name);
   return fmt::format("rockstack compare {} --engine {} --dt {} --set duration={} --out DIR", run.scene,
-                     solver_name(run), fmt::join(steps, ","), scene->duration);
+                     run.solver_name(), fmt::join(steps, ","), scene->duration);
 }
 
 /// All steps of a run's series, the largest first.
 std::vector<double> steps_of(const Comparison& comparison, const Run& run) {
   std::set<double> steps;
   for (const Run& other : comparison.runs)
-    if (other.scene == run.scene && solver_name(other) == solver_name(run) && other.dt)
+    if (other.scene == run.scene && other.solver_name() == run.solver_name() && other.dt)
       steps.insert(*other.dt);
   return {steps.rbegin(), steps.rend()};
 }
@@ -35,10 +35,10 @@ std::vector<Score> answers_to(const std::string& question, const Comparison& com
 std::vector<Score> best_of(std::vector<Score> list) {
   std::set<std::string> tuned;
   for (const Score& score : list)
-    if (score.runs.front().settings == "tuned") tuned.insert(solver_name(score.runs.front()));
+    if (score.runs.front().settings == "tuned") tuned.insert(score.runs.front().solver_name());
   std::erase_if(list, [&](const Score& score) {
     const Run& run = score.runs.front();
-    return run.settings != "tuned" && tuned.contains(solver_name(run));
+    return run.settings != "tuned" && tuned.contains(run.solver_name());
   });
   return list;
 }
@@ -48,7 +48,7 @@ const Score* find_score(const std::vector<Score>& list, const std::string& solve
                         const std::string& settings = "") {
   const auto found = std::ranges::find_if(list, [&](const Score& score) {
     const Run& run = score.runs.front();
-    return solver_name(run) == solver && (settings.empty() || run.settings == settings);
+    return run.solver_name() == solver && (settings.empty() || run.settings == settings);
   });
   return found == list.end() ? nullptr : &*found;
 }
@@ -73,7 +73,7 @@ class Writer {
   std::vector<SolverRemarks> all() const {
     std::vector<SolverRemarks> list;
     for (const Score& score : accuracy_) {
-      const std::string solver = solver_name(score.runs.front());
+      const std::string solver = score.runs.front().solver_name();
       list.push_back({solver, {}});
       for (const auto add : {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence,
                              &Writer::add_worst, &Writer::add_failures})
@@ -166,7 +166,7 @@ class Writer {
     std::size_t runs = 0, failed = 0;
     const Run* last = nullptr;
     for (const Run& run : comparison_.runs) {
-      if (run.exact() || solver_name(run) != solver) continue;
+      if (run.exact() || run.solver_name() != solver) continue;
       ++runs;
       if (run.done()) continue;
       ++failed;

@@ -33,7 +33,7 @@ struct CommonAxes {
 };
 
 bool is_shown(const Run& run) {
-  return is_engine(run) && !is_variant(run);
+  return is_engine(run) && !run.is_variant();
 }
 
 JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {

@@ -153,7 +153,7 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_
 std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
   std::vector<Series> list;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string words = many ? solver_name(lines[i].run) : lines[i].label;
+    const std::string words = many ? lines[i].run.solver_name() : lines[i].label;
     Series& all = found_or_added(list, [&](const Series& other) { return many && other.words == words; },
                                  {words, style_of(lines[i].run).colour, plots_of(lines, i, 1.7)});
     for (const std::string& plot : plots_of(lines, i, 1.1)) all.alone.push_back(plot);

@@ -33,7 +33,7 @@ struct RankedSeries {
 std::vector<RankedSeries> rows_of(const StepLine& line) {
   RankedSeries whole{line_label(line), {}};
   for (const Run& run : line)
-    if (!is_variant(run) && run.error > 0) {
+    if (!run.is_variant() && run.error > 0) {
       whole.runs.push_back(run);
       whole.largest = std::max(whole.largest, *run.error);
     }

@@ -115,7 +115,7 @@ template <class Value, class Text>
 std::string span_of(const std::vector<Verdicts>& all, const Value& value, const Text& text) {
   Reach reach;
   for (const Verdicts& one : all)
-    if (!is_variant(one.run) && std::isfinite(value(one))) reach.add(value(one));
+    if (!one.run.is_variant() && std::isfinite(value(one))) reach.add(value(one));
   return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
 }
 

@@ -90,10 +90,10 @@ TEST(Contacts, TellOfASceneWhetherItsFiguresHaveSlips) {
 TEST(Contacts, VariantsAreNamedByWhatTheyChange) {
   plots::Run run;
   run.engine = "friction=0.3";
-  EXPECT_TRUE(is_variant(run) && has_own_friction(run));
+  EXPECT_TRUE(run.is_variant() && run.has_own_friction());
   EXPECT_EQ(line_label(run), "exact, friction 0.3");
   run.engine = "unilateral";
-  EXPECT_TRUE(is_variant(run) && !has_own_friction(run));
+  EXPECT_TRUE(run.is_variant() && !run.has_own_friction());
   EXPECT_EQ(line_label(run), "exact, law unilateral");
 }
 
