@@ -48,10 +48,6 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
   return lines;
 }
 
-std::vector<Run> ends_of(const StepLine& line) {
-  return line.size() < 2 ? std::vector<Run>{line.front()} : std::vector<Run>{line.back(), line.front()};
-}
-
 bool varies_iterations(const StepLine& line) {
   return line.size() > 1 && line.front().dt == line.back().dt && iterations_of(line.front()) > 0;
 }
@@ -133,10 +129,6 @@ std::string run_phrase(const Run& run) {
 std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all) {
   if (first.size() == all) return all == 1 ? first.front() : "none can be told apart";
   return joined_up_to(3, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
-}
-
-std::string span_text(const std::string& low, const std::string& high) {
-  return low == high ? low : low + " to " + high;
 }
 
 std::string duration_text(double seconds) {

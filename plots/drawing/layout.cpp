@@ -157,10 +157,6 @@ std::string data_block(const std::string& name, const Curve& curve) {
   return text + "END\n";
 }
 
-std::string plot_of(const std::string& block, const std::string& style) {
-  return fmt::format("${} using 1:2 {} notitle", block, style);
-}
-
 Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question, double width)
     : below_(title_height(title) + question_height(question_lines(question)) + legend_height(legend, width)),
       width_(width),
@@ -261,10 +257,6 @@ std::string angle_name(int block) {
   std::string name = "θ";
   for (const char c : std::to_string(block)) name += digits.at(static_cast<std::size_t>(c - '0'));
   return name;
-}
-
-double panel_height(int blocks) {
-  return std::clamp(780.0 / blocks, 110.0, 420.0);
 }
 
 std::size_t bins_for(std::size_t curves) {

@@ -16,7 +16,9 @@ std::string plain(double value);
 std::string data_block(const std::string& name, const Curve& curve);
 
 /// An element of a plot command: the first two columns of a data block.
-std::string plot_of(const std::string& block, const std::string& style);
+inline std::string plot_of(const std::string& block, const std::string& style) {
+  return "$" + block + " using 1:2 " + style + " notitle";
+}
 
 /// One entry of a legend: a gnuplot style ("with lines …") and its words.
 using Legend = std::vector<std::pair<std::string, std::string>>;
@@ -122,7 +124,9 @@ Drawing empty_sheet(const std::string& title, const std::string& text);
 std::string angle_name(int block);
 
 /// Height in pixels of one of `blocks` panels of equal size.
-double panel_height(int blocks);
+inline double panel_height(int blocks) {
+  return std::clamp(780.0 / blocks, 110.0, 420.0);
+}
 
 /// How many bins of time a curve may have where so many share a figure, so that its file stays small.
 std::size_t bins_for(std::size_t curves);

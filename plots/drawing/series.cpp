@@ -149,10 +149,6 @@ std::string context_marks(Sheet& sheet, const std::vector<std::vector<double>>& 
   return plot_of("all", fmt::format("with lines lw 4 lc rgb '{}'", context_colour));
 }
 
-std::string exact_core(const std::string& block) {
-  return plot_of(block, "with lines lw 1 lc rgb '#000000'");
-}
-
 Legend legend_of(const std::vector<Run>& runs,
                  const std::function<std::string(const Run&, std::size_t)>& style) {
   Legend legend;

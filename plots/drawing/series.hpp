@@ -47,7 +47,9 @@ Series mark_series(const Run& run, const std::string& block, double size);
 std::string context_marks(Sheet& sheet, const std::vector<std::vector<double>>& marks);
 
 /// The line in the middle of the exact curve, over all others.
-std::string exact_core(const std::string& block);
+inline std::string exact_core(const std::string& block) {
+  return plot_of(block, "with lines lw 1 lc rgb '#000000'");
+}
 
 /// The legend of runs, by "with …" of each; of many the exact one alone.
 Legend legend_of(const std::vector<Run>& runs,

@@ -137,10 +137,6 @@ std::vector<Run> all_runs(const Shown& shown) {
   return runs;
 }
 
-Legend mark_legend(const std::vector<Run>& runs, double size) {
-  return legend_of(runs, [&](const Run& run, std::size_t) { return mark_style(run, size); });
-}
-
 std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up) {
   return [across, up](double width, double height) {
     return logarithmic_range("x", across.low, across.high, width) +

@@ -115,7 +115,9 @@ std::vector<fs::path> draw_animations(const fs::path& results);
 std::vector<Run> all_runs(const Shown& shown);
 
 /// The marks of runs, of a size; of too many for one panel nothing.
-Legend mark_legend(const std::vector<Run>& runs, double size);
+inline Legend mark_legend(const std::vector<Run>& runs, double size) {
+  return legend_of(runs, [&](const Run& run, std::size_t) { return mark_style(run, size); });
+}
 
 /// Ranges and numbers of a panel over two logarithmic axes, by its width and height in pixels.
 std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up);

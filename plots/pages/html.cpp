@@ -79,32 +79,12 @@ std::vector<std::string> parts_of(const std::string& text) {
   return parts;
 }
 
-std::string text_at(const Json& json, const char* key) {
-  return json.at(key).get<std::string>();
-}
-
-std::string escaped_at(const Json& json, const char* key) {
-  return escaped(text_at(json, key));
-}
-
-std::string solver_named(const Json& row) {
-  return text_at(row, "engine") + ":" + text_at(row, "solver");
-}
-
-std::string link(const std::string& to, const std::string& words) {
-  return element("a", words, fmt::format(" href=\"{}\"", to));
-}
-
 std::string details(const std::string& summary, const std::string& content, const std::string& attributes) {
   return element("details", element("summary", summary) + content, attributes) + "\n";
 }
 
 std::string section(const std::string& title, const std::string& content, const std::string& attributes) {
   return element("section", "\n" + element("h2", escaped(title)) + "\n" + content, attributes) + "\n";
-}
-
-std::string code_block(const std::string& text) {
-  return element("pre", element("code", escaped(text)));
 }
 
 std::string page(const std::string& title, const std::string& kind, const std::string& content) {

@@ -21,14 +21,22 @@ std::string element(const std::string& name, const std::string& content, const s
 std::vector<std::string> parts_of(const std::string& text);
 
 /// What a description says under a name, as it is and for use in a page.
-std::string text_at(const Json& json, const char* key);
-std::string escaped_at(const Json& json, const char* key);
+inline std::string text_at(const Json& json, const char* key) {
+  return json.at(key).get<std::string>();
+}
+inline std::string escaped_at(const Json& json, const char* key) {
+  return escaped(text_at(json, key));
+}
 
 /// The solver that a row or trial names, "bullet:nncg".
-std::string solver_named(const Json& row);
+inline std::string solver_named(const Json& row) {
+  return text_at(row, "engine") + ":" + text_at(row, "solver");
+}
 
 /// A link; "#id" leads to a place of the page itself. `words` are markup.
-std::string link(const std::string& to, const std::string& words);
+inline std::string link(const std::string& to, const std::string& words) {
+  return element("a", words, fmt::format(" href=\"{}\"", to));
+}
 
 /// What is seen when its summary is chosen; both are markup.
 std::string details(const std::string& summary, const std::string& content,
@@ -37,7 +45,9 @@ std::string details(const std::string& summary, const std::string& content,
 /// A section under its title, which is text.
 std::string section(const std::string& title, const std::string& content, const std::string& attributes = "");
 
-std::string code_block(const std::string& text);
+inline std::string code_block(const std::string& text) {
+  return element("pre", element("code", escaped(text)));
+}
 
 /// The part of an SVG file that stands inside a page: without its preamble, every id begun with `prefix`,
 /// with `label` as its text for those who do not see it.

@@ -88,10 +88,6 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
 
 }  // namespace
 
-std::string player_anchor(std::size_t scene) {
-  return fmt::format("player-{}-stage", scene + 1);
-}
-
 std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start) {
   const ComparedScene& shown = comparison.scenes[scene];
   const bool finest = start.is_object() && start.value("finest", false);

@@ -8,7 +8,9 @@ namespace rockstack::plots {
 // What pages say beside their figures.
 
 /// The id of the picture in a scene's player, which takes keys.
-std::string player_anchor(std::size_t scene);
+inline std::string player_anchor(std::size_t scene) {
+  return fmt::format("player-{}-stage", scene + 1);
+}
 
 /// The player of a scene, with the motions of the runs that figures over time show, thinned so that a page of
 /// all scenes' players stays small. `start` is how it stands at first, by the names of lesson.json; null: at
