@@ -146,10 +146,6 @@ std::vector<Run> done_runs(const Comparison& comparison, const std::string& scen
   return runs;
 }
 
-bool has_motion(const Comparison& comparison, const ComparedScene& scene) {
-  return scene.has("histories") && !done_runs(comparison, scene.name).empty();
-}
-
 Motion read_motion(const fs::path& results) {
   return read_json(results / "summary.json",
                    [&](const Json& summary) { return motion_of(summary, results); });

@@ -142,6 +142,8 @@ Motion read_motion(const fs::path& results);
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
 
 /// True where a scene's motion can be shown: histories were asked for, and a run is done.
-bool has_motion(const Comparison& comparison, const ComparedScene& scene);
+inline bool has_motion(const Comparison& comparison, const ComparedScene& scene) {
+  return scene.has("histories") && !done_runs(comparison, scene.name).empty();
+}
 
 }  // namespace rockstack::plots

@@ -83,10 +83,6 @@ const Figure* figure_in(const std::string& stem) {
   return nullptr;
 }
 
-fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure) {
-  return results / "figures" / (scene.alone ? figure.name : scene.name + "." + figure.name);
-}
-
 void draw_figures(const fs::path& results, const Comparison& comparison) {
   for (const ComparedScene& scene : comparison.scenes)
     for (const Figure* figure : figures_of(scene))

@@ -92,7 +92,9 @@ std::vector<const Figure*> figures_of(const ComparedScene& scene);
 const Figure* figure_in(const std::string& stem);
 
 /// Where a figure of a scene lies, without .png, .svg or .pdf.
-fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure);
+inline fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure) {
+  return results / "figures" / (scene.alone ? figure.name : scene.name + "." + figure.name);
+}
 
 /// Draws all figures of a comparison, or of one motion, as results/figures/<scene>.<figure>.png, .svg and
 /// .pdf.

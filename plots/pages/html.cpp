@@ -79,14 +79,6 @@ std::vector<std::string> parts_of(const std::string& text) {
   return parts;
 }
 
-std::string details(const std::string& summary, const std::string& content, const std::string& attributes) {
-  return element("details", element("summary", summary) + content, attributes) + "\n";
-}
-
-std::string section(const std::string& title, const std::string& content, const std::string& attributes) {
-  return element("section", "\n" + element("h2", escaped(title)) + "\n" + content, attributes) + "\n";
-}
-
 std::string page(const std::string& title, const std::string& kind, const std::string& content) {
   return filled_in(
       page_html, {{"title", escaped(title)},
@@ -112,12 +104,6 @@ std::string sentence_list(const std::vector<std::string>& sentences) {
 std::string table(const std::vector<std::string>& columns, const std::string& rows) {
   const std::string headings = text_of_each(columns, [](const std::string& name) { return heading(name); });
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
-}
-
-std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
-                       const std::string& label) {
-  return element("div", table(columns, rows),
-                 fmt::format(" class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", label));
 }
 
 std::string titled_table(const std::string& title, const std::vector<std::string>& columns,

@@ -39,11 +39,16 @@ inline std::string link(const std::string& to, const std::string& words) {
 }
 
 /// What is seen when its summary is chosen; both are markup.
-std::string details(const std::string& summary, const std::string& content,
-                    const std::string& attributes = "");
+inline std::string details(const std::string& summary, const std::string& content,
+                           const std::string& attributes = "") {
+  return element("details", element("summary", summary) + content, attributes) + "\n";
+}
 
 /// A section under its title, which is text.
-std::string section(const std::string& title, const std::string& content, const std::string& attributes = "");
+inline std::string section(const std::string& title, const std::string& content,
+                           const std::string& attributes = "") {
+  return element("section", "\n" + element("h2", escaped(title)) + "\n" + content, attributes) + "\n";
+}
 
 inline std::string code_block(const std::string& text) {
   return element("pre", element("code", escaped(text)));
@@ -67,8 +72,11 @@ std::string table(const std::vector<std::string>& columns, const std::string& ro
 
 /// The same in an element that scrolls by itself, as `label` calls it, and of sentences under a title, with
 /// what stands between.
-std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
-                       const std::string& label);
+inline std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
+                              const std::string& label) {
+  return element("div", table(columns, rows),
+                 fmt::format(" class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", label));
+}
 std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
                          const std::string& rows, const std::string& between = "");
 
