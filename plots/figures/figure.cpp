@@ -141,12 +141,10 @@ std::function<std::string(double, double)> logarithmic_axes(const Reach& across,
 }
 
 std::string number_block(const std::string& name, const Numbers& lines) {
-  std::string text = fmt::format("${} << END\n", name);
-  for (const std::vector<double>& line : lines) {
-    for (const double number : line) text += plain(number) + " ";
-    text += "\n";
-  }
-  return text + "END\n";
+  const auto line = [](const std::vector<double>& numbers) {
+    return text_of_each(numbers, plain, " ") + "\n";
+  };
+  return "$" + name + " << END\n" + text_of_each(lines, line) + "END\n";
 }
 
 void Plots::add(const Numbers& lines, const std::vector<std::string>& styles) {
