@@ -116,8 +116,7 @@ struct Comparison {
   double tolerance = 0;       ///< rad, the difference up to which angles count as agreeing; > 0
   ComparisonVerdict verdict;  ///< what it comes to; of one motion alone nothing
   std::vector<std::string> left_out;
-  /// Of the paper beside what was computed: source, claim, verdict, criterion, computed. None where the suite
-  /// does not ask for them.
+  /// Of the paper, where the suite asks for them: source, claim, verdict, criterion, computed.
   std::vector<std::vector<std::string>> statements;
   std::vector<SeriesFit> fits;  ///< of errors over time steps
   std::vector<DistributionDistance> distances;

@@ -33,8 +33,7 @@ std::vector<double> column_of(const History& history, std::vector<double> Histor
 std::vector<double> impact_times(const History& history, int interface);
 
 /// The energy that an impact loses, J, exact and in an engine with what its contacts store: from halfway to
-/// the matched impact before to halfway to that after, so that both are counted over the same impacts,
-/// whenever each comes.
+/// the matched impact before to halfway to that after, so that both count the same, whenever each comes.
 struct ImpactLoss {
   double number = 0;  ///< of the exact impact, from 1
   double exact = 0, engine = 0;

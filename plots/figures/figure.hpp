@@ -107,8 +107,7 @@ void draw_figures(const fs::path& results);
 /// Draws the motion of every scene of a results folder that a player could show, as
 /// results/figures/<scene>.motion.gif, and as .mp4 where ffmpeg is there: exact and engines side by side, 25
 /// frames a second. Returns the files.
-/// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot or
-/// ffmpeg fails.
+/// @throws as draw_figures(), and std::runtime_error where ffmpeg fails.
 std::vector<fs::path> draw_animations(const fs::path& results);
 
 // What figures are drawn with besides the skeletons of plots/drawing.
@@ -143,8 +142,7 @@ class Plots {
   std::vector<std::string> list_;
 };
 
-/// Words beside whole numbers from `first` on, "set ytics (…)" without what stands around them; they count
-/// down where `step` is −1.
+/// Words beside whole numbers from `first` on, or down where `step` is −1, as in "set ytics (…)".
 std::string word_tics(const std::vector<std::string>& words, int first = 0, int step = 1);
 
 /// The settings of the panel over time that has the numbers of those above it.

@@ -11,8 +11,7 @@ namespace rockstack::plots {
 /// Which samples to keep, every how many-th, so that no more than `most` and the last are left.
 std::size_t stride_for(std::size_t size, std::size_t most);
 
-/// Every `stride`-th row of `width` numbers, and the last, as text: 32-bit floating point, lowest byte first,
-/// in base 64.
+/// Every `stride`-th row of `width` numbers and the last, 32-bit floats, lowest byte first, in base 64.
 std::string packed(const std::vector<double>& rows, std::size_t width = 1, std::size_t stride = 1);
 
 /// How a track appears.

@@ -9,8 +9,7 @@ namespace {
 constexpr auto line_style = "with lines lw 1.5 lc rgb '#0B4F8A'";
 constexpr auto ground_grid = "set grid lt 1 dt solid lw 1 lc rgb '#DADADA'\n";
 
-/// A mark where a curve is furthest from zero, and its words in the panel's other right corner, that far from
-/// the edge.
+/// A mark where a curve is furthest from zero; its words in the other right corner, that far from the edge.
 std::string peak_mark(double value, double time, const std::string& unit, double from_edge) {
   constexpr auto colour = "#B03A00";
   return fmt::format(
