@@ -127,12 +127,6 @@ TimeAxis SceneSubject::time_axis(const std::vector<Run>& runs, Legend& legend) c
   return axis;
 }
 
-std::vector<Run> all_runs(const Shown& shown) {
-  std::vector<Run> runs = shown.exact;
-  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
-  return runs;
-}
-
 std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up) {
   return [across, up](double width, double height) {
     return logarithmic_range("x", across.low, across.high, width) +

@@ -113,7 +113,11 @@ std::vector<fs::path> draw_animations(const fs::path& results);
 // What figures are drawn with besides the skeletons of plots/drawing.
 
 /// The exact run, where there is one, before those of the engines.
-std::vector<Run> all_runs(const Shown& shown);
+inline std::vector<Run> all_runs(const Shown& shown) {
+  std::vector<Run> runs = shown.exact;
+  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
+  return runs;
+}
 
 /// The marks of runs, of a size; of too many for one panel nothing.
 inline Legend mark_legend(const std::vector<Run>& runs, double size) {

@@ -52,10 +52,6 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string element(const std::string& name, const std::string& content, const std::string& attributes) {
-  return fmt::format("<{0}{1}>{2}</{0}>", name, attributes, content);
-}
-
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label) {
   const std::size_t start = std::min(file.find("<svg"), file.size());
   std::string svg = file.substr(start);
@@ -104,12 +100,6 @@ std::string sentence_list(const std::vector<std::string>& sentences) {
 std::string table(const std::vector<std::string>& columns, const std::string& rows) {
   const std::string headings = text_of_each(columns, [](const std::string& name) { return heading(name); });
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
-}
-
-std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
-                         const std::string& rows, const std::string& between) {
-  return element("h3", title) + between + element("div", table(columns, rows), " class=\"statements\"") +
-         "\n";
 }
 
 std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,

@@ -15,7 +15,10 @@ namespace rockstack::plots {
 std::string escaped(std::string_view text);
 
 /// <name>content</name>, the content as it is.
-std::string element(const std::string& name, const std::string& content, const std::string& attributes = "");
+inline std::string element(const std::string& name, const std::string& content,
+                           const std::string& attributes = "") {
+  return fmt::format("<{0}{1}>{2}</{0}>", name, attributes, content);
+}
 
 /// The parts of a text that semicolons set apart.
 std::vector<std::string> parts_of(const std::string& text);
@@ -77,8 +80,11 @@ inline std::string wide_table(const std::vector<std::string>& columns, const std
   return element("div", table(columns, rows),
                  fmt::format(" class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", label));
 }
-std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
-                         const std::string& rows, const std::string& between = "");
+inline std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
+                                const std::string& rows, const std::string& between = "") {
+  return element("h3", title) + between + element("div", table(columns, rows), " class=\"statements\"") +
+         "\n";
+}
 
 /// A row of cells as table_cell() makes them. Precondition: as many cells as columns.
 std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,

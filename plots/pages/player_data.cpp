@@ -83,10 +83,6 @@ Json stops_of(const History& history, double chatter_speed) {
 
 }  // namespace
 
-std::size_t stride_for(std::size_t size, std::size_t most) {
-  return std::max<std::size_t>(1, (size + most - 1) / most);
-}
-
 std::string packed(const std::vector<double>& rows, std::size_t width, std::size_t stride) {
   const std::size_t size = rows.size() / width;
   std::vector<float> numbers;

@@ -9,7 +9,9 @@ namespace rockstack::plots {
 // What the player's script reads, for reports and the live page alike. Lists of numbers are as packed().
 
 /// Which samples to keep, every how many-th, so that no more than `most` and the last are left.
-std::size_t stride_for(std::size_t size, std::size_t most);
+inline std::size_t stride_for(std::size_t size, std::size_t most) {
+  return std::max<std::size_t>(1, (size + most - 1) / most);
+}
 
 /// Every `stride`-th row of `width` numbers and the last, 32-bit floats, lowest byte first, in base 64.
 std::string packed(const std::vector<double>& rows, std::size_t width = 1, std::size_t stride = 1);

@@ -33,10 +33,6 @@ const Kind* kind_of(const fs::path& results) {
 
 }  // namespace
 
-bool has_runs(const fs::path& results) {
-  return fs::exists(results / "comparison.json") && !fs::exists(results / "stability.json");
-}
-
 bool write_study_page(const fs::path& results) {
   const Kind* kind = kind_of(results);
   if (kind == nullptr) return false;
