@@ -15,9 +15,7 @@ LawResults read_law_results(const fs::path& results) {
                           row.value("aspect_ratio_from"), row.value("aspect_ratio_to"),
                           row.value("mass_ratio_from"), row.value("mass_ratio_to"), row.value("impacts"),
                           row.value("differ"), row.value("none")});
-  CsvLine row(results / "impact-laws-engines.csv");
-  read.columns = row.names();
-  while (row.next()) {
+  for (CsvLine row(results / "impact-laws-engines.csv"); row.next();) {
     LawRun& one = read.runs.emplace_back();
     one.run.scene = row.text("case");
     one.run.engine = row.text("engine");
@@ -26,7 +24,6 @@ LawResults read_law_results(const fs::path& results) {
     one.run.status = row.text("status") == "done" ? RunStatus::done : RunStatus::failed;
     one.run.reason = row.text("reason");
     one.run.dt = row.value("dt");
-    one.cells = row.cells();
     one.follows = row.text("follows");
     one.from_paper = row.value("from_paper");
     one.from_consistent = row.value("from_consistent");

@@ -20,7 +20,6 @@ struct LawRun {
   Run run;                                     ///< its scene is the state's name
   std::string follows;                         ///< "consistent", "paper" or "neither"; empty where it failed
   double from_paper = 0, from_consistent = 0;  ///< of its velocities, over the largest relative rate before
-  std::vector<std::string> cells;              ///< the whole row as text, for LawResults::columns
 };
 
 /// What `rockstack compare` has written of a study of impact laws, without what its page alone takes.
@@ -28,7 +27,6 @@ struct LawResults {
   std::size_t states = 0;  ///< that engines were asked about
   std::vector<std::string> left_out;
   std::vector<LawCell> cells;
-  std::vector<std::string> columns;  ///< of the runs' cells
   std::vector<LawRun> runs;
 };
 

@@ -34,10 +34,10 @@ void note_kinds(Comparison& comparison) {
   for (ComparedScene& scene : comparison.scenes) {
     for (const Run& run : comparison.runs) {
       if (run.scene != scene.name || !run.done()) continue;
-      scene.both_equations = scene.both_equations || has_other_equations(run);
-      scene.frictions = scene.frictions || has_own_friction(run);
+      scene.both_equations = scene.both_equations || run.has_other_equations();
+      scene.frictions = scene.frictions || run.has_own_friction();
       scene.split = scene.split || run.step_difference;
-      scene.slips = scene.slips || tells_slips(run);
+      scene.slips = scene.slips || run.tells_slips();
     }
     const auto is_own = [&](const auto& one) { return one.scene == scene.name; };
     scene.fitted = std::ranges::any_of(comparison.fits, is_own);
@@ -78,7 +78,7 @@ ComparedScene scene_of(const Json& summary, const Run& run) {
   scene.toml = summary.at("scene_file").get<std::string>();
   scene.page = summary.value("page", "");
   scene.results = {"histories"};
-  scene.slips = tells_slips(run);
+  scene.slips = run.tells_slips();
   scene.alone = true;
   if (!run.exact()) scene.law.clear();
   if (fs::exists(run.folder / "ground.csv")) scene.ground_motion = run.folder / "ground.csv";
@@ -133,10 +133,6 @@ void KeptFiles::make_room_for(const fs::path& file) {
   bytes_ += size;
 }
 
-std::string heading(const ComparedScene& scene) {
-  return scene.law.empty() ? scene.title : fmt::format("{}, law {}", scene.title, scene.law);
-}
-
 Comparison read_comparison(const fs::path& results) {
   return read_json(results / "comparison.json",
                    [&](const Json& json) { return comparison_of(json, results); });
@@ -148,31 +144,6 @@ std::vector<Run> done_runs(const Comparison& comparison, const std::string& scen
     if (run.done() && run.scene == scene) runs.push_back(run);
   std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return run.exact(); });
   return runs;
-}
-
-bool has_motion(const Comparison& comparison, const ComparedScene& scene) {
-  return scene.has("histories") && !done_runs(comparison, scene.name).empty();
-}
-
-bool has_other_equations(const Run& run) {
-  return run.engine == "linear" || run.engine == "nonlinear";
-}
-
-bool has_own_friction(const Run& run) {
-  return run.engine.starts_with("friction=");
-}
-
-bool is_variant(const Run& run) {
-  return has_other_equations(run) || has_own_friction(run) || run.engine == "paper" ||
-         run.engine == "consistent" || run.engine == "unilateral";
-}
-
-bool tells_slips(const Run& run) {
-  return run.law == name(Law::unilateral) || run.law == name(Law::compliant);
-}
-
-std::string solver_name(const Run& run) {
-  return run.exact() || run.solver.empty() ? run.engine : run.engine + ":" + run.solver;
 }
 
 Motion read_motion(const fs::path& results) {

@@ -62,6 +62,18 @@ struct Run : RunMetrics {
 
   bool done() const { return status == RunStatus::done; }
   bool exact() const { return engine == "exact"; }
+  /// Of the exact solver in another way than the scene's: other equations, a coefficient of friction of its
+  /// own, or any of both and other laws.
+  bool has_other_equations() const { return engine == "linear" || engine == "nonlinear"; }
+  bool has_own_friction() const { return engine.starts_with("friction="); }
+  bool is_variant() const {
+    return has_other_equations() || has_own_friction() || engine == "paper" || engine == "consistent" ||
+           engine == "unilateral";
+  }
+  /// Whether its history tells slips, gaps and places: blocks may leave their pivots.
+  bool tells_slips() const { return law == name(Law::unilateral) || law == name(Law::compliant); }
+  /// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
+  std::string solver_name() const { return exact() || solver.empty() ? engine : engine + ":" + solver; }
 };
 
 /// What a cell of a row holds as a number, NaN where it is empty.
@@ -89,6 +101,8 @@ struct ComparedScene : RecordedScene {
   bool alone = false;                      ///< one motion by itself: no run stands beside another
 
   bool has(const std::string& result) const { return std::ranges::find(results, result) != results.end(); }
+  /// The title with the law of its exact motion.
+  std::string heading() const { return law.empty() ? title : title + ", law " + law; }
   /// Until when histories can be compared, s.
   double horizon() const { return std::isnan(predictable_time) ? duration : predictable_time; }
 };
@@ -102,16 +116,12 @@ struct Comparison {
   double tolerance = 0;       ///< rad, the difference up to which angles count as agreeing; > 0
   ComparisonVerdict verdict;  ///< what it comes to; of one motion alone nothing
   std::vector<std::string> left_out;
-  /// Of the paper beside what was computed: source, claim, verdict, criterion, computed. None where the suite
-  /// does not ask for them.
+  /// Of the paper, where the suite asks for them: source, claim, verdict, criterion, computed.
   std::vector<std::vector<std::string>> statements;
   std::vector<SeriesFit> fits;  ///< of errors over time steps
   std::vector<DistributionDistance> distances;
   std::vector<Run> runs;
 };
-
-/// A scene's title with the law of its exact motion.
-std::string heading(const ComparedScene& scene);
 
 /// Reads comparison.json. @throws InputError naming what is missing or malformed.
 Comparison read_comparison(const fs::path& results);
@@ -131,18 +141,8 @@ Motion read_motion(const fs::path& results);
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
 
 /// True where a scene's motion can be shown: histories were asked for, and a run is done.
-bool has_motion(const Comparison& comparison, const ComparedScene& scene);
-
-/// True for a run of the exact solver in another way than the scene's: other equations, a coefficient of
-/// friction of its own, or any of both and other laws.
-bool has_other_equations(const Run& run);
-bool has_own_friction(const Run& run);
-bool is_variant(const Run& run);
-
-/// True for a run whose history tells slips, gaps and places: blocks may leave their pivots.
-bool tells_slips(const Run& run);
-
-/// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
-std::string solver_name(const Run& run);
+inline bool has_motion(const Comparison& comparison, const ComparedScene& scene) {
+  return scene.has("histories") && !done_runs(comparison, scene.name).empty();
+}
 
 }  // namespace rockstack::plots

@@ -19,11 +19,6 @@ auto kept_list(const Run& run, const char* name, const Read& read) {
               [&](const auto& file) { return fs::exists(file) ? read(file) : decltype(read(file))(); });
 }
 
-EnergyHistory read_energies(const fs::path& file) {
-  const auto columns = read_columns(file, {"time", "exact", "engine", "input", "balance"});
-  return {columns[0], columns[1], columns[2], columns[3], columns[4]};
-}
-
 /// The sample nearest before a time. Precondition: times rise and are not empty.
 double at(const std::vector<double>& times, const std::vector<double>& values, double time) {
   const auto after = std::ranges::upper_bound(times, time);
@@ -41,7 +36,10 @@ std::shared_ptr<const std::vector<AlignedImpact>> impacts_of(const Run& run) {
 }
 
 std::shared_ptr<const EnergyHistory> energies_of(const Run& run) {
-  return kept(run, "energy.csv", read_energies);
+  return kept(run, "energy.csv", [](const auto& file) {
+    const auto columns = read_columns(file, {"time", "exact", "engine", "input", "balance"});
+    return EnergyHistory{columns[0], columns[1], columns[2], columns[3], columns[4]};
+  });
 }
 
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run) {
@@ -65,20 +63,6 @@ std::vector<double> impact_times(const History& history, int interface) {
   for (const Event& event : history.events)
     if (event.kind == EventKind::impact && event.interface == interface) times.push_back(event.time);
   return times;
-}
-
-ContactSummary read_contact_summary(const Run& run) {
-  const fs::path file = run.folder / "summary.json";
-  if (!fs::exists(file)) return {};
-  return read_json(file, [](const Json& json) {
-    ContactSummary summary;
-    for (const Json& one : json.value("contact", Json::array()))
-      summary.interfaces.push_back({one.at("final_slip").get<double>(), one.at("largest_slip").get<double>(),
-                                    one.at("highest_lift").get<double>(), one.at("slips").get<int>(),
-                                    one.at("lift_offs").get<int>()});
-    summary.warnings = json.value("validity_warnings", std::vector<std::string>());
-    return summary;
-  });
 }
 
 std::vector<ImpactLoss> impact_losses(const Run& run) {

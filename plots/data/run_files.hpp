@@ -1,6 +1,5 @@
 #pragma once
 
-#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
@@ -33,18 +32,8 @@ std::vector<double> column_of(const History& history, std::vector<double> Histor
 /// The times of the impacts at an interface, s.
 std::vector<double> impact_times(const History& history, int interface);
 
-/// What a run's summary.json says of its contacts.
-struct ContactSummary {
-  std::vector<InterfaceSummary> interfaces;  ///< none under laws of pivots
-  std::vector<std::string> warnings;         ///< of where theory has no single answer, and the like
-};
-
-/// @throws InputError naming the file that is malformed; nothing where it is missing.
-ContactSummary read_contact_summary(const Run& run);
-
 /// The energy that an impact loses, J, exact and in an engine with what its contacts store: from halfway to
-/// the matched impact before to halfway to that after, so that both are counted over the same impacts,
-/// whenever each comes.
+/// the matched impact before to halfway to that after, so that both count the same, whenever each comes.
 struct ImpactLoss {
   double number = 0;  ///< of the exact impact, from 1
   double exact = 0, engine = 0;

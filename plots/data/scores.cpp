@@ -6,7 +6,7 @@ namespace rockstack::plots {
 namespace {
 
 bool is_compared(const Run& run) {
-  return run.done() && !is_variant(run) && !run.exact() && run.dt && run.rms_angle_difference;
+  return run.done() && !run.is_variant() && !run.exact() && run.dt && run.rms_angle_difference;
 }
 
 template <auto field>
@@ -34,14 +34,14 @@ double left_of_error(const Comparison& comparison, const Run& run) {
 
 }  // namespace
 
-StepEnds step_ends(const Comparison& comparison, const Run& run) {
-  StepEnds ends{&run, &run};
+std::pair<const Run*, const Run*> step_ends(const Comparison& comparison, const Run& run) {
+  const Run *coarsest = &run, *finest = &run;
   for (const Run& other : comparison.runs) {
     if (!is_compared(other) || other.scene != run.scene || line_label(other) != line_label(run)) continue;
-    if (other.dt > ends.coarsest->dt) ends.coarsest = &other;
-    if (other.dt < ends.finest->dt) ends.finest = &other;
+    if (other.dt > coarsest->dt) coarsest = &other;
+    if (other.dt < finest->dt) finest = &other;
   }
-  return ends;
+  return {coarsest, finest};
 }
 
 const std::vector<SolverQuestion>& solver_questions() {
@@ -107,7 +107,7 @@ bool has_scores(const Comparison& comparison) {
   for (const Run& run : comparison.runs)
     if (is_compared(run)) {
       scenes.insert(run.scene);
-      solvers.insert(solver_name(run));
+      solvers.insert(run.solver_name());
     }
   return scenes.size() > 2 && solvers.size() > 1;
 }

@@ -31,14 +31,8 @@ struct Score {
 /// The scores of all solvers, those with answers in most scenes first, then by rising median.
 std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question);
 
-/// The runs of one scene, solver and set that have the largest and the smallest step.
-struct StepEnds {
-  const Run* coarsest;
-  const Run* finest;
-};
-
-/// Those of the series that a run belongs to.
-StepEnds step_ends(const Comparison& comparison, const Run& run);
+/// The runs with the largest and the smallest step of a run's scene, solver and set.
+std::pair<const Run*, const Run*> step_ends(const Comparison& comparison, const Run& run);
 
 /// The sets that share the verdict's first rank, in words that say whether replicates tell them apart.
 std::string first_of_all(const Comparison& comparison);

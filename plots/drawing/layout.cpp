@@ -157,10 +157,6 @@ std::string data_block(const std::string& name, const Curve& curve) {
   return text + "END\n";
 }
 
-std::string plot_of(const std::string& block, const std::string& style) {
-  return fmt::format("${} using 1:2 {} notitle", block, style);
-}
-
 Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question, double width)
     : below_(title_height(title) + question_height(question_lines(question)) + legend_height(legend, width)),
       width_(width),
@@ -251,25 +247,11 @@ void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::v
   }
 }
 
-double aside(std::size_t series, std::size_t of) {
-  constexpr double room = 0.6;
-  return of > most_series ? 0 : room * ((static_cast<double>(series) + 0.5) / static_cast<double>(of) - 0.5);
-}
-
 std::string angle_name(int block) {
   constexpr std::array digits{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
   std::string name = "θ";
   for (const char c : std::to_string(block)) name += digits.at(static_cast<std::size_t>(c - '0'));
   return name;
-}
-
-double panel_height(int blocks) {
-  return std::clamp(780.0 / blocks, 110.0, 420.0);
-}
-
-std::size_t bins_for(std::size_t curves) {
-  constexpr std::size_t points = 10000, most = 500, fewest = 30;
-  return std::clamp(points / (2 * std::max<std::size_t>(curves, 1)), fewest, most);
 }
 
 }  // namespace rockstack::plots

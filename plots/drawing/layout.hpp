@@ -16,7 +16,9 @@ std::string plain(double value);
 std::string data_block(const std::string& name, const Curve& curve);
 
 /// An element of a plot command: the first two columns of a data block.
-std::string plot_of(const std::string& block, const std::string& style);
+inline std::string plot_of(const std::string& block, const std::string& style) {
+  return "$" + block + " using 1:2 " + style + " notitle";
+}
 
 /// One entry of a legend: a gnuplot style ("with lines …") and its words.
 using Legend = std::vector<std::pair<std::string, std::string>>;
@@ -109,7 +111,10 @@ void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::v
 
 /// How far from a whole number, of an impact or a row, a series stands, so that series do not hide each
 /// other: nought where each has a panel of its own.
-double aside(std::size_t series, std::size_t of);
+inline double aside(std::size_t series, std::size_t of) {
+  constexpr double room = 0.6;
+  return of > most_series ? 0 : room * ((static_cast<double>(series) + 0.5) / static_cast<double>(of) - 0.5);
+}
 
 /// Settings of a panel whose horizontal axis is labelled in the panel under it.
 inline const std::string without_horizontal_labels =
@@ -122,9 +127,14 @@ Drawing empty_sheet(const std::string& title, const std::string& text);
 std::string angle_name(int block);
 
 /// Height in pixels of one of `blocks` panels of equal size.
-double panel_height(int blocks);
+inline double panel_height(int blocks) {
+  return std::clamp(780.0 / blocks, 110.0, 420.0);
+}
 
 /// How many bins of time a curve may have where so many share a figure, so that its file stays small.
-std::size_t bins_for(std::size_t curves);
+inline std::size_t bins_for(std::size_t curves) {
+  constexpr std::size_t points = 10000, most = 500, fewest = 30;
+  return std::clamp(points / (2 * std::max<std::size_t>(curves, 1)), fewest, most);
+}
 
 }  // namespace rockstack::plots

@@ -2,53 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <map>
-
 namespace rockstack::plots {
-namespace {
-
-using Edges = std::map<double, std::pair<double, double>>;
-
-/// Lower and upper edge of the cell around each value: halfway to its neighbours.
-Edges edges_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  Edges edges;
-  const std::size_t n = values.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double first = i > 0   ? (values[i - 1] + values[i]) / 2
-                         : n > 1 ? (3 * values[0] - values[1]) / 2
-                                 : values[0] - 0.5;
-    const double last = i + 1 < n ? (values[i] + values[i + 1]) / 2 : 2 * values[i] - first;
-    edges[values[i]] = {first, last};
-  }
-  return edges;
-}
-
-}  // namespace
-
-std::size_t commonest(const std::vector<std::vector<double>>& counts, std::size_t row) {
-  const auto of_row = [&](const std::vector<double>& column) { return column[row]; };
-  return static_cast<std::size_t>(std::ranges::max_element(counts, {}, of_row) - counts.begin());
-}
-
-std::vector<MapCell> counted_cells(const std::vector<double>& across, const std::vector<double>& up,
-                                   const std::vector<std::vector<double>>& counts) {
-  const Edges columns = edges_of(across), rows = edges_of(up);
-  std::vector<MapCell> cells;
-  for (std::size_t row = 0; row < across.size(); ++row) {
-    const auto [left, right] = columns.at(across[row]);
-    const auto [low, high] = rows.at(up[row]);
-    const std::size_t kind = commonest(counts, row);
-    if (!cells.empty() && cells.back().kind == kind && cells.back().left == left && cells.back().high == low)
-      cells.back().high = high;
-    else
-      cells.push_back({left, right, low, high, kind});
-  }
-  return cells;
-}
-
 CellMap cell_map(const std::string& name, const std::vector<MapCell>& cells,
                  const std::vector<MapKind>& kinds, const std::string& border) {
   CellMap map{{}, {}, std::vector<bool>(kinds.size()), cells.front()};

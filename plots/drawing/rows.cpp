@@ -10,8 +10,7 @@ namespace {
 constexpr double letter = 8.4, margin = 30;  // pixels
 constexpr double widest = 0.6;               // that words may take, a share of the figure's width
 
-/// Words in lines of so many letters at most, each but the first beginning after a comma, a blank or a
-/// hyphen, or at a plus.
+/// Words in lines of so many letters at most, broken after a comma, blank or hyphen, or before a plus.
 std::vector<std::string> lines_of(const std::string& words, std::size_t most) {
   std::vector<std::string> lines;
   std::size_t start = 0;

@@ -140,20 +140,13 @@ Series mark_series(const Run& run, const std::string& block, double size) {
           {plot_of(block, fmt::format("with points pt 7 ps 0.6*mark lc rgb '{}'", context_colour))}};
 }
 
-std::string context_block(const std::string& name, const std::vector<std::vector<double>>& marks) {
+std::string context_marks(Sheet& sheet, const std::vector<std::vector<double>>& marks) {
   constexpr double end = 1.001;
-  std::string text = fmt::format("${} << END\n", name);
+  std::string text = "$all << END\n";
   for (const std::vector<double>& mark : marks)
     text += fmt::format("{:.6g} {:.6g}\n{:.6g} {:.6g}\n\n", mark[0], mark[1], end * mark[0], mark[1]);
-  return text + "END\n";
-}
-
-std::string context_marks(const std::string& block) {
-  return plot_of(block, fmt::format("with lines lw 4 lc rgb '{}'", context_colour));
-}
-
-std::string exact_core(const std::string& block) {
-  return plot_of(block, "with lines lw 1 lc rgb '#000000'");
+  sheet.data(text + "END\n");
+  return plot_of("all", fmt::format("with lines lw 4 lc rgb '{}'", context_colour));
 }
 
 Legend legend_of(const std::vector<Run>& runs,

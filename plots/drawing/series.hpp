@@ -42,13 +42,14 @@ void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& 
 /// The marks of a run, of a size; smaller where it has a panel of its own.
 Series mark_series(const Run& run, const std::string& block, double size);
 
-/// Marks on logarithmic axes that others are seen before: a data block of their first two numbers, and how it
-/// is drawn. Each is a short line with round ends, as many of which are one path of a picture.
-std::string context_block(const std::string& name, const std::vector<std::vector<double>>& marks);
-std::string context_marks(const std::string& block);
+/// The plot of marks on logarithmic axes that others are seen before, by their first two numbers. Each is a
+/// short line with round ends, as many of which are one path of a picture.
+std::string context_marks(Sheet& sheet, const std::vector<std::vector<double>>& marks);
 
 /// The line in the middle of the exact curve, over all others.
-std::string exact_core(const std::string& block);
+inline std::string exact_core(const std::string& block) {
+  return plot_of(block, "with lines lw 1 lc rgb '#000000'");
+}
 
 /// The legend of runs, by "with …" of each; of many the exact one alone.
 Legend legend_of(const std::vector<Run>& runs,

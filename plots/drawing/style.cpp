@@ -76,9 +76,9 @@ NamedStyle of_friction(const std::string& solver) {
 }  // namespace
 
 Style style_of(const Run& run) {
-  const std::string solver = solver_name(run);
+  const std::string solver = run.solver_name();
   const auto found = std::ranges::find(named, solver, &NamedStyle::solver);
-  const NamedStyle own = has_own_friction(run)  ? of_friction(solver)
+  const NamedStyle own = run.has_own_friction() ? of_friction(solver)
                          : found != named.end() ? *found
                                                 : named.at(1 + number_of(solver) % (named.size() - 2));
   Style style{std::string(own.colour), own.mark + 1, std::string(own.dash)};

@@ -83,10 +83,6 @@ const Figure* figure_in(const std::string& stem) {
   return nullptr;
 }
 
-fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure) {
-  return results / "figures" / (scene.alone ? figure.name : scene.name + "." + figure.name);
-}
-
 void draw_figures(const fs::path& results, const Comparison& comparison) {
   for (const ComparedScene& scene : comparison.scenes)
     for (const Figure* figure : figures_of(scene))
@@ -113,7 +109,7 @@ Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
 }
 
 Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const {
-  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(heading(scene), legend, answer);
+  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(scene.heading(), legend, answer);
 }
 
 Shown SceneSubject::shown(const std::vector<std::string>& files) const {
@@ -131,16 +127,6 @@ TimeAxis SceneSubject::time_axis(const std::vector<Run>& runs, Legend& legend) c
   return axis;
 }
 
-std::vector<Run> all_runs(const Shown& shown) {
-  std::vector<Run> runs = shown.exact;
-  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
-  return runs;
-}
-
-Legend mark_legend(const std::vector<Run>& runs, double size) {
-  return legend_of(runs, [&](const Run& run, std::size_t) { return mark_style(run, size); });
-}
-
 std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up) {
   return [across, up](double width, double height) {
     return logarithmic_range("x", across.low, across.high, width) +
@@ -149,12 +135,10 @@ std::function<std::string(double, double)> logarithmic_axes(const Reach& across,
 }
 
 std::string number_block(const std::string& name, const Numbers& lines) {
-  std::string text = fmt::format("${} << END\n", name);
-  for (const std::vector<double>& line : lines) {
-    for (const double number : line) text += plain(number) + " ";
-    text += "\n";
-  }
-  return text + "END\n";
+  const auto line = [](const std::vector<double>& numbers) {
+    return text_of_each(numbers, plain, " ") + "\n";
+  };
+  return "$" + name + " << END\n" + text_of_each(lines, line) + "END\n";
 }
 
 void Plots::add(const Numbers& lines, const std::vector<std::string>& styles) {

@@ -21,7 +21,7 @@ struct SceneSubject {
   /// A sheet with the scene's title, the figure's question and the answer.
   Sheet sheet(const Legend& legend, const std::string& answer) const;
   /// The scene's title over the reason why there is nothing to show.
-  Drawing nothing(const std::string& reason) const { return empty_sheet(heading(scene), reason); }
+  Drawing nothing(const std::string& reason) const { return empty_sheet(scene.heading(), reason); }
 
   /// The exact run and the engines' runs that figures over time show, these only with all of some files.
   Shown shown(const std::vector<std::string>& files = {}) const;
@@ -92,7 +92,9 @@ std::vector<const Figure*> figures_of(const ComparedScene& scene);
 const Figure* figure_in(const std::string& stem);
 
 /// Where a figure of a scene lies, without .png, .svg or .pdf.
-fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure);
+inline fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure) {
+  return results / "figures" / (scene.alone ? figure.name : scene.name + "." + figure.name);
+}
 
 /// Draws all figures of a comparison, or of one motion, as results/figures/<scene>.<figure>.png, .svg and
 /// .pdf.
@@ -105,17 +107,22 @@ void draw_figures(const fs::path& results);
 /// Draws the motion of every scene of a results folder that a player could show, as
 /// results/figures/<scene>.motion.gif, and as .mp4 where ffmpeg is there: exact and engines side by side, 25
 /// frames a second. Returns the files.
-/// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot or
-/// ffmpeg fails.
+/// @throws as draw_figures(), and std::runtime_error where ffmpeg fails.
 std::vector<fs::path> draw_animations(const fs::path& results);
 
 // What figures are drawn with besides the skeletons of plots/drawing.
 
 /// The exact run, where there is one, before those of the engines.
-std::vector<Run> all_runs(const Shown& shown);
+inline std::vector<Run> all_runs(const Shown& shown) {
+  std::vector<Run> runs = shown.exact;
+  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
+  return runs;
+}
 
 /// The marks of runs, of a size; of too many for one panel nothing.
-Legend mark_legend(const std::vector<Run>& runs, double size);
+inline Legend mark_legend(const std::vector<Run>& runs, double size) {
+  return legend_of(runs, [&](const Run& run, std::size_t) { return mark_style(run, size); });
+}
 
 /// Ranges and numbers of a panel over two logarithmic axes, by its width and height in pixels.
 std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up);
@@ -139,8 +146,7 @@ class Plots {
   std::vector<std::string> list_;
 };
 
-/// Words beside whole numbers from `first` on, "set ytics (…)" without what stands around them; they count
-/// down where `step` is −1.
+/// Words beside whole numbers from `first` on, or down where `step` is −1, as in "set ytics (…)".
 std::string word_tics(const std::vector<std::string>& words, int first = 0, int step = 1);
 
 /// The settings of the panel over time that has the numbers of those above it.

@@ -1,6 +1,7 @@
 #include "plots/pages/html.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
 
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
@@ -51,10 +52,6 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string element(const std::string& name, const std::string& content, const std::string& attributes) {
-  return fmt::format("<{0}{1}>{2}</{0}>", name, attributes, content);
-}
-
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label) {
   const std::size_t start = std::min(file.find("<svg"), file.size());
   std::string svg = file.substr(start);
@@ -72,32 +69,10 @@ std::string inline_svg(const std::string& file, const std::string& prefix, const
   return svg;
 }
 
-std::string text_at(const Json& json, const char* key) {
-  return json.at(key).get<std::string>();
-}
-
-std::string escaped_at(const Json& json, const char* key) {
-  return escaped(text_at(json, key));
-}
-
-std::string solver_named(const Json& row) {
-  return text_at(row, "engine") + ":" + text_at(row, "solver");
-}
-
-std::string link(const std::string& to, const std::string& words) {
-  return element("a", words, fmt::format(" href=\"{}\"", to));
-}
-
-std::string details(const std::string& summary, const std::string& content, const std::string& attributes) {
-  return element("details", element("summary", summary) + content, attributes) + "\n";
-}
-
-std::string section(const std::string& title, const std::string& content, const std::string& attributes) {
-  return element("section", "\n" + element("h2", escaped(title)) + "\n" + content, attributes) + "\n";
-}
-
-std::string code_block(const std::string& text) {
-  return element("pre", element("code", escaped(text)));
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  boost::split(parts, text, [](char letter) { return letter == ';'; });
+  return parts;
 }
 
 std::string page(const std::string& title, const std::string& kind, const std::string& content) {
@@ -125,18 +100,6 @@ std::string sentence_list(const std::vector<std::string>& sentences) {
 std::string table(const std::vector<std::string>& columns, const std::string& rows) {
   const std::string headings = text_of_each(columns, [](const std::string& name) { return heading(name); });
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
-}
-
-std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
-                       const std::string& label) {
-  return element("div", table(columns, rows),
-                 fmt::format(" class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", label));
-}
-
-std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
-                         const std::string& rows, const std::string& between) {
-  return element("h3", title) + between + element("div", table(columns, rows), " class=\"statements\"") +
-         "\n";
 }
 
 std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,

@@ -15,26 +15,47 @@ namespace rockstack::plots {
 std::string escaped(std::string_view text);
 
 /// <name>content</name>, the content as it is.
-std::string element(const std::string& name, const std::string& content, const std::string& attributes = "");
+inline std::string element(const std::string& name, const std::string& content,
+                           const std::string& attributes = "") {
+  return fmt::format("<{0}{1}>{2}</{0}>", name, attributes, content);
+}
+
+/// The parts of a text that semicolons set apart.
+std::vector<std::string> parts_of(const std::string& text);
 
 /// What a description says under a name, as it is and for use in a page.
-std::string text_at(const Json& json, const char* key);
-std::string escaped_at(const Json& json, const char* key);
+inline std::string text_at(const Json& json, const char* key) {
+  return json.at(key).get<std::string>();
+}
+inline std::string escaped_at(const Json& json, const char* key) {
+  return escaped(text_at(json, key));
+}
 
 /// The solver that a row or trial names, "bullet:nncg".
-std::string solver_named(const Json& row);
+inline std::string solver_named(const Json& row) {
+  return text_at(row, "engine") + ":" + text_at(row, "solver");
+}
 
 /// A link; "#id" leads to a place of the page itself. `words` are markup.
-std::string link(const std::string& to, const std::string& words);
+inline std::string link(const std::string& to, const std::string& words) {
+  return element("a", words, fmt::format(" href=\"{}\"", to));
+}
 
 /// What is seen when its summary is chosen; both are markup.
-std::string details(const std::string& summary, const std::string& content,
-                    const std::string& attributes = "");
+inline std::string details(const std::string& summary, const std::string& content,
+                           const std::string& attributes = "") {
+  return element("details", element("summary", summary) + content, attributes) + "\n";
+}
 
 /// A section under its title, which is text.
-std::string section(const std::string& title, const std::string& content, const std::string& attributes = "");
+inline std::string section(const std::string& title, const std::string& content,
+                           const std::string& attributes = "") {
+  return element("section", "\n" + element("h2", escaped(title)) + "\n" + content, attributes) + "\n";
+}
 
-std::string code_block(const std::string& text);
+inline std::string code_block(const std::string& text) {
+  return element("pre", element("code", escaped(text)));
+}
 
 /// The part of an SVG file that stands inside a page: without its preamble, every id begun with `prefix`,
 /// with `label` as its text for those who do not see it.
@@ -54,10 +75,16 @@ std::string table(const std::vector<std::string>& columns, const std::string& ro
 
 /// The same in an element that scrolls by itself, as `label` calls it, and of sentences under a title, with
 /// what stands between.
-std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
-                       const std::string& label);
-std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
-                         const std::string& rows, const std::string& between = "");
+inline std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
+                              const std::string& label) {
+  return element("div", table(columns, rows),
+                 fmt::format(" class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", label));
+}
+inline std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
+                                const std::string& rows, const std::string& between = "") {
+  return element("h3", title) + between + element("div", table(columns, rows), " class=\"statements\"") +
+         "\n";
+}
 
 /// A row of cells as table_cell() makes them. Precondition: as many cells as columns.
 std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,

@@ -1,6 +1,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {
@@ -10,14 +11,6 @@ using Cells = std::vector<std::string>;
 
 std::string whole(double count) {
   return fmt::format("{:.0f}", count);
-}
-
-/// The parts of a name that semicolons set apart.
-Cells parts_of(const std::string& name) {
-  Cells parts;
-  std::istringstream names(name);
-  for (std::string part; std::getline(names, part, ';');) parts.push_back(part);
-  return parts;
 }
 
 Cells followed_by(Cells columns, const Cells& others) {
@@ -68,14 +61,8 @@ std::string pairs_table(const Json& pairs) {
 }
 
 /// What tables of runs have after the columns that name them.
-const Cells tally_columns{"runs",
-                          "consistent",
-                          "paper",
-                          "neither",
-                          "failed",
-                          "median from consistent",
-                          "median from paper",
-                          "largest from consistent"};
+const Cells tally_columns = parts_of(
+    "runs;consistent;paper;neither;failed;median from consistent;median from paper;largest from consistent");
 
 Cells with_tally(Cells names, const LawTally& tally) {
   for (const int count : {tally.runs(), tally.consistent, tally.paper, tally.neither, tally.failed})
@@ -124,26 +111,28 @@ std::string rounded(const std::string& numbers) {
 
 /// What is compared stands side by side; a file of other columns has them at the end.
 std::vector<std::size_t> order_of(const Cells& columns) {
-  const Cells first{"case",       "engine",      "solver",          "settings",
-                    "dt",         "follows",     "pattern",         "paper",
-                    "consistent", "from_paper",  "from_consistent", "before",
-                    "rates",      "rates_paper", "rates_consistent"};
+  const Cells first = parts_of(
+      "case;engine;solver;settings;dt;follows;pattern;paper;consistent;from_paper;from_consistent;before;rates;"
+      "rates_paper;rates_consistent");
   std::vector<std::size_t> order(columns.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::ranges::find(first, columns[i]); });
   return order;
 }
 
-std::string runs_table(const LawResults& results) {
+std::string runs_table(const fs::path& folder) {
   const std::set<std::string> lists{"before", "rates", "rates_paper", "rates_consistent"};
-  const std::vector<std::size_t> order = order_of(results.columns);
-  const Cells columns = each_of(order, [&](std::size_t i) { return results.columns[i]; });
-  return table(columns, text_of_each(results.runs, [&](const LawRun& one) {
-                 const Cells cells = each_of(order, [&](std::size_t i) {
-                   return lists.contains(results.columns[i]) ? rounded(one.cells[i]) : one.cells[i];
-                 });
-                 return table_row(columns, cells, one.run.done() ? "" : " class=\"failed\"");
-               }));
+  CsvLine row(folder / "impact-laws-engines.csv");
+  const std::vector<std::size_t> order = order_of(row.names());
+  const Cells columns = each_of(order, [&](std::size_t i) { return row.names()[i]; });
+  std::string rows;
+  while (row.next()) {
+    const Cells cells = each_of(order, [&](std::size_t i) {
+      return lists.contains(row.names()[i]) ? rounded(row.text(i)) : row.text(i);
+    });
+    rows += table_row(columns, cells, row.text("status") == "done" ? "" : " class=\"failed\"");
+  }
+  return table(columns, rows);
 }
 
 std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
@@ -176,7 +165,7 @@ std::string content(const fs::path& folder, const LawResults& results, const Jso
                                                    "How far every engine run is from either law")},
                     {"solvers", solvers_table(results.runs)},
                     {"states", states_table(results.runs, json.at("cases"))},
-                    {"runs", runs_table(results)},
+                    {"runs", runs_table(folder)},
                     {"suite", escaped_at(json, "suite_file")},
                     {"parameters", parameters},
                     {"definitions", definitions},
@@ -186,11 +175,9 @@ std::string content(const fs::path& folder, const LawResults& results, const Jso
 
 }  // namespace
 
-void write_impact_law_report(const std::filesystem::path& results) {
-  read_json(results / "impact-laws.json", [&](const Json& json) {
-    const std::string text = content(results, read_law_results(results), json);
-    write_file(results / "report.html", page(text_at(json, "title"), "report", text));
-  });
+void write_impact_law_report(const fs::path& results, const Json& json) {
+  const std::string text = content(results, read_law_results(results), json);
+  write_file(results / "report.html", page(text_at(json, "title"), "report", text));
 }
 
 }  // namespace rockstack::plots

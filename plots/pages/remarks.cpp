@@ -15,14 +15,14 @@ constexpr double reported_ratio = 2;
 std::string command(const Comparison& comparison, const Run& run, const std::vector<double>& steps) {
   const auto scene = std::ranges::find(comparison.scenes, run.scene, &ComparedScene::name);
   return fmt::format("rockstack compare {} --engine {} --dt {} --set duration={} --out DIR", run.scene,
-                     solver_name(run), fmt::join(steps, ","), scene->duration);
+                     run.solver_name(), fmt::join(steps, ","), scene->duration);
 }
 
 /// All steps of a run's series, the largest first.
 std::vector<double> steps_of(const Comparison& comparison, const Run& run) {
   std::set<double> steps;
   for (const Run& other : comparison.runs)
-    if (other.scene == run.scene && solver_name(other) == solver_name(run) && other.dt)
+    if (other.scene == run.scene && other.solver_name() == run.solver_name() && other.dt)
       steps.insert(*other.dt);
   return {steps.rbegin(), steps.rend()};
 }
@@ -35,10 +35,10 @@ std::vector<Score> answers_to(const std::string& question, const Comparison& com
 std::vector<Score> best_of(std::vector<Score> list) {
   std::set<std::string> tuned;
   for (const Score& score : list)
-    if (score.runs.front().settings == "tuned") tuned.insert(solver_name(score.runs.front()));
+    if (score.runs.front().settings == "tuned") tuned.insert(score.runs.front().solver_name());
   std::erase_if(list, [&](const Score& score) {
     const Run& run = score.runs.front();
-    return run.settings != "tuned" && tuned.contains(solver_name(run));
+    return run.settings != "tuned" && tuned.contains(run.solver_name());
   });
   return list;
 }
@@ -48,7 +48,7 @@ const Score* find_score(const std::vector<Score>& list, const std::string& solve
                         const std::string& settings = "") {
   const auto found = std::ranges::find_if(list, [&](const Score& score) {
     const Run& run = score.runs.front();
-    return solver_name(run) == solver && (settings.empty() || run.settings == settings);
+    return run.solver_name() == solver && (settings.empty() || run.settings == settings);
   });
   return found == list.end() ? nullptr : &*found;
 }
@@ -73,11 +73,10 @@ class Writer {
   std::vector<SolverRemarks> all() const {
     std::vector<SolverRemarks> list;
     for (const Score& score : accuracy_) {
-      const std::string solver = solver_name(score.runs.front());
+      const std::string solver = score.runs.front().solver_name();
       list.push_back({solver, {}});
-      for (const auto add :
-           {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence, &Writer::add_energy,
-            &Writer::add_overlap, &Writer::add_cost, &Writer::add_failures})
+      for (const auto add : {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence,
+                             &Writer::add_worst, &Writer::add_failures})
         (this->*add)(solver, list.back().list);
     }
     return list;
@@ -137,40 +136,37 @@ class Writer {
          command(comparison_, *finest, steps_of(comparison_, *finest))});
   }
 
-  void add_energy(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = find_score(energy_, solver);
-    if (score == nullptr) return;
-    const double most = *std::ranges::max_element(score->values);
-    if (most < reported_gain) return;
-    list.push_back({fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
-                                score->worst().scene, most),
-                    again(score->worst())});
-  }
-
-  void add_overlap(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = find_score(overlap_, solver);
-    if (score == nullptr) return;
-    list.push_back({fmt::format("Blocks sink into each other by up to {:.2g} m ({}).",
-                                *std::ranges::max_element(score->values), score->worst().scene),
-                    again(score->worst())});
-  }
-
-  void add_cost(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = find_score(cost_, solver);
-    if (score == nullptr) return;
-    const double quickest = cost_.front().median;
-    list.push_back({score->median < reported_ratio * quickest
-                        ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score->median))
-                        : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
-                                      rounded_duration(score->median), score->median / quickest),
-                    again(score->worst())});
+  /// What contacts do and steps cost, where that is worst.
+  void add_worst(const std::string& solver, std::vector<Remark>& list) const {
+    const auto add = [&](const std::vector<Score>& scores, const auto& sentence) {
+      const Score* score = find_score(scores, solver);
+      if (score == nullptr) return;
+      const std::string words = sentence(*score, *std::ranges::max_element(score->values));
+      if (!words.empty()) list.push_back({words, again(score->worst())});
+    };
+    add(energy_, [](const Score& score, double most) {
+      return most < reported_gain
+                 ? ""
+                 : fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
+                               score.worst().scene, most);
+    });
+    add(overlap_, [](const Score& score, double most) {
+      return fmt::format("Blocks sink into each other by up to {:.2g} m ({}).", most, score.worst().scene);
+    });
+    add(cost_, [&](const Score& score, double) {
+      const double quickest = cost_.front().median;
+      return score.median < reported_ratio * quickest
+                 ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score.median))
+                 : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
+                               rounded_duration(score.median), score.median / quickest);
+    });
   }
 
   void add_failures(const std::string& solver, std::vector<Remark>& list) const {
     std::size_t runs = 0, failed = 0;
     const Run* last = nullptr;
     for (const Run& run : comparison_.runs) {
-      if (run.exact() || solver_name(run) != solver) continue;
+      if (run.exact() || run.solver_name() != solver) continue;
       ++runs;
       if (run.done()) continue;
       ++failed;

@@ -1,4 +1,3 @@
-#include "plots/data/run_files.hpp"
 #include "plots/pages/sections.hpp"
 
 // What a page says of a comparison's runs: all numbers, parameters, files, contacts, parts of differences.
@@ -8,21 +7,10 @@ namespace {
 
 /// What is shown at first, as far as any run has it; the name of the run is one of them.
 constexpr std::size_t shown_columns = 10;
-constexpr std::array wanted{"rms_test_difference",
-                            "rms_angle_difference",
-                            "largest_angle_difference",
-                            "slip_error",
-                            "first_impact_time_difference",
-                            "agreement_time",
-                            "impacts_matched",
-                            "impacts_missed",
-                            "impacts_extra",
-                            "toppled",
-                            "stepping_time_minimum",
-                            "energy_gain",
-                            "rms_angle_difference_lower",
-                            "rms_angle_difference_upper",
-                            "steps"};
+constexpr auto wanted =
+    "rms_test_difference;rms_angle_difference;largest_angle_difference;slip_error;first_impact_time_difference;"
+    "agreement_time;impacts_matched;impacts_missed;impacts_extra;toppled;stepping_time_minimum;energy_gain;"
+    "rms_angle_difference_lower;rms_angle_difference_upper;steps";
 
 /// Columns in the order of the page; the first `shown` of them without the switch.
 struct Order {
@@ -32,7 +20,7 @@ struct Order {
 
 Order order_of(const Comparison& comparison) {
   Order order{{&columns().front()}};
-  for (const char* name : wanted) {
+  for (const std::string& name : parts_of(wanted)) {
     const Column& column = column_named(name);
     const auto has_value = [&](const Run& run) { return !cell_text(column.cell(run)).empty(); };
     if (order.columns.size() < shown_columns && std::ranges::any_of(comparison.runs, has_value))
@@ -137,15 +125,9 @@ std::string run_details(const Comparison& comparison) {
 }
 
 std::string terms_table(const Comparison& comparison, const std::string& scene) {
-  const std::vector<std::string> columns{"run",
-                                         "RMS difference (rad)",
-                                         "contact model (share)",
-                                         "contact softness (share)",
-                                         "time step (share)",
-                                         "stiffness of a point (N/m)",
-                                         "damping ratio",
-                                         "restitution",
-                                         "spring softer by, then extrapolated"};
+  const std::vector<std::string> columns = parts_of(
+      "run;RMS difference (rad);contact model (share);contact softness (share);time step (share);"
+      "stiffness of a point (N/m);damping ratio;restitution;spring softer by, then extrapolated");
   std::vector<Run> runs = done_runs(comparison, scene);
   std::erase_if(runs, [](const Run& run) { return !run.step_difference; });
   if (runs.empty()) return "";
@@ -161,26 +143,34 @@ std::string terms_table(const Comparison& comparison, const std::string& scene) 
 }
 
 std::string contact_section(const Comparison& comparison) {
-  const std::vector<std::string> columns{
-      "run",           "interface",        "slip left (m)",  "largest slip (m)",
-      "times it slid", "highest lift (m)", "times it lifted"};
+  const std::vector<std::string> columns =
+      parts_of("run;interface;slip left (m);largest slip (m);times it slid;highest lift (m);times it lifted");
+  const auto metres = [](const Json& one, const char* key) {
+    return fmt::format("{}", one.at(key).get<double>());
+  };
+  const auto times = [](const Json& one, const char* key) {
+    return fmt::format("{}", one.at(key).get<int>());
+  };
   std::string rows;
   std::vector<std::string> warnings;
   for (const Run& run : comparison.runs) {
-    if (!run.done()) continue;
-    const ContactSummary summary = read_contact_summary(run);
-    if (summary.interfaces.empty()) continue;
+    const fs::path file = run.folder / "summary.json";
+    if (!run.done() || !fs::exists(file)) continue;
     const std::string label =
         comparison.scenes.size() > 1 ? fmt::format("{}: {}", run.scene, run_label(run)) : run_label(run);
-    int number = 0;
-    for (const InterfaceSummary& one : summary.interfaces)
-      rows += table_row(columns,
-                        {label, fmt::format("{}", ++number), fmt::format("{}", one.final_slip),
-                         fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
-                         fmt::format("{}", one.highest_lift), fmt::format("{}", one.lift_offs)},
-                        run.exact() ? " class=\"exact\"" : "");
-    for (const std::string& warning : summary.warnings)
-      warnings.push_back(fmt::format("{}: {}", label, warning));
+    read_json(file, [&](const Json& json) {
+      const Json contacts = json.value("contact", Json::array());
+      int number = 0;
+      for (const Json& one : contacts)
+        rows += table_row(
+            columns,
+            {label, fmt::format("{}", ++number), metres(one, "final_slip"), metres(one, "largest_slip"),
+             times(one, "slips"), metres(one, "highest_lift"), times(one, "lift_offs")},
+            run.exact() ? " class=\"exact\"" : "");
+      if (!contacts.empty())
+        for (const std::string& warning : json.value("validity_warnings", std::vector<std::string>()))
+          warnings.push_back(fmt::format("{}: {}", label, warning));
+    });
   }
   if (rows.empty()) return "";
   std::string text = wide_table(columns, rows, "Slip and lift-off");

@@ -5,7 +5,9 @@
 namespace rockstack::plots {
 
 /// Whether a folder holds what `compare` or `teach` has run, and no study of it.
-bool has_runs(const fs::path& results);
+inline bool has_runs(const fs::path& results) {
+  return fs::exists(results / "comparison.json") && !fs::exists(results / "stability.json");
+}
 
 /// Draws the figures of a results folder and writes its pages, whatever it is of.
 /// @throws InputError naming the file that is missing or malformed, or the folder where it holds no results

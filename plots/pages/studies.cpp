@@ -16,37 +16,32 @@ struct Study {
   std::vector<std::string> tables = {};  ///< files to be shown, where they are there
 };
 
-/// Writes the page of a description; a missing or wrong entry names its file.
-void write_study(const fs::path& results, const char* file, const std::function<Study(const Json&)>& read) {
-  read_json(results / file, [&](const Json& json) {
-    const Study study = read(json);
-    std::string tables;
-    for (const std::string& name : study.tables) {
-      if (!fs::exists(results / name)) continue;
-      const auto [columns, rows] = read_table(results / name);
-      std::string text;
-      for (const auto& row : rows) text += table_row(columns, row);
-      tables += element("h3", escaped(name)) + wide_table(columns, text, "Table") + "\n";
-    }
-    Facts facts = facts_of(json);  // that the page has nowhere else
-    std::erase_if(facts, [](const auto& fact) {
-      return fact.first == "command" || fact.first == "title" || fact.first.starts_with("trials.");
-    });
-    // Of a sweep the command stands beside its results, which are the same bytes whatever it is.
-    const fs::path timing = results / "timing.json";
-    const std::string command =
-        json.value("command", fs::exists(timing) ? read_json(timing).value("command", "") : "");
-    const std::string content =
-        filled_in(study_html,
-                  {{"title", escaped(study.title)},
+void write_study(const fs::path& results, const Json& json, const Study& study) {
+  std::string tables;
+  for (const std::string& name : study.tables) {
+    if (!fs::exists(results / name)) continue;
+    const auto [columns, rows] = read_table(results / name);
+    std::string text;
+    for (const auto& row : rows) text += table_row(columns, row);
+    tables += element("h3", escaped(name)) + wide_table(columns, text, "Table") + "\n";
+  }
+  Facts facts = facts_of(json);  // that the page has nowhere else
+  std::erase_if(facts, [](const auto& fact) {
+    return fact.first == "command" || fact.first == "title" || fact.first.starts_with("trials.");
+  });
+  // Of a sweep the command stands beside its results, which are the same bytes whatever it is.
+  const fs::path timing = results / "timing.json";
+  const std::string command =
+      json.value("command", fs::exists(timing) ? read_json(timing).value("command", "") : "");
+  const std::string content = filled_in(
+      study_html, {{"title", escaped(study.title)},
                    {"answer", answer_box(study.answers)},
                    {"figures", drawn_figures(results)},
                    {"files", file_links(results)},
                    {"tables", tables},
                    {"command", command.empty() ? "" : element("h2", "To run it again") + code_block(command)},
                    {"facts", definition_list(facts)}});
-    write_file(results / "report.html", page(study.title, "report", content));
-  });
+  write_file(results / "report.html", page(study.title, "report", content));
 }
 
 /// The sum of each column of a file, whole numbers; none where there is no such file.
@@ -194,68 +189,57 @@ std::string canon_content(const Json& canon) {
 
 }  // namespace
 
-void write_sweep_report(const fs::path& results) {
-  write_study(results, "sweep.json", [&](const Json& json) {
-    Study study{
-        text_at(json, "title"), {}, {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"}};
-    add_toppled(results, study.answers);
-    add_fit(results, axis_title(text_at(json.at("summary"), "intensity")), study.answers);
-    add_outcomes(results, study.answers);
-    return study;
-  });
+void write_sweep_report(const fs::path& results, const Json& json) {
+  Study study{
+      text_at(json, "title"), {}, {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"}};
+  add_toppled(results, study.answers);
+  add_fit(results, axis_title(text_at(json.at("summary"), "intensity")), study.answers);
+  add_outcomes(results, study.answers);
+  write_study(results, json, study);
 }
 
-void write_stability_report(const fs::path& results) {
-  write_study(results, "stability.json", [&](const Json& json) {
-    Study study{"Stability: " + text_at(json, "title"), {verdicts(results)}, {"steps.csv", "stability.csv"}};
-    add_stable_steps(results, text_at(json, "axis"), study.answers);
-    return study;
-  });
+void write_stability_report(const fs::path& results, const Json& json) {
+  Study study{"Stability: " + text_at(json, "title"), {verdicts(results)}, {"steps.csv", "stability.csv"}};
+  add_stable_steps(results, text_at(json, "axis"), study.answers);
+  write_study(results, json, study);
 }
 
-void write_advice_report(const fs::path& results) {
-  write_study(results, "advice.json", [](const Json& json) {
-    return Study{"Advice: " + text_at(json, "title"), json.at("headline").get<Sentences>(), {"advice.csv"}};
-  });
+void write_advice_report(const fs::path& results, const Json& json) {
+  write_study(results, json,
+              {"Advice: " + text_at(json, "title"), json.at("headline").get<Sentences>(), {"advice.csv"}});
 }
 
-void write_fit_report(const fs::path& results) {
-  write_study(results, "fit.json", [](const Json& json) {
-    Sentences answers;
-    for (const Json& one : json.at("parameters")) {
-      const std::string found =
-          fmt::format("{} = {:.6g}", text_at(one, "key"), one.at("value").get<double>());
-      answers.push_back(one.at("lower").is_null()
-                            ? found + "."
-                            : fmt::format("{}, with 95 % confidence from {:.6g} to {:.6g}.", found,
-                                          one.at("lower").get<double>(), one.at("upper").get<double>()));
-    }
-    for (const Json& sentence : json.at("meaning")) answers.push_back(sentence);
-    return Study{"Fit: " + text_at(json, "title"), answers};
-  });
+void write_fit_report(const fs::path& results, const Json& json) {
+  Sentences answers;
+  for (const Json& one : json.at("parameters")) {
+    const std::string found = fmt::format("{} = {:.6g}", text_at(one, "key"), one.at("value").get<double>());
+    answers.push_back(one.at("lower").is_null()
+                          ? found + "."
+                          : fmt::format("{}, with 95 % confidence from {:.6g} to {:.6g}.", found,
+                                        one.at("lower").get<double>(), one.at("upper").get<double>()));
+  }
+  for (const Json& sentence : json.at("meaning")) answers.push_back(sentence);
+  write_study(results, json, {"Fit: " + text_at(json, "title"), answers});
 }
 
-void write_record_report(const fs::path& results) {
-  write_study(results, "record.json", [](const Json& json) {
-    const double gravity = json.at("gravity").get<double>();
-    const double most = std::abs(json.at("peak_acceleration").at("value").get<double>());
-    const Json& span = json.at("significant_5_95");
-    return Study{
-        "Record " + fs::path(text_at(json, "file")).filename().string(),
-        {fmt::format("The peak acceleration is {:.3g} g: {}.", most / gravity,
-                     peak(json.at("peak_acceleration"), "m/s²")),
-         fmt::format("The peak velocity is {}, the peak displacement {}.",
-                     peak(json.at("peak_velocity"), "m/s"), peak(json.at("peak_displacement"), "m")),
-         fmt::format(
-             "The significant duration is {:.4g} s, from 5 to 95 % of the Arias intensity of {:.4g} m/s.",
-             span.at("length").get<double>(), json.at("arias_intensity").get<double>())}};
-  });
+void write_record_report(const fs::path& results, const Json& json) {
+  const double gravity = json.at("gravity").get<double>();
+  const double most = std::abs(json.at("peak_acceleration").at("value").get<double>());
+  const Json& span = json.at("significant_5_95");
+  write_study(
+      results, json,
+      {"Record " + fs::path(text_at(json, "file")).filename().string(),
+       {fmt::format("The peak acceleration is {:.3g} g: {}.", most / gravity,
+                    peak(json.at("peak_acceleration"), "m/s²")),
+        fmt::format("The peak velocity is {}, the peak displacement {}.",
+                    peak(json.at("peak_velocity"), "m/s"), peak(json.at("peak_displacement"), "m")),
+        fmt::format(
+            "The significant duration is {:.4g} s, from 5 to 95 % of the Arias intensity of {:.4g} m/s.",
+            span.at("length").get<double>(), json.at("arias_intensity").get<double>())}});
 }
 
-void write_canon_report(const fs::path& results) {
-  read_json(results / "canon.json", [&](const Json& canon) {
-    write_file(results / "report.html", page(canon.at("title"), "report", canon_content(canon)));
-  });
+void write_canon_report(const fs::path& results, const Json& canon) {
+  write_file(results / "report.html", page(canon.at("title"), "report", canon_content(canon)));
 }
 
 }  // namespace rockstack::plots

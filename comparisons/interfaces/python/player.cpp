@@ -32,8 +32,7 @@ Json track_of(const Shown& shown, const std::string& colour) {
   for (const ImpactTime& impact :
        exact ? reported_impacts(history, chatter) : observed_impacts(history, chatter))
     track["impacts"].push_back(impact.time);
-  if (exact && history.patterns.size() == history.size())
-    plots::add_forces(plots::forces_of(scene, history), history.blocks, stride, track);
+  if (exact && history.patterns.size() == history.size()) plots::add_forces(scene, history, stride, track);
   return track;
 }
 

@@ -19,15 +19,21 @@ struct CommonAxes {
   double strength(double dt, double palest) const {
     return steps.size() < 2 ? 1 : palest + (1 - palest) * place(dt) / static_cast<double>(steps.size() - 1);
   }
-  /// Where the line of a set and step lies, from the row's middle.
-  double height(std::size_t set, double dt) const {
-    return static_cast<double>(set) + 0.27 * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
+  std::string colour(const Run& run, double palest) const {
+    return paler(style_of(run).colour, strength(*run.dt, palest));
+  }
+  /// Where the line of a run lies, beside its row's middle; none of a set or step that is not shown.
+  std::optional<double> height(const Run& run) const {
+    const auto set = std::ranges::find(sets, line_label(run));
+    if (set == sets.end() || std::ranges::find(steps, run.dt) == steps.end()) return std::nullopt;
+    return static_cast<double>(set - sets.begin()) +
+           0.27 * (place(*run.dt) - 0.5 * static_cast<double>(steps.size() - 1));
   }
   double place(double dt) const { return static_cast<double>(std::ranges::find(steps, dt) - steps.begin()); }
 };
 
 bool is_shown(const Run& run) {
-  return is_engine(run) && !is_variant(run);
+  return is_engine(run) && !run.is_variant();
 }
 
 JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {
@@ -72,47 +78,26 @@ CommonAxes frame_of(const Comparison& comparison) {
   return frame;
 }
 
-struct Place {
-  const Run* run;
-  double height;
-  std::string line, mark;  ///< colours
-};
-
 /// Marks are small: the palest has a contrast of 3 to white and more.
 constexpr double palest_line = 0.5, palest_mark = 0.75;
-
-std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& scene,
-                             const CommonAxes& frame) {
-  std::vector<Place> places;
-  for (const Run& run : comparison.runs) {
-    const auto set = std::ranges::find(frame.sets, line_label(run));
-    if (run.scene != scene.name || !is_shown(run) || set == frame.sets.end() ||
-        std::ranges::find(frame.steps, run.dt) == frame.steps.end())
-      continue;
-    places.push_back({&run, frame.height(static_cast<std::size_t>(set - frame.sets.begin()), *run.dt),
-                      paler(style_of(run).colour, frame.strength(*run.dt, palest_line)),
-                      paler(style_of(run).colour, frame.strength(*run.dt, palest_mark))});
-  }
-  return places;
-}
 
 constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
 /// From nought to when it stops agreeing, or to the edge, with quartiles of what decides, angles or centres.
-void add_times(Plots& plots, const Place& place, const JudgedScene& scale, double edge) {
-  const Run& run = *place.run;
-  if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
+void add_times(Plots& plots, const Run& run, double height, const std::string& colour,
+               const JudgedScene& scale, double edge) {
+  if (!run.done()) return plots.add({{0, height}}, {fmt::format("using 1:2 {}", failure_style)});
   const double end = agreement_end(run, scale);
-  plots.add({{0, place.height, std::min(end, edge)}},
-            {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.line)});
+  plots.add({{0, height, std::min(end, edge)}},
+            {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", colour)});
   const bool by_angles = run.agreement_time.value_or(end) <= run.position_agreement_time.value_or(INFINITY);
   const auto lower = by_angles ? run.agreement_time_lower : run.position_agreement_time_lower;
   const auto upper = by_angles ? run.agreement_time_upper : run.position_agreement_time_upper;
   if (!lower || !upper) return;
   const double low = std::min(*lower, edge), high = std::min(*upper, edge);
   if (low == high && end >= edge) return;
-  plots.add({{low, place.height, high - low}},
+  plots.add({{low, height, high - low}},
             {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
 }
 
@@ -142,8 +127,7 @@ TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
   for (const Run& run : comparison.runs)
     if (run.scene == scene.name && is_shown(run) && run.done() && !agrees(run, scale))
       end = std::max(end, agreement_end(run, scale));
-  end = std::min(end, whole);
-  return scene.horizon() < end ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end};
+  return {std::min(end, whole), scene.horizon()};
 }
 
 /// Scenes side by side, from one to another: until when, and under that by how much.
@@ -157,13 +141,15 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
     off.add({{comparison.tolerance, -0.7, static_cast<double>(frame.sets.size())}},
             {fmt::format("using 1:2:(0):3 with vectors nohead {}", tolerance_style)});
     const TimeAxis axis = axis_of(comparison, scene);
-    for (const Place& place : places_of(comparison, scene, frame)) {
-      const Run& run = *place.run;
-      add_times(until, place, scale_of(comparison, scene), axis.end);
+    for (const Run& run : comparison.runs) {
+      if (run.scene != scene.name || !is_shown(run)) continue;
+      const std::optional<double> height = frame.height(run);
+      if (!height) continue;
+      add_times(until, run, *height, frame.colour(run, palest_line), scale_of(comparison, scene), axis.end);
       if (run.done() && run.error)
-        off.add({{std::max(largest_of(run), sizes.low), place.height}},
-                {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.mark,
-                             style_of(run).mark)});
+        off.add({{std::max(largest_of(run), sizes.low), *height}},
+                {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark",
+                             frame.colour(run, palest_mark), style_of(run).mark)});
     }
     times.push_back({"agrees until (s)", until.list(), scene.name, scene.title, [axis](double width) {
                        return time_range(axis) + linear_tics("x", 0, axis.end, width);

@@ -111,10 +111,7 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
     if (line.fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(line)));
   }
   SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes_of(lines), 560, 0};
-  if (many) {
-    sheet.data(context_block("all", all));
-    panel.under = {context_marks("all")};
-  }
+  if (many) panel.under = {context_marks(sheet, all)};
   add_series(sheet, panel, series, many);
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);

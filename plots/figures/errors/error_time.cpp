@@ -153,7 +153,7 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_
 std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
   std::vector<Series> list;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string words = many ? solver_name(lines[i].run) : lines[i].label;
+    const std::string words = many ? lines[i].run.solver_name() : lines[i].label;
     Series& all = found_or_added(list, [&](const Series& other) { return many && other.words == words; },
                                  {words, style_of(lines[i].run).colour, plots_of(lines, i, 1.7)});
     for (const std::string& plot : plots_of(lines, i, 1.1)) all.alone.push_back(plot);
@@ -227,7 +227,6 @@ Drawing error_time(const SceneSubject& subject) {
   Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance));
   Numbers all;
   for (const CostLine& line : lines) std::ranges::copy(numbers_of(line), std::back_inserter(all));
-  sheet.data(context_block("all", all));
   for (std::size_t i = 0; i < lines.size(); ++i)
     sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
@@ -237,7 +236,7 @@ Drawing error_time(const SceneSubject& subject) {
   const double height = subject.height(520, 520);
   const char* across = many ? "stepping time a second (s)" : "stepping time for one second of motion (s)";
   SeriesPanel panel{across, "RMS angle difference (rad)", "RMS (rad)", true, axes, height, 0};
-  panel.under = many ? std::vector{context_marks("all")} : floors(lines);
+  panel.under = many ? std::vector{context_marks(sheet, all)} : floors(lines);
   panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, sheet.panel_width(), height);
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);

@@ -34,7 +34,7 @@ Drawing peaks(const SceneSubject& subject) {
   std::vector<Run> runs;
   double exact = 0;
   for (StepLine& line : lines) {
-    std::erase_if(line, [](const Run& run) { return is_variant(run) || !run.peak_over_slenderness; });
+    std::erase_if(line, [](const Run& run) { return run.is_variant() || !run.peak_over_slenderness; });
     for (const Run& run : line) exact = std::max(exact, run.exact_peak_over_slenderness.value_or(0));
     runs.insert(runs.end(), line.begin(), line.end());
   }

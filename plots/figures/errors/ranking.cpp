@@ -26,26 +26,22 @@ Ranges read_ranges(const fs::path& file) {
 struct RankedSeries {
   std::string label;
   std::vector<Run> runs;
-  std::size_t steps = 0;  ///< of the whole line
-  double largest = 0;     ///< error of the whole line
+  double largest = 0;  ///< error of the whole line
 };
 
 /// A row for the whole line, or one for each number of iterations, rising, where these vary.
 std::vector<RankedSeries> rows_of(const StepLine& line) {
-  RankedSeries whole{line_label(line), {}, 0, 0};
+  RankedSeries whole{line_label(line), {}};
   for (const Run& run : line)
-    if (!is_variant(run) && run.error > 0) {
+    if (!run.is_variant() && run.error > 0) {
       whole.runs.push_back(run);
       whole.largest = std::max(whole.largest, *run.error);
     }
   if (whole.runs.empty()) return {};
-  if (!varies_iterations(line)) {
-    whole.steps = whole.runs.size();
-    return {whole};
-  }
+  if (!varies_iterations(line)) return {whole};
   std::vector<RankedSeries> rows;
   for (auto run = whole.runs.rbegin(); run != whole.runs.rend(); ++run)
-    rows.push_back({line_label(*run), {*run}, 1, whole.largest});
+    rows.push_back({line_label(*run), {*run}, whole.largest});
   return rows;
 }
 
@@ -55,7 +51,7 @@ std::vector<RankedSeries> ranked(const Comparison& comparison, const std::string
   for (const StepLine& line : step_lines(comparison, scene))
     for (const RankedSeries& row : rows_of(line)) rows.push_back(row);
   std::ranges::stable_sort(rows, [](const RankedSeries& a, const RankedSeries& b) {
-    return a.steps != b.steps ? a.steps > b.steps : a.largest < b.largest;
+    return a.runs.size() != b.runs.size() ? a.runs.size() > b.runs.size() : a.largest < b.largest;
   });
   rows.resize(std::min(rows.size(), most_rows));
   return rows;

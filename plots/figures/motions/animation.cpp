@@ -11,7 +11,6 @@ constexpr double frame_rate = 25;  // 1/s
 /// One column of the picture.
 struct Actor {
   Run run;
-  std::string colour;
   std::shared_ptr<const History> history;
 };
 
@@ -84,7 +83,7 @@ std::string drawn(const Stage& stage, std::size_t index, double time) {
         "lw 2\n",
         polygon(stage.scene.stack[static_cast<std::size_t>(k)], middles.col(k),
                 angles[static_cast<std::size_t>(k)], middle),
-        actor.colour);
+        style_of(actor.run).colour);
   return text;
 }
 
@@ -105,8 +104,7 @@ std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& 
     if (runs.size() < exact.size() + 2 && run.dt) runs.push_back(run);
   std::vector<Actor> actors;
   for (const Run& run : runs)
-    if (const auto history = history_of(run); history->size() > 1)
-      actors.push_back({run, style_of(run).colour, history});
+    if (const auto history = history_of(run); history->size() > 1) actors.push_back({run, history});
   return actors;
 }
 
@@ -150,7 +148,7 @@ Animation animation_of(const Stage& stage) {
     animation.settings += fmt::format(
         "set label {} {} noenhanced at {},{} center textcolor rgb '{}' font ',10'\n", i + 2,
         in_quotes(run_label(stage.actors[i].run)), plain((2 * static_cast<double>(i) + 1) * stage.side),
-        plain(-0.05 * stage.above), stage.actors[i].colour);
+        plain(-0.05 * stage.above), style_of(stage.actors[i].run).colour);
   const auto frames = static_cast<std::size_t>(std::ceil(stage.end / speed * frame_rate));
   for (std::size_t i = 0; i <= frames; ++i)
     animation.frames.push_back(

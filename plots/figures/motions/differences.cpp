@@ -109,7 +109,7 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
 std::string answer(const std::vector<Departure>& departures, const ComparedScene& scene, double tolerance) {
   double first = scene.horizon(), last = 0;
   for (const Departure& one : departures) {
-    if (is_variant(one.run)) continue;
+    if (one.run.is_variant()) continue;
     first = std::min(first, one.run.agreement_time.value_or(first));
     last = std::max(last, one.run.agreement_time.value_or(last));
   }

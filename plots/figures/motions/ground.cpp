@@ -9,8 +9,7 @@ namespace {
 constexpr auto line_style = "with lines lw 1.5 lc rgb '#0B4F8A'";
 constexpr auto ground_grid = "set grid lt 1 dt solid lw 1 lc rgb '#DADADA'\n";
 
-/// A mark where a curve is furthest from zero, and its words in the panel's other right corner, that far from
-/// the edge.
+/// A mark where a curve is furthest from zero; its words in the other right corner, that far from the edge.
 std::string peak_mark(double value, double time, const std::string& unit, double from_edge) {
   constexpr auto colour = "#B03A00";
   return fmt::format(
@@ -25,17 +24,15 @@ double reach_of(double largest) {
   return 1.12 * std::max(largest, 1e-12);
 }
 
-std::string symmetric_range(double reach) {
-  return fmt::format("set yrange [{}:{}]\n", plain(-reach), plain(reach));
-}
-
 void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, const TimeAxis& axis, bool last) {
   const auto at = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
-  const double peak = *at, time = curve.times[static_cast<std::size_t>(at - curve.values.begin())];
+  const double peak = *at, reach = reach_of(std::abs(peak)),
+               time = curve.times[static_cast<std::size_t>(at - curve.values.begin())];
   sheet.data(data_block(name, thin(curve, bins_for(2))));
   sheet.panel(220, 16,
-              ground_grid + time_range(axis) + symmetric_range(reach_of(std::abs(peak))) +
-                  fmt::format("set ylabel '{} (m/s²)' offset 0.5\n", name) +
+              ground_grid + time_range(axis) +
+                  fmt::format("set yrange [{}:{}]\nset ylabel '{} (m/s²)' offset 0.5\n", plain(-reach),
+                              plain(reach), name) +
                   (last ? time_numbers : without_horizontal_labels) + peak_mark(peak, time, "m/s²", 0.1),
               {plot_of(name, line_style)});
 }
@@ -82,7 +79,7 @@ void add_history(Sheet& sheet, const std::string& name, const std::string& base,
   const std::string unit = scale.prefix + base;
   add_over_time(sheet, height, name, scaled(curve, scale.factor), facts.at("significant_5_95"),
                 without_horizontal_labels + fmt::format("set ylabel '{} ({})' offset 0.5\n", name, unit) +
-                    symmetric_range(reach) + linear_tics("y", -reach, reach, height) +
+                    linear_range("y", -reach, reach, height) +
                     peak_mark(peak.at("value").get<double>() * scale.factor, peak.at("time"), unit, 0.12));
 }
 

@@ -222,7 +222,7 @@ Drawing histories(const SceneSubject& subject) {
 Drawing equations(const SceneSubject& subject) {
   std::vector<Run> runs;
   for (const Run& run : done_runs(subject.comparison, subject.scene.name))
-    if (run.exact() || has_other_equations(run)) runs.push_back(run);
+    if (run.exact() || run.has_other_equations()) runs.push_back(run);
   return draw_runs(subject, runs, true);
 }
 

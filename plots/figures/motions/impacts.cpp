@@ -115,7 +115,7 @@ template <class Value, class Text>
 std::string span_of(const std::vector<Verdicts>& all, const Value& value, const Text& text) {
   Reach reach;
   for (const Verdicts& one : all)
-    if (!is_variant(one.run) && std::isfinite(value(one))) reach.add(value(one));
+    if (!one.run.is_variant() && std::isfinite(value(one))) reach.add(value(one));
   return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
 }
 
@@ -132,10 +132,10 @@ std::string answer(const std::vector<Verdicts>& all) {
 
 /// What there is to say where no impact is matched. Precondition: there are runs.
 std::string without_matches(const std::vector<Verdicts>& all) {
-  const std::size_t missed =
-      std::ranges::max(each_of(all, [](const Verdicts& one) { return one.missed.size(); }));
-  const std::size_t extra =
-      std::ranges::max(each_of(all, [](const Verdicts& one) { return one.extra.size(); }));
+  const auto most = [&](std::vector<double> Verdicts::*list) {
+    return std::ranges::max(each_of(all, [&](const Verdicts& one) { return (one.*list).size(); }));
+  };
+  const std::size_t missed = most(&Verdicts::missed), extra = most(&Verdicts::extra);
   if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
   return fmt::format("No impact is in both: the exact motion has {}, an engine at most {}.", missed, extra);
 }

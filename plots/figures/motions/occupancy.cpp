@@ -79,7 +79,7 @@ double names_room(const std::vector<std::string>& patterns) {
 
 std::string answer(const std::vector<Occupancy>& all) {
   std::vector<Occupancy> engines = all;
-  std::erase_if(engines, [](const Occupancy& one) { return is_variant(one.run); });
+  std::erase_if(engines, [](const Occupancy& one) { return one.run.is_variant(); });
   if (engines.empty()) engines = {all.front()};
   const auto [least, most] = std::ranges::minmax_element(engines, {}, &Occupancy::same);
   const auto words = [](const Occupancy& one) {

@@ -23,7 +23,7 @@ Reach reach_of(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
                std::vector<double> Curve::*along) {
   Reach reach{0, 0};
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs.front().exact() && !runs[i].exact() && !has_other_equations(runs[i])) continue;
+    if (runs.front().exact() && !runs[i].exact() && !runs[i].has_other_equations()) continue;
     for (const double value : orbits[i].*along) reach.add(value);
   }
   return reach.wider(std::max(0.12 * (reach.high - reach.low), 1e-6));

@@ -44,7 +44,7 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
               const std::vector<SlipPanel>& quantities, const std::string& answer) {
   Legend legend = legend_of(runs, curve_style);
   for (std::size_t i = 0; i < legend.size(); ++i)
-    if (!tells_slips(runs[i])) legend[i].second += ", where nothing slips";
+    if (!runs[i].tells_slips()) legend[i].second += ", where nothing slips";
   const TimeAxis axis = subject.time_axis(runs, legend);
   Sheet sheet = subject.sheet(legend, answer);
   const double usual = panel_height(static_cast<int>(quantities.size())),
@@ -102,7 +102,7 @@ std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std
 Drawing slip(const SceneSubject& subject) {
   const ComparedScene& scene = subject.scene;
   std::vector<Run> runs = all_runs(subject.shown());
-  std::erase_if(runs, [](const Run& run) { return !tells_slips(run); });
+  std::erase_if(runs, [](const Run& run) { return !run.tells_slips(); });
   std::vector<SlipPanel> panels = read_slips(runs, scene.blocks());
   const bool exact = runs.front().exact();
   std::string answer =
@@ -127,14 +127,14 @@ Drawing friction(const SceneSubject& subject) {
   const ComparedScene& scene = subject.scene;
   std::vector<Run> runs;
   for (const Run& run : done_runs(subject.comparison, scene.name))
-    if (run.exact() || has_own_friction(run)) runs.push_back(run);
+    if (run.exact() || run.has_own_friction()) runs.push_back(run);
   const auto words = [](int number) { return angle_name(number) + " (rad)"; };
   std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.blocks(), words, 1);
   const std::vector<SlipPanel> slips = read_slips(runs, scene.blocks());
   panels.insert(panels.end(), slips.begin(), slips.end());
   std::string answer = "Largest slips: ";
   for (std::size_t i = 0; i < runs.size(); ++i)
-    if (tells_slips(runs[i])) answer += slip_phrase(runs, i, slips) + (i + 1 < runs.size() ? "; " : "");
+    if (runs[i].tells_slips()) answer += slip_phrase(runs, i, slips) + (i + 1 < runs.size() ? "; " : "");
   return drawn(subject, runs, panels, answer);
 }
 

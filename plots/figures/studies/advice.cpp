@@ -26,7 +26,7 @@ TrialLines lines_of(const Json& advice) {
     const double time = value_of(run.stepping_time_minimum);
     if (!run.done() || !(time > 0) || !(off >= 0)) continue;
     const bool picked = !pick.is_null() && pick.at("run") == trial.at("run");
-    const auto is_own = [&](const auto& line) { return solver_name(line.front().run) == solver_name(run); };
+    const auto is_own = [&](const auto& line) { return line.front().run.solver_name() == run.solver_name(); };
     found_or_added(lines, is_own, {})
         .push_back({run, time, std::max(off, least_error), trial.at("passes").get<bool>(), picked});
   }
@@ -52,7 +52,7 @@ std::string answer_of(const TrialLines& lines, double error) {
   for (const auto& line : lines)
     for (const TrialMark& mark : line)
       if (mark.picked)
-        return fmt::format("{} at {}, within {:g}", solver_name(mark.run),
+        return fmt::format("{} at {}, within {:g}", mark.run.solver_name(),
                            duration_text(value_of(mark.run.dt)), error);
   return fmt::format("None that was tried holds to {:g}", error);
 }
@@ -73,7 +73,7 @@ Drawings advice(const FolderSubject& subject) {
   const std::vector<bool> told = told_of(lines);
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (told[i])
-      legend.emplace_back(mark_style(lines[i].front().run, 1.5), solver_name(lines[i].front().run));
+      legend.emplace_back(mark_style(lines[i].front().run, 1.5), lines[i].front().run.solver_name());
   if (std::ranges::find(told, false) != told.end()) legend.emplace_back(other_style, "other solvers");
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
   legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");

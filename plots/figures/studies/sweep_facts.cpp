@@ -74,11 +74,6 @@ std::string upright(double acceleration, double from, double to) {
 
 }  // namespace
 
-double rocking_friction(double slenderness_ratio, double push) {
-  const double r = slenderness_ratio;
-  return (push * (4 + r * r) + 3 * r) / (1 + 4 * r * r + 3 * push * r);
-}
-
 std::string initiation_boundaries(const StruckBlock& block, double largest_acceleration,
                                   double largest_friction) {
   const double r = block.slenderness_ratio;

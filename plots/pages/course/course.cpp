@@ -92,9 +92,8 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 
 }  // namespace
 
-void write_course(const fs::path& results) {
-  read_json(results / "course.json",
-            [&](const Json& course) { write_file(results / "index.html", course_page(results, course)); });
+void write_course(const fs::path& results, const Json& course) {
+  write_file(results / "index.html", course_page(results, course));
   const std::string player =
       filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}});
   write_file(
@@ -122,23 +121,15 @@ void print_pdf(const fs::path& page, const fs::path& pdf) {
     throw InputError("--pdf: must be asked where the program chromium is; slides.html is written");
   const Scratch scratch(pdf.parent_path().empty() ? fs::path(".") : pdf.parent_path(), ".printing");
   const fs::path made = fs::absolute(scratch.folder / "slides.pdf");
-  std::vector<std::string> words{
-      "chromium",
-      "--headless",
-      "--disable-gpu",
-      "--no-first-run",
-      "--disable-quic",
-      "--disable-background-networking",
-      "--disable-component-update",
-      "--disable-sync",
-      "--no-pdf-header-footer",
-      "--window-size=1280,768",
-      "--virtual-time-budget=20000",
-      fmt::format("--user-data-dir={}", fs::absolute(scratch.folder / "profile").string()),
-      fmt::format("--print-to-pdf={}", made.string())};
-  if (geteuid() == 0) words.emplace_back("--no-sandbox");  // which it does not have for root
-  words.push_back(fs::absolute(page).string());
-  const std::string line = text_of_each(words, quoted_for_shell, " ") + " >/dev/null 2>&1";
+  std::string line =
+      "chromium --headless --disable-gpu --no-first-run --disable-quic --disable-background-networking "
+      "--disable-component-update --disable-sync --no-pdf-header-footer --window-size=1280,768 "
+      "--virtual-time-budget=20000";
+  if (geteuid() == 0) line += " --no-sandbox";  // which it does not have for root
+  for (const std::string& word : {"--user-data-dir=" + fs::absolute(scratch.folder / "profile").string(),
+                                  "--print-to-pdf=" + made.string(), fs::absolute(page).string()})
+    line += " " + quoted_for_shell(word);
+  line += " >/dev/null 2>&1";
   const int status = std::system(line.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (code != 0 || !fs::exists(made))
