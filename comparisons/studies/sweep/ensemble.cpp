@@ -5,7 +5,6 @@
 #include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -133,12 +132,9 @@ void set_values(SceneDocument& document, const Variation& variation, const Value
 
 Json json_of(const Variation& variation) {
   Json json{{"keys", variation.keys}};
-  if (const auto& drawn = variation.distribution) {
-    const char* name = drawn->kind == Distribution::Kind::uniform  ? "uniform"
-                       : drawn->kind == Distribution::Kind::normal ? "normal"
-                                                                   : "lognormal";
-    json[name] = {drawn->first, drawn->second};
-  }
+  constexpr std::array kinds{"uniform", "normal", "lognormal"};  // as Distribution::Kind has them
+  if (const auto& drawn = variation.distribution)
+    json[kinds.at(static_cast<std::size_t>(drawn->kind))] = {drawn->first, drawn->second};
   for (const Value& value : variation.values)
     json["values"].push_back(value.node.kind == Node::Kind::number ? Json(value.node.number)
                                                                    : Json(value.text));

@@ -5,7 +5,6 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {

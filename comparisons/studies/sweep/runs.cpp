@@ -121,8 +121,8 @@ std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble) {
   return columns;
 }
 
-std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble) {
-  std::vector<ColumnMeaning> columns{{"run", "number of the run, from 0"}};
+std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble) {
+  std::vector<std::pair<std::string, std::string>> columns{{"run", "number of the run, from 0"}};
   for (const Variation& variation : ensemble.variations) {
     std::string meaning = "scene key";
     for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];

@@ -44,11 +44,8 @@ struct OutcomeColumn {
 /// In the order of runs.csv.
 std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble);
 
-/// A column of runs.csv and what it means.
-using ColumnMeaning = std::pair<std::string, std::string>;
-
-/// All columns in order: the run's number, a column a variation, then what came out.
-std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble);
+/// All columns of runs.csv and what they mean: the run's number, a column a variation, then what came out.
+std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble);
 
 /// Runs `first` up to and without `last`, one line each. A run whose scene is out of range or that the solver
 /// cannot finish says so in its line. May be called from several threads at once.
