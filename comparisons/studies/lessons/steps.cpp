@@ -69,15 +69,10 @@ SwingState fourth_order_step(const Swing& swing, SwingState from, double dt) {
           from.velocity + dt / 6 * (a.velocity + 2 * b.velocity + 2 * c.velocity + d.velocity)};
 }
 
-using SwingStep = SwingState(const Swing&, SwingState, double);
-
 /// When the block is down: the end of the step in which it lands, and the time within that step at which it
 /// does, s.
-struct Noticed {
-  double at_end, within;
-};
-
-Noticed landing_by_steps(SwingStep* step, const Swing& swing, double angle, double dt) {
+std::pair<double, double> landing_by_steps(SwingState (*step)(const Swing&, SwingState, double),
+                                           const Swing& swing, double angle, double dt) {
   SwingState state{angle, 0};
   for (int done = 0;; ++done) {
     const SwingState next = step(swing, state, dt);
@@ -107,9 +102,10 @@ Table by_steps(const Scene& scene) {
   std::vector<double> first, last;
   constexpr double coarsest = 0.04, finest = 0.0025;  // s
   for (double dt = coarsest; dt >= finest; dt /= 2) {
-    const Noticed euler = landing_by_steps(euler_step, swing, scene.initial.angles.front(), dt);
-    const Noticed fourth = landing_by_steps(fourth_order_step, swing, scene.initial.angles.front(), dt);
-    last = {euler.at_end - exact, fourth.at_end - exact, euler.within - exact, fourth.within - exact};
+    const double angle = scene.initial.angles.front();
+    const auto [euler_end, euler_within] = landing_by_steps(euler_step, swing, angle, dt);
+    const auto [fourth_end, fourth_within] = landing_by_steps(fourth_order_step, swing, angle, dt);
+    last = {euler_end - exact, fourth_end - exact, euler_within - exact, fourth_within - exact};
     if (first.empty()) first = last;
     table.rows.push_back({cell(dt)});
     for (const double error : last) table.rows.back().push_back(cell(error));

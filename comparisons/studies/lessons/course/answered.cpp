@@ -51,9 +51,9 @@ std::size_t place_of(const std::string& name) {
 }
 
 Json summary(const Lesson& lesson, const CourseEntry& course) {
-  Json after = Json::array();
-  for (const std::string& name : course.after)
-    after.push_back({{"name", name}, {"title", title(find_lesson(name))}});
+  const auto named = [](const std::string& name) {
+    return Json{{"name", name}, {"title", title(find_lesson(name))}};
+  };
   return {{"name", lesson.name},
           {"title", title(lesson)},
           {"number", place_of(lesson.name) + 1},
@@ -61,24 +61,19 @@ Json summary(const Lesson& lesson, const CourseEntry& course) {
           {"minutes", course.minutes},
           {"pattern", course.pattern},
           {"aims", course.aims},
-          {"after", after}};
-}
-
-/// The names of the lessons before and after; empty: none.
-Json neighbours(const Lesson& lesson) {
-  const std::size_t place = place_of(lesson.name);
-  return {{"previous", place > 0 ? lessons()[place - 1].name : ""},
-          {"next", place + 1 < lessons().size() ? lessons()[place + 1].name : ""}};
+          {"after", each_of(course.after, named)}};
 }
 
 Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_course) {
   const CourseEntry course = read_course(lesson.name);
   Json json = summary(lesson, course);
-  if (in_course) json["neighbours"] = neighbours(lesson);
+  const std::size_t place = place_of(lesson.name);
+  if (in_course)
+    json["neighbours"] = {{"previous", place > 0 ? lessons()[place - 1].name : ""},
+                          {"next", place + 1 < lessons().size() ? lessons()[place + 1].name : ""}};
   json["references"] = course.references;
-  json["predictions"] = Json::array();
-  for (const Problem& problem : course.predictions)
-    json["predictions"].push_back(answered(problem, values.measured));
+  json["predictions"] =
+      each_of(course.predictions, [&](const Problem& one) { return answered(one, values.measured); });
   json["text"] = file_text(file_of(lesson, ".html"));
   json["slides"] = file_text(file_of(lesson, ".html", "slides"));
   json["numbers"] = values.numbers;
@@ -137,8 +132,8 @@ std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder,
 }
 
 std::string course_json() {
-  Json list = Json::array();
-  for (const Lesson& lesson : lessons()) list.push_back(summary(lesson, read_course(lesson.name)));
+  const auto list =
+      each_of(lessons(), [](const Lesson& lesson) { return summary(lesson, read_course(lesson.name)); });
   return Json{{"lessons", list}}.dump(2) + "\n";
 }
 

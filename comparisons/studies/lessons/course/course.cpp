@@ -66,17 +66,15 @@ DrawnRange read_drawn_range(const Node& node) {
 
 Problem read_problem(const Node& table) {
   require_table(table, problem_keys);
-  Problem problem;
-  problem.name = text_or_none(table, "name");
-  problem.text = text_or_none(table, "text");
-  problem.scene = text_or_none(table, "scene");
-  problem.changes = texts(table, "set");
-  problem.against = texts(table, "against");
-  if (const Node* draw = find(table, "draw"))
-    for (const Node& range : draw->children) problem.draw.push_back(read_drawn_range(range));
-  for (const Node& part : entries(required(table, "parts", "what is asked"), "an array of tables"))
-    problem.parts.push_back(read_part(part));
-  return problem;
+  const Node* draw = find(table, "draw");
+  return {
+      .name = text_or_none(table, "name"),
+      .text = text_or_none(table, "text"),
+      .scene = text_or_none(table, "scene"),
+      .changes = texts(table, "set"),
+      .against = texts(table, "against"),
+      .draw = each_of(draw == nullptr ? std::vector<Node>() : draw->children, read_drawn_range),
+      .parts = each_of(entries(required(table, "parts", "what is asked"), "an array of tables"), read_part)};
 }
 
 std::vector<Problem> read_problems(const Node& root, const char* key) {
@@ -88,16 +86,14 @@ std::vector<Problem> read_problems(const Node& root, const char* key) {
 CourseEntry read_course(const std::string& lesson) {
   const Node root = read_toml(shipped("studies/lessons") / "course" / (lesson + ".toml"));
   require_table(root, course_keys);
-  CourseEntry course;
   constexpr double longest = 600;
-  course.minutes = static_cast<int>(whole_number(required(root, "minutes", "a whole number"), 1, longest));
-  course.pattern = text(required(root, "pattern", "a pattern's name"));
-  course.after = texts(root, "after");
-  course.aims = texts(root, "aims");
-  course.references = texts(root, "references");
-  course.predictions = read_problems(root, "predictions");
-  course.problems = read_problems(root, "problems");
-  return course;
+  return {.aims = texts(root, "aims"),
+          .minutes = static_cast<int>(whole_number(required(root, "minutes", "a whole number"), 1, longest)),
+          .pattern = text(required(root, "pattern", "a pattern's name")),
+          .after = texts(root, "after"),
+          .references = texts(root, "references"),
+          .predictions = read_problems(root, "predictions"),
+          .problems = read_problems(root, "problems")};
 }
 
 }  // namespace rockstack
