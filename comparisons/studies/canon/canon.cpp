@@ -131,7 +131,7 @@ void judge(CanonAnswer& answer, const StepFit& fit) {
   }
 }
 
-Json json_of(const CanonAnswer& answer) {
+Json answer_json(const CanonAnswer& answer) {
   Json json{{"scene", answer.scene}, {"verdict", answer.verdict}, {"reason", answer.reason}};
   for (const char* list : {"steps_off", "amounts"}) json[list] = Json::array();
   if (answer.deviations.empty()) return json;
@@ -220,7 +220,7 @@ CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const
   CanonAnswer answer = answer_canon(suite, scene, engine, settings);
   if (answer.deviations.empty()) return answer;
   fs::create_directories(folder);
-  Json whole{{"identity", identity}, {"answer", json_of(answer)}, {"deviations", Json::array()}};
+  Json whole{{"identity", identity}, {"answer", answer_json(answer)}, {"deviations", Json::array()}};
   for (const Deviation& one : answer.deviations) whole["deviations"].push_back({one.time, one.speed, one.of});
   write_file(file, whole.dump(2) + "\n");
   return answer;
@@ -231,24 +231,24 @@ bool follows_law(const CanonAnswer& answer) {
 }
 
 std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, const std::string& command) {
-  Json json{{"title", suite.title},
-            {"command", command},
-            {"steps", canon_steps},
-            {"agreement", canon_agreement},
-            {"replicates", suite.replicates.runs},
-            {"scenes", Json::array()},
-            {"rows", Json::array()}};
-  for (const NamedScene& scene : suite.scenes)
-    json["scenes"].push_back(
-        {{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}});
-  for (const CanonRow& row : rows)
-    json["rows"].push_back(
-        {{"engine", row.engine->name},
-         {"solver", row.engine->solver},
-         {"version", row.engine->version},
-         {"settings", row.settings},
-         {"answers", each_of(row.answers, [](const CanonAnswer& answer) { return json_of(answer); })}});
-  json["environment"] = environment(each_of(rows, &CanonRow::engine));
+  const auto scene_of = [](const NamedScene& scene) {
+    return Json{{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}};
+  };
+  const auto row_of = [](const CanonRow& row) {
+    return Json{{"engine", row.engine->name},
+                {"solver", row.engine->solver},
+                {"version", row.engine->version},
+                {"settings", row.settings},
+                {"answers", each_of(row.answers, answer_json)}};
+  };
+  const Json json{{"title", suite.title},
+                  {"command", command},
+                  {"steps", canon_steps},
+                  {"agreement", canon_agreement},
+                  {"replicates", suite.replicates.runs},
+                  {"scenes", each_of(suite.scenes, scene_of)},
+                  {"rows", each_of(rows, row_of)},
+                  {"environment", environment(each_of(rows, &CanonRow::engine))}};
   return json.dump(2) + "\n";
 }
 
