@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {

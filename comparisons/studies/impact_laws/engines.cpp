@@ -6,10 +6,6 @@
 namespace rockstack {
 namespace {
 
-double largest_apart(const std::vector<double>& some, const std::vector<double>& others) {
-  return (vector_of(some) - vector_of(others)).cwiseAbs().maxCoeff();
-}
-
 std::vector<double> list_of(const Vector<double>& values) {
   return {values.begin(), values.end()};
 }
@@ -115,8 +111,11 @@ EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series,
     verdict.follows = verdict.pattern == question.disagreement.consistent ? "consistent"
                       : verdict.pattern == question.disagreement.paper    ? "paper"
                                                                           : "neither";
-    verdict.from_paper = largest_apart(verdict.rates, question.paper) / question.largest_rate;
-    verdict.from_consistent = largest_apart(verdict.rates, question.consistent) / question.largest_rate;
+    const auto off = [&](const std::vector<double>& rates) {
+      return (vector_of(verdict.rates) - vector_of(rates)).cwiseAbs().maxCoeff() / question.largest_rate;
+    };
+    verdict.from_paper = off(question.paper);
+    verdict.from_consistent = off(question.consistent);
   } catch (const std::exception& failure) {
     verdict.failure = failure.what();
   }

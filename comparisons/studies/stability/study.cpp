@@ -11,9 +11,6 @@
 namespace rockstack {
 namespace {
 
-/// A key with its values along the axis.
-using KeyValues = std::pair<std::string, std::vector<double>>;
-
 /// The stack with that many blocks: cut off, or its top block over and over.
 Scene stacked(Scene scene, std::size_t blocks) {
   const std::size_t angles = scene.initial.angles.size();
@@ -26,20 +23,20 @@ Scene stacked(Scene scene, std::size_t blocks) {
   return scene;
 }
 
-std::vector<KeyValues> read_set(const Node& axis, std::size_t count) {
-  std::vector<KeyValues> list;
+/// Keys of a scene, each an array of its values along the axis.
+const std::vector<Node>& read_set(const Node& axis, std::size_t count) {
   const Node& set = required(axis, "set", "a table of scene keys, each an array");
   if (set.kind != Node::Kind::table || set.children.empty())
     throw wrong_value(set, "a table of scene keys, each an array");
   for (const Node& child : set.children) {
-    list.push_back({child.name, numbers(child)});
-    if (list.back().second.size() != count)
+    const std::vector<double> values = numbers(child);
+    if (values.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
-    for (const double value : list.back().second)
+    for (const double value : values)
       if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
         throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
   }
-  return list;
+  return set.children;
 }
 
 StabilityAxis read_axis(const Node& axis) {
@@ -60,16 +57,17 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
                                      const std::filesystem::path& scene,
                                      const std::vector<std::string>& overrides) {
   if (!along.parameter.empty()) return {read_named_scene(scene, overrides)};
-  const std::vector<KeyValues> set = read_set(axis, along.values.size());
+  const std::vector<Node>& set = read_set(axis, along.values.size());
   std::vector<NamedScene> scenes;
   for (std::size_t i = 0; i < along.values.size(); ++i) {
     std::vector<std::string> changes = overrides;
     std::size_t blocks = 0;
-    for (const auto& [key, values] : set) {
-      if (key == "blocks")
-        blocks = static_cast<std::size_t>(values[i]);
+    for (const Node& key : set) {
+      const double value = key.children[i].number;
+      if (key.name == "blocks")
+        blocks = static_cast<std::size_t>(value);
       else
-        changes.push_back(fmt::format("{}={}", key, values[i]));
+        changes.push_back(fmt::format("{}={}", key.name, value));
     }
     scenes.push_back(read_named_scene(scene, changes));
     if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks), scenes.back().document = {};
@@ -81,9 +79,8 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
 /// Where a run lies on the axis.
 double place(const StabilityStudy& study, const RunMetrics& row) {
   if (study.axis.parameter.empty()) {
-    for (std::size_t i = 0; i < study.suite.scenes.size(); ++i)
-      if (study.suite.scenes[i].name == row.scene) return study.axis.values[i];
-    return 0;
+    const NamedScene& scene = find_scene(study.suite.scenes, row.scene);
+    return study.axis.values[static_cast<std::size_t>(&scene - study.suite.scenes.data())];
   }
   for (const EngineSeries& series : study.suite.series)
     if (series.engine->name == row.engine && series.engine->solver == row.solver &&
