@@ -43,15 +43,6 @@ int count_within(const std::vector<RunMetrics>& replicates, double error) {
       std::ranges::count_if(replicates, [&](const RunMetrics& row) { return meets(row, error); }));
 }
 
-/// Replicates about the step itself, for a trial that passes without them.
-void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
-  Suite suite = job.suite;
-  suite.replicates = request.confirming;
-  const auto replicates = make_replicates({suite, job.scene, job.dt, job.series}, all_cores()).rows;
-  trial.confirming = static_cast<int>(replicates.size());
-  trial.confirmed = count_within(replicates, request.error);
-}
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -74,7 +65,12 @@ std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
   trial.replicates += static_cast<int>(replicates.rows.size());
   trial.within += count_within(replicates.rows, request.error);
   summarise(replicates.rows, trial.row);
-  if (trial.passes()) confirm(job, request, trial);
+  if (!trial.passes()) return trial;
+  Suite about_the_step = job.suite;
+  about_the_step.replicates = request.confirming;
+  const auto confirming = make_replicates({about_the_step, job.scene, job.dt, job.series}, all_cores()).rows;
+  trial.confirming = static_cast<int>(confirming.size());
+  trial.confirmed = count_within(confirming, request.error);
   return trial;
 }
 

@@ -172,28 +172,25 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
 }
 
 std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows) {
-  struct Solver {
-    LargestSteps steps;
-    std::map<double, Soundness> by_step;
-  };
-  std::vector<Solver> solvers;
+  std::vector<std::pair<LargestSteps, std::map<double, Soundness>>> solvers;
   for (const StabilityRun& run : rows) {
     if (!run.row.dt) continue;
     const LargestSteps own{run.row.engine, run.row.solver, run.row.settings, run.value};
-    const auto is = [&](const Solver& known) { return known.steps == own; };
-    found_or_added(solvers, is, {own, {}}).by_step[*run.row.dt] = run.verdict.soundness;
+    const auto is = [&](const auto& known) { return known.first == own; };
+    found_or_added(solvers, is, {own, {}}).second[*run.row.dt] = run.verdict.soundness;
   }
-  return each_of(solvers, [](const Solver& solver) {
-    LargestSteps steps = solver.steps;
+  std::vector<LargestSteps> list;
+  for (auto& [steps, by_step] : solvers) {
     bool sound = true;
-    for (const auto& [dt, soundness] : solver.by_step) {
+    for (const auto& [dt, soundness] : by_step) {
       if (soundness > Soundness::inexact) break;
       steps.stable = dt;
       sound = sound && soundness == Soundness::sound;
       if (sound) steps.sound = dt;
     }
-    return steps;
-  });
+    list.push_back(steps);
+  }
+  return list;
 }
 
 std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::filesystem::path& folder,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -28,6 +29,7 @@ struct Variation {
   std::string place;                         ///< file:line of the table
 
   const std::string& name() const { return keys.front(); }
+  bool has(const std::string& key) const { return std::ranges::find(keys, key) != keys.end(); }
 };
 
 /// One direction of the grid: variations that take their values in step.

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
@@ -51,13 +49,11 @@ void add_to_axes(Ensemble& ensemble, const Node& table) {
 }
 
 void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
-  std::vector<std::string> taken;
-  for (const Variation& other : ensemble.variations)
-    taken.insert(taken.end(), other.keys.begin(), other.keys.end());
   for (const std::string& key : variation.keys) {
-    if (std::ranges::find(taken, key) != taken.end())
+    const auto has = [&](const Variation& other) { return other.has(key); };
+    const bool again = &*std::ranges::find(variation.keys, key) != &key;
+    if (again || std::ranges::any_of(ensemble.variations, has))
       throw InputError(fmt::format("{}: key = {}: must be varied only once", variation.place, one_line(key)));
-    taken.push_back(key);
   }
 }
 
@@ -77,7 +73,7 @@ void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& 
     std::string key = each.substr(0, each.find('='));
     std::erase(key, ' ');
     for (const Variation& variation : ensemble.variations)
-      if (std::ranges::find(variation.keys, key) != variation.keys.end())
+      if (variation.has(key))
         throw InputError(fmt::format("--set {}: must be a key that is not varied, as {} does", one_line(each),
                                      variation.place));
   }
@@ -109,8 +105,7 @@ std::string read_axis_name(const Node& node, const Ensemble& ensemble) {
   for (const Variation& variation : ensemble.variations) {
     const bool numbers = std::ranges::all_of(
         variation.values, [](const Value& value) { return value.node.kind == Node::Kind::number; });
-    const auto& keys = variation.keys;
-    if (std::ranges::find(keys, text(node)) != keys.end() && numbers) return variation.name();
+    if (variation.has(text(node)) && numbers) return variation.name();
   }
   throw wrong_value(node, "a key that is varied over numbers");
 }

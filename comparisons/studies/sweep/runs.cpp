@@ -133,7 +133,9 @@ std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ens
   return columns;
 }
 
-std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library) {
+std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
+  const std::size_t runs = run_count(ensemble), first = block * block_size(runs),
+                    last = std::min(runs, first + block_size(runs));
   std::vector<CsvWriter> lines(last - first);
   const std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
   make_runs(ensemble, first, last, library, [&](const RunResult& result) {

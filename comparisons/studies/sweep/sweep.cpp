@@ -1,6 +1,7 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
 #include "analytic/scene/input/page_scene.hpp"
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
@@ -18,8 +19,8 @@ Json description(const Ensemble& ensemble) {
             {"runs", run_count(ensemble)},
             {"samples", ensemble.samples},
             {"seed", ensemble.seed},
-            {"scene", page_scene(ensemble.base.root)}};
-  for (const Variation& variation : ensemble.variations) json["vary"].push_back(json_of(variation));
+            {"scene", page_scene(ensemble.base.root)},
+            {"vary", each_of(ensemble.variations, json_of)}};
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
   json["summary"] = {{"intensity", ensemble.summary.intensity},
                      {"period", ensemble.summary.period},
@@ -55,12 +56,6 @@ std::size_t block_size(std::size_t runs) {
   constexpr std::size_t smallest = 32;  // enough to be solved side by side
   constexpr std::size_t largest = 256, fewest_blocks = 64;
   return std::clamp(runs / fewest_blocks, smallest, largest);
-}
-
-std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
-  const std::size_t runs = run_count(ensemble);
-  const std::size_t first = block * block_size(runs);
-  return run_lines(ensemble, first, first + length_of(block, runs), library);
 }
 
 SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
