@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <Eigen/Core>
+
 #include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {

@@ -134,20 +134,17 @@ void try_values(const Ensemble& ensemble, MotionLibrary& library) {
   for (const Variation& variation : ensemble.variations)
     set_values(document, variation, typical_value(variation));
   make_scene(document, library);
-  const auto set = [&](const Axis& axis, std::size_t i) {
+  const auto try_value = [&](const Axis& axis, std::size_t i) {
     for (const std::size_t v : axis.variations)
       set_values(document, ensemble.variations[v], ensemble.variations[v].values[i]);
+    make_scene(document, library);
   };
   for (const Axis& axis : ensemble.axes) {
     constexpr std::size_t most_tried = 1000;
     const std::size_t stride = 1 + axis.length / most_tried;
-    for (std::size_t i = 0; i < axis.length; i += stride) {
-      set(axis, i);
-      make_scene(document, library);
-    }
-    set(axis, axis.length - 1);
-    make_scene(document, library);
-    set(axis, 0);
+    for (std::size_t i = 0; i < axis.length; i += stride) try_value(axis, i);
+    try_value(axis, axis.length - 1);
+    try_value(axis, 0);  // for the axes that follow
   }
 }
 
