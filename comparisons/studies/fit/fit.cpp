@@ -54,8 +54,6 @@ struct Shares {
 struct Place {
   VectorXd shares;
   double sum = 0;  ///< of the squares of the residuals
-
-  bool operator<(const Place& other) const { return sum < other.sum; }
 };
 
 /// The best places of a grid, the middles of equal parts of each range.
@@ -230,8 +228,8 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
   const FittedScene fitted(document, measured, parameters, result.horizon);
   const Shares shares{fitted};
   std::vector<Place> places = best_places(shares);
-  for (Place& place : places) place = std::min(place, refined(shares, place));
-  const Place& best = *std::min_element(places.begin(), places.end());
+  for (Place& place : places) place = std::ranges::min(place, refined(shares, place), {}, &Place::sum);
+  const Place& best = *std::ranges::min_element(places, {}, &Place::sum);
   const Values values = shares.at(best.shares);
   const VectorXd residuals = fitted.residuals(values);
   const Index count = residuals.size(), free = count - shares.inputs();
