@@ -53,6 +53,19 @@ std::size_t length_of(std::size_t block, std::size_t runs) {
   return std::min(block_size(runs), runs - block * block_size(runs));
 }
 
+/// All columns of runs.csv and what they mean: the run's number, a column a variation, then what came out.
+std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble) {
+  std::vector<std::pair<std::string, std::string>> columns{{"run", "number of the run, from 0"}};
+  for (const Variation& variation : ensemble.variations) {
+    std::string meaning = "scene key";
+    for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
+    columns.emplace_back(variation.name(), meaning);
+  }
+  for (const OutcomeColumn& column : outcome_columns(ensemble))
+    columns.emplace_back(column.name, column.meaning);
+  return columns;
+}
+
 /// All that is needed to make the runs again, and what the columns mean.
 Json description(const Ensemble& ensemble) {
   Json json{{"title", ensemble.title},
@@ -166,24 +179,11 @@ std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble) {
   return columns;
 }
 
-std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble) {
-  std::vector<std::pair<std::string, std::string>> columns{{"run", "number of the run, from 0"}};
-  for (const Variation& variation : ensemble.variations) {
-    std::string meaning = "scene key";
-    for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
-    columns.emplace_back(variation.name(), meaning);
-  }
-  for (const OutcomeColumn& column : outcome_columns(ensemble))
-    columns.emplace_back(column.name, column.meaning);
-  return columns;
-}
-
 std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
-  const std::size_t runs = run_count(ensemble), first = block * block_size(runs),
-                    last = std::min(runs, first + block_size(runs));
-  std::vector<CsvWriter> lines(last - first);
+  const std::size_t runs = run_count(ensemble), first = block * block_size(runs);
+  std::vector<CsvWriter> lines(length_of(block, runs));
   const std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
-  make_runs(ensemble, first, last, library, [&](const RunResult& result) {
+  make_runs(ensemble, first, first + lines.size(), library, [&](const RunResult& result) {
     CsvWriter& line = lines[result.run - first];
     line.add(result.run);
     for (const Value& value : result.values) line.add(value.text);

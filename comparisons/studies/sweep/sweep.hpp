@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -43,9 +42,6 @@ struct OutcomeColumn {
 
 /// In the order of runs.csv.
 std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble);
-
-/// All columns of runs.csv and what they mean: the run's number, a column a variation, then what came out.
-std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble);
 
 /// Writes the summaries that an ensemble asks for, from DIR/runs.csv alone. Runs that failed are counted and
 /// left out.
