@@ -48,9 +48,8 @@ double gap_difference(const History& exact, const History& engine) {
 
 /// Of the flattest turn: a corner falls freely for one step, rad/s.
 double slowest_turn(const Scene& scene) {
-  double widest = 0;
-  for (const Block& block : scene.blocks) widest = std::max(widest, 2 * block.half_width);
-  return scene.gravity * usual_step / widest;
+  const Block& widest = *std::ranges::max_element(scene.blocks, {}, &Block::half_width);
+  return scene.gravity * usual_step / (2 * widest.half_width);
 }
 
 /// Replicates use all cores. @throws whatever kept the engine from answering.

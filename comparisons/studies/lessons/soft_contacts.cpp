@@ -38,18 +38,16 @@ struct Choice {
   Parameters changes;
 };
 
-std::vector<Choice> choices() {
-  return {
-      {"ode", "default", "ODE, default: ERP 0.2", {}},
-      {"ode", "default", "ODE, ERP 0.8", {{"erp", 0.8}}},
-      {"ode", "default", "ODE, ERP 0.05", {{"erp", 0.05}}},
-      {"ode", "tuned", "ODE, tuned: ERP 0.01", {}},
-      {"ode", "default", "ODE, ERP 0.2, CFM 1e-5", {{"cfm", 1e-5}}},
-      {"bullet", "default", "Bullet, default: ERP 0.2, split impulse deeper than 0.04 m", {}},
-      {"bullet", "default", "Bullet, ERP 0.8", {{"erp2", 0.8}}},
-      {"bullet", "default", "Bullet, split impulse at any depth", {{"splitImpulsePenetrationThreshold", 0}}},
-      {"bullet", "tuned", "Bullet, tuned", {}}};
-}
+const std::vector<Choice> contact_choices{
+    {"ode", "default", "ODE, default: ERP 0.2", {}},
+    {"ode", "default", "ODE, ERP 0.8", {{"erp", 0.8}}},
+    {"ode", "default", "ODE, ERP 0.05", {{"erp", 0.05}}},
+    {"ode", "tuned", "ODE, tuned: ERP 0.01", {}},
+    {"ode", "default", "ODE, ERP 0.2, CFM 1e-5", {{"cfm", 1e-5}}},
+    {"bullet", "default", "Bullet, default: ERP 0.2, split impulse deeper than 0.04 m", {}},
+    {"bullet", "default", "Bullet, ERP 0.8", {{"erp2", 0.8}}},
+    {"bullet", "default", "Bullet, split impulse at any depth", {{"splitImpulsePenetrationThreshold", 0}}},
+    {"bullet", "tuned", "Bullet, tuned", {}}};
 
 /// "0.063 (0.006 to 0.17)", two digits of each.
 std::string spread(const std::vector<double>& values) {
@@ -183,7 +181,7 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   const auto every = falls(scene);
   Table table{{"engine and parameters", "speed after / before: median", "least", "most"}};
   std::vector<std::vector<double>> bounces;
-  for (const auto& [engine, settings, label, changes] : choices()) {
+  for (const auto& [engine, settings, label, changes] : contact_choices) {
     std::vector<double>& list = bounces.emplace_back();
     for (const auto& [fall, its_landing] : every)
       list.push_back(rebound(answer(engine, fall, contact_step, changes, settings), its_landing));

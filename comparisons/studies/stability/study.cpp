@@ -59,8 +59,7 @@ std::string first_beyond(std::initializer_list<Check> checks) {
 
 /// The stack with that many blocks: cut off, or its top block over and over.
 Scene stacked(Scene scene, std::size_t blocks) {
-  const std::size_t angles = scene.initial.angles.size();
-  const double angle = angles > 0 ? scene.initial.angles.back() : 0;
+  const double angle = scene.initial.angles.empty() ? 0 : scene.initial.angles.back();
   const double velocity = scene.initial.velocities.empty() ? 0 : scene.initial.velocities.back();
   scene.blocks.resize(blocks, scene.blocks.back());
   scene.initial.angles.resize(blocks, angle);

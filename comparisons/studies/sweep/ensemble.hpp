@@ -50,7 +50,6 @@ struct SummaryKeys {
 /// `samples` runs with values drawn anew. Runs are numbered from 0; samples go fastest, then the last axis.
 struct Ensemble {
   std::string title;
-  std::filesystem::path file;
   SceneDocument base;
   std::vector<Variation> variations;
   std::vector<Axis> axes;

@@ -57,10 +57,10 @@ void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
   }
 }
 
-void read_variations(Ensemble& ensemble, const Node& root) {
+void read_variations(Ensemble& ensemble, const Node& root, const std::filesystem::path& folder) {
   const Node& tables = required(root, "vary", "at least one table [[vary]]");
   for (const Node& table : entries(tables, "an array of tables, [[vary]]")) {
-    Variation variation = read_variation(table, ensemble.file.parent_path());
+    Variation variation = read_variation(table, folder);
     require_new_keys(ensemble, variation);
     ensemble.variations.push_back(std::move(variation));
     add_to_axes(ensemble, table);
@@ -159,7 +159,6 @@ Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
                        const std::vector<std::string>& overrides, MotionLibrary& library) {
   require_table(root, ensemble_keys);
   Ensemble ensemble;
-  ensemble.file = file;
   ensemble.title = text(required(root, "title", "a text"));
   ensemble.base = read_base(required(root, "scene", "a scene file, or a table that is a scene"),
                             file.parent_path(), ensemble.title, overrides);
@@ -170,7 +169,7 @@ Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
   }
   if (const Node* demands = find(root, "demands"))
     ensemble.demands = choice<bool>(*demands, {{"kept", true}, {"none", false}});
-  read_variations(ensemble, root);
+  read_variations(ensemble, root, file.parent_path());
   require_unvaried(ensemble, overrides);
   read_drawing(ensemble, root);
   read_summary(ensemble, root);
