@@ -107,9 +107,8 @@ Json row_json(const RowChange& row) {
 }  // namespace
 
 Turn RowChange::worst() const {
-  Turn worst = Turn::none;
-  for (const QuantityChange& change : quantities) worst = std::max(worst, change.turn);
-  return worst;
+  return quantities.empty() ? Turn::none
+                            : std::ranges::max_element(quantities, {}, &QuantityChange::turn)->turn;
 }
 
 bool ResultsChange::worse() const {
@@ -189,11 +188,9 @@ std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {
   for (const RowChange& row : result.rows)
     for (const QuantityChange& change : row.quantities)
       if (change.turn != Turn::none) turned.push_back({&row, &change});
-  const auto rank = [](const TurnedNumber& number) {
+  std::ranges::stable_sort(turned, std::greater{}, [](const TurnedNumber& number) {
     return std::tuple(number.change->turn, std::abs(std::log(std::abs(number.ratio()))));
-  };
-  std::ranges::stable_sort(turned,
-                           [&](const TurnedNumber& a, const TurnedNumber& b) { return rank(a) > rank(b); });
+  });
   return turned;
 }
 

@@ -138,7 +138,7 @@ std::string name(const ImpactKind& kind) {
 std::vector<ImpactKind> impact_kinds(int blocks) {
   const Impact<double> standing{{closed_pattern(blocks), {}, {}}, {}};
   std::vector<Pattern> all = candidates(standing.before.pattern, standing.touching());
-  std::ranges::sort(all, [](const Pattern& a, const Pattern& b) { return a.contacts < b.contacts; });
+  std::ranges::sort(all, {}, &Pattern::contacts);
   std::vector<ImpactKind> kinds;
   for (const Pattern& pattern : all) {
     int lowest = 0;
