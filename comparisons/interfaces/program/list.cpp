@@ -8,7 +8,7 @@
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/stability/study.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/measures/results/build.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 #include "engines/worker/installation.hpp"

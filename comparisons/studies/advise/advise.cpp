@@ -1,8 +1,12 @@
 #include "comparisons/studies/advise/advise.hpp"
 
+#include <fmt/format.h>
+
 #include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/measure.hpp"
@@ -39,15 +43,6 @@ int count_within(const std::vector<RunMetrics>& replicates, double error) {
       std::ranges::count_if(replicates, [&](const RunMetrics& row) { return meets(row, error); }));
 }
 
-/// Replicates about the step itself, for a trial that passes without them.
-void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
-  Suite suite = job.suite;
-  suite.replicates = request.confirming;
-  const auto replicates = make_replicates({suite, job.scene, job.dt, job.series}, all_cores()).rows;
-  trial.confirming = static_cast<int>(replicates.size());
-  trial.confirmed = count_within(replicates, request.error);
-}
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -70,7 +65,12 @@ std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
   trial.replicates += static_cast<int>(replicates.rows.size());
   trial.within += count_within(replicates.rows, request.error);
   summarise(replicates.rows, trial.row);
-  if (trial.passes()) confirm(job, request, trial);
+  if (!trial.passes()) return trial;
+  Suite about_the_step = job.suite;
+  about_the_step.replicates = request.confirming;
+  const auto confirming = make_replicates({about_the_step, job.scene, job.dt, job.series}, all_cores()).rows;
+  trial.confirming = static_cast<int>(confirming.size());
+  trial.confirmed = count_within(confirming, request.error);
   return trial;
 }
 
@@ -119,7 +119,11 @@ std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene
   return exact.empty() ? std::vector<DistributionDistance>{} : distances(exact, other);
 }
 
-Json json_of(const Trial& trial) {
+Json untried_json(const Untried& one) {
+  return {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}};
+}
+
+Json trial_json(const Trial& trial) {
   Json cells = trial.row;
   cells["draws_tried"] = trial.replicates;
   cells["draws_within"] = trial.within;
@@ -127,6 +131,25 @@ Json json_of(const Trial& trial) {
   cells["confirming_draws_within"] = trial.confirmed;
   cells["passes"] = trial.passes();
   return cells;
+}
+
+std::optional<double> distance_of(const Trial& trial) {
+  return std::max(trial.row.largest_angle_difference, trial.row.relative_position_difference);
+}
+
+std::string solver_at_step(const Trial& trial) {
+  return fmt::format("{}:{} at {}", trial.row.engine, trial.row.solver,
+                     quantity_text(trial.row.dt.value_or(0), "s"));
+}
+
+/// Which trial came nearest; nothing where none has numbers.
+std::string nearest(const std::vector<Trial>& trials) {
+  const Trial* best = nullptr;
+  for (const Trial& trial : trials)
+    if (distance_of(trial) && (best == nullptr || *distance_of(trial) < *distance_of(*best))) best = &trial;
+  return best == nullptr
+             ? ""
+             : fmt::format(" The nearest is {}, off by {:.2g}.", solver_at_step(*best), *distance_of(*best));
 }
 
 }  // namespace
@@ -203,6 +226,34 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
   return advice;
 }
 
+std::vector<std::string> advice_sentences(const AdviceRequest& request, const Advice& advice,
+                                          double duration) {
+  std::vector<std::string> sentences;
+  const std::string error =
+      fmt::format("{} of the exact angles and {:g} % of the least block height of the exact centres",
+                  quantity_text(request.error, "rad"), 100 * request.error);
+  if (advice.pick < 0) {
+    sentences.push_back(
+        fmt::format("No solver stays within {}, at a step that was tried.{}", error, nearest(advice.trials)));
+  } else {
+    const Trial& pick = advice.trials[static_cast<std::size_t>(advice.pick)];
+    sentences.push_back(
+        fmt::format("Take {} with tuned settings: of all that was tried the cheapest that stays within {}.",
+                    solver_at_step(pick), error));
+    sentences.push_back(fmt::format("{} of {} replicates at nearby steps are within; nine of ten must be.",
+                                    pick.within + pick.confirmed, pick.replicates + pick.confirming));
+  }
+  if (advice.predictable_time < duration)
+    sentences.push_back(
+        fmt::format("This holds until {:.4g} s, the horizon of predictability.", advice.predictable_time));
+  const auto untried = each_of(advice.untried, [](const Untried& one) { return one.engine->full_name(); });
+  if (!untried.empty())
+    sentences.push_back(
+        fmt::format("In {:g} s the search has not come to smaller steps of {}; --within gives it more.",
+                    request.within, joined_up_to(2, untried)));
+  return sentences;
+}
+
 Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Advice& advice,
                  const std::string& command) {
   Json json{{"title", scene.scene.title},
@@ -212,12 +263,9 @@ Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Ad
             {"duration", scene.scene.duration},
             {"predictable_time", advice.predictable_time},
             {"pick", nullptr},
-            {"untried", Json::array()},
+            {"untried", each_of(advice.untried, untried_json)},
             {"beyond", advice.beyond},
-            {"trials", each_of(advice.trials, [](const Trial& trial) { return json_of(trial); })}};
-  for (const Untried& one : advice.untried)
-    json["untried"].push_back(
-        {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
+            {"trials", each_of(advice.trials, trial_json)}};
   if (advice.pick >= 0) json["pick"] = json["trials"][static_cast<std::size_t>(advice.pick)];
   json["environment"] = environment(request.engines);
   json["command"] = command;

@@ -64,9 +64,8 @@ struct Advice {
 /// What is told of a search while it goes on.
 struct AdviceListener {
   /// A trial that is begun: of which series, at which step, s, and how long the search has taken, s.
-  std::function<void(const EngineSeries&, double dt, double elapsed)> begin = [](const EngineSeries&, double,
-                                                                                 double) {};
-  std::function<void(const Trial&)> trial = [](const Trial&) {};  ///< that is done
+  std::function<void(const EngineSeries&, double dt, double elapsed)> begin = [](auto&&...) {};
+  std::function<void(const Trial&)> trial = [](auto&&...) {};  ///< that is done
 };
 
 /// True where a run is done, topples as the exact solution does, and stays within the error by angles and

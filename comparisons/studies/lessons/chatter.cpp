@@ -44,8 +44,7 @@ Table flights(const Chatter& chatter) {
 }
 
 Table seen_by_engines(const Scene& scene, std::size_t exact) {
-  Table table{{"solver", "step (s)", "impacts seen"}};
-  table.rows.push_back({"exact, event by event", "", std::to_string(exact)});
+  Table table{{"solver", "step (s)", "impacts seen"}, {{"exact, event by event", "", std::to_string(exact)}}};
   for (const char* engine : {"bullet", "ode"})
     for (const double dt : {1e-2, 1e-3, 1e-4})
       table.rows.push_back(

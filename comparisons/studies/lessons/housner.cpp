@@ -1,4 +1,5 @@
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 
@@ -73,7 +74,10 @@ LessonValues housner_values(const Suite& suite, const std::vector<RunMetrics>& r
   const ImpactEnergies energies = impact_energies(scene, landing);
   const double share = scene.initial.angles.front() / c.alpha;
   const RunMetrics &bullet = find_run(rows, "bullet", 1e-3), &ode = find_run(rows, "ode", 1e-3);
-  const double stored = energy_above_rest(scene, landing.from, scene.initial.angles, {0});
+  const Model<double> model = make_model<double>(scene);
+  const Vector<double> none = Vector<double>::Zero(1);
+  const double stored = energy(model, State<double>{landing.from, vector_of(scene.initial.angles), none}) -
+                        energy(model, State<double>{closed_pattern(1), none, none});
   return {.numbers = {{"alpha", fixed(c.alpha, 4)},
                       {"R", fixed(c.R, 4)},
                       {"p", fixed(c.p, 4)},

@@ -11,10 +11,10 @@ namespace rockstack {
 namespace {
 
 /// Velocities of centres and rotations in a pattern, at absolute angles.
-Motion<double> motion_of(const Stack<double>& stack, const Pattern& pattern, const Event& event,
-                         const std::vector<double>& velocities) {
+Motion<double> motion_of(const Stack<double>& stack, const Pattern& pattern,
+                         const std::vector<double>& angles, const std::vector<double>& velocities) {
   const Vector<double> rates = vector_of(velocities);
-  return {centre_velocities(make_chain(stack, pattern, vector_of(event.angles)), rates), rates};
+  return {centre_velocities(make_chain(stack, pattern, vector_of(angles)), rates), rates};
 }
 
 double kinetic_energy(const Stack<double>& stack, const Motion<double>& motion) {
@@ -24,11 +24,6 @@ double kinetic_energy(const Stack<double>& stack, const Motion<double>& motion) 
             stack.inertia[k] * motion.rotation[k] * motion.rotation[k]) /
            2;
   return sum;
-}
-
-State<double> state_of(const Pattern& pattern, const std::vector<double>& angles,
-                       const std::vector<double>& velocities) {
-  return {pattern, relative(vector_of(angles)), relative(vector_of(velocities))};
 }
 
 double about_corner(const Block& block) {
@@ -41,9 +36,7 @@ double energy_after(const Scene& scene, double base, double top) {
   const Stack<double> stack = make_stack<double>(scene);
   Pattern pattern = closed_pattern(2);
   pattern[0] = pattern[1] = Contact::left;
-  Vector<double> rates(2), angles = Vector<double>::Zero(2);
-  rates << base, top;
-  return kinetic_energy(stack, {centre_velocities(make_chain(stack, pattern, angles), rates), rates});
+  return kinetic_energy(stack, motion_of(stack, pattern, {0, 0}, {base, top}));
 }
 
 /// The centre of a uniform block that leans to the right, from the corner that it leans on, m.
@@ -61,27 +54,20 @@ double first_failure_time(const ContactNeed& need) {
 
 ImpactEnergies impact_energies(const Scene& scene, const Event& impact) {
   const Stack<double> stack = make_stack<double>(scene);
-  const Motion<double> before = motion_of(stack, impact.from, impact, impact.before);
-  const Motion<double> after = motion_of(stack, impact.to, impact, impact.after);
+  const Motion<double> before = motion_of(stack, impact.from, impact.angles, impact.before);
+  const Motion<double> after = motion_of(stack, impact.to, impact.angles, impact.after);
   const Motion<double> jump{after.centre - before.centre, after.rotation - before.rotation};
   return {kinetic_energy(stack, before), kinetic_energy(stack, after), kinetic_energy(stack, jump)};
 }
 
 Impact<double> impact_of(const Event& event) {
-  Impact<double> impact{state_of(event.from, event.angles, event.before), {}};
+  Impact<double> impact{{event.from, relative(vector_of(event.angles)), relative(vector_of(event.before))},
+                        {}};
   impact.impacting.set(static_cast<std::size_t>(event.interface) - 1);
   for (int k = 0; k < event.from.size; ++k)
     if (event.from[k] == Contact::closed) impact.before.angles[k] = impact.before.velocities[k] = 0;
   impact.before.angles[event.interface - 1] = 0;
   return impact;
-}
-
-double energy_above_rest(const Scene& scene, const Pattern& pattern, const std::vector<double>& angles,
-                         const std::vector<double>& velocities) {
-  const Model<double> model = make_model<double>(scene);
-  const std::vector<double> none(angles.size(), 0);
-  return energy(model, state_of(pattern, angles, velocities)) -
-         energy(model, state_of(closed_pattern(pattern.size), none, none));
 }
 
 Landing land(const Scene& scene, const Misprints& misprints) {

@@ -25,11 +25,6 @@ ImpactEnergies impact_energies(const Scene& scene, const Event& impact);
 /// The state just before an impact, with its gaps closed.
 Impact<double> impact_of(const Event& event);
 
-/// Kinetic energy and height times weight at a state of absolute angles and velocities, less that of the
-/// stack at rest, J.
-double energy_above_rest(const Scene& scene, const Pattern& pattern, const std::vector<double>& angles,
-                         const std::vector<double>& velocities);
-
 // Two blocks that turn as one body and land on the ground: pattern 3a becomes 1b. Spanos et al. 2001,
 // Eqs. (126)–(140). The print has the base's inertias where the top block's belong, in Eqs. (137) and (138).
 

@@ -105,19 +105,17 @@ Table partings(const std::vector<double>& times,
   return table;
 }
 
-/// Peaks of the top block over many earthquakes, in the order of the seeds.
-struct Peaks {
-  std::vector<double> exact, changed, bullet, ode;
-};
+/// Of the top block over many earthquakes, in the order of the seeds, by what gives them.
+using Peaks = std::map<std::string, std::vector<double>>;
 
 Peaks peaks_over_seeds(const NamedScene& named) {
   Peaks peaks;
   for (int seed = 1; seed <= seeds; ++seed) {
     const Scene scene = read_shipped(named.name, {fmt::format("ground.horizontal.synthetic={}", seed)});
-    peaks.exact.push_back(solve(scene, {.peaks = true}).peaks[1]);
-    peaks.changed.push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
-    peaks.bullet.push_back(peak_angles(answer("bullet", scene, engine_step))[1]);
-    peaks.ode.push_back(peak_angles(answer("ode", scene, engine_step))[1]);
+    peaks["exact"].push_back(solve(scene, {.peaks = true}).peaks[1]);
+    peaks["changed"].push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
+    for (const char* engine : {"bullet", "ode"})
+      peaks[engine].push_back(peak_angles(answer(engine, scene, engine_step))[1]);
   }
   return peaks;
 }
@@ -126,8 +124,8 @@ Table quantiles(const Peaks& peaks) {
   Table table{
       {"share of earthquakes below", "exact: largest |θ₂| (rad)", "Bullet, 1 ms (rad)", "ODE, 1 ms (rad)"}};
   for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9})
-    table.rows.push_back({cell(share), cell(quantile(peaks.exact, share)),
-                          cell(quantile(peaks.bullet, share)), cell(quantile(peaks.ode, share))});
+    table.rows.push_back({cell(share), cell(quantile(peaks.at("exact"), share)),
+                          cell(quantile(peaks.at("bullet"), share)), cell(quantile(peaks.at("ode"), share))});
   return table;
 }
 
@@ -138,8 +136,8 @@ std::string agreement(const RunMetrics& row) {
                      to_horizon ? ", the horizon, at least" : "");
 }
 
-void add_engine(const std::string& name, const std::vector<double>& exact, const std::vector<double>& engine,
-                LessonValues& values) {
+void add_engine(const std::string& name, const Peaks& peaks, LessonValues& values) {
+  const std::vector<double>&exact = peaks.at("exact"), &engine = peaks.at(name);
   std::vector<double> apart;
   for (std::size_t i = 0; i < exact.size(); ++i) apart.push_back(std::abs(engine[i] - exact[i]) / exact[i]);
   const KolmogorovSmirnov test = kolmogorov_smirnov(exact, engine);
@@ -161,7 +159,7 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
   const double parted_at = parting(exact.times, seen, parted);
   const Growth line = growth(exact.times, unseen);
   const Peaks peaks = peaks_over_seeds(named);
-  const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.exact, peaks.changed);
+  const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.at("exact"), peaks.at("changed"));
   LessonValues values;
   values.numbers = {{"change", power(change, 0)},
                     {"small", power(unseen_change, 0)},
@@ -179,8 +177,7 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
                     {"changed_distance", fixed(changed_test.distance, 3)},
                     {"critical", fixed(changed_test.critical, 3)}};
   values.numbers.merge(paths(exact, changed, unseen, line));
-  add_engine("bullet", peaks.exact, peaks.bullet, values);
-  add_engine("ode", peaks.exact, peaks.ode, values);
+  for (const char* engine : {"bullet", "ode"}) add_engine(engine, peaks, values);
   values.tables = {
       {"partings",
        partings(exact.times, {{"exact, ground changed by 1e-9 (s)", unseen},

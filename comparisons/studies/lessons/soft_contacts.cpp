@@ -21,17 +21,12 @@ double rebound(const History& history, const Event& landing) {
   return most / std::abs(landing.before[0]);
 }
 
-/// One fall: the scene with its tilt, and the landing of its exact motion.
-struct Fall {
-  Scene scene;
-  Event landing;
-};
-
-std::vector<Fall> falls(Scene scene) {
-  std::vector<Fall> list;
+/// Falls from several tilts, each with the landing of its exact motion.
+std::vector<std::pair<Scene, Event>> falls(Scene scene) {
+  std::vector<std::pair<Scene, Event>> list;
   for (int i = 0; i < heights; ++i) {
     scene.initial.angles = {least_tilt + (most_tilt - least_tilt) * i / (heights - 1)};
-    list.push_back({scene, *first_event(exact_answer(scene), EventKind::impact)});
+    list.emplace_back(scene, *first_event(exact_answer(scene), EventKind::impact));
   }
   return list;
 }
@@ -43,18 +38,16 @@ struct Choice {
   Parameters changes;
 };
 
-std::vector<Choice> choices() {
-  return {
-      {"ode", "default", "ODE, default: ERP 0.2", {}},
-      {"ode", "default", "ODE, ERP 0.8", {{"erp", 0.8}}},
-      {"ode", "default", "ODE, ERP 0.05", {{"erp", 0.05}}},
-      {"ode", "tuned", "ODE, tuned: ERP 0.01", {}},
-      {"ode", "default", "ODE, ERP 0.2, CFM 1e-5", {{"cfm", 1e-5}}},
-      {"bullet", "default", "Bullet, default: ERP 0.2, split impulse deeper than 0.04 m", {}},
-      {"bullet", "default", "Bullet, ERP 0.8", {{"erp2", 0.8}}},
-      {"bullet", "default", "Bullet, split impulse at any depth", {{"splitImpulsePenetrationThreshold", 0}}},
-      {"bullet", "tuned", "Bullet, tuned", {}}};
-}
+const std::vector<Choice> contact_choices{
+    {"ode", "default", "ODE, default: ERP 0.2", {}},
+    {"ode", "default", "ODE, ERP 0.8", {{"erp", 0.8}}},
+    {"ode", "default", "ODE, ERP 0.05", {{"erp", 0.05}}},
+    {"ode", "tuned", "ODE, tuned: ERP 0.01", {}},
+    {"ode", "default", "ODE, ERP 0.2, CFM 1e-5", {{"cfm", 1e-5}}},
+    {"bullet", "default", "Bullet, default: ERP 0.2, split impulse deeper than 0.04 m", {}},
+    {"bullet", "default", "Bullet, ERP 0.8", {{"erp2", 0.8}}},
+    {"bullet", "default", "Bullet, split impulse at any depth", {{"splitImpulsePenetrationThreshold", 0}}},
+    {"bullet", "tuned", "Bullet, tuned", {}}};
 
 /// "0.063 (0.006 to 0.17)", two digits of each.
 std::string spread(const std::vector<double>& values) {
@@ -145,12 +138,6 @@ double speed_back(const History& history) {
   return back / down;
 }
 
-/// ODE on that spring: two points bear a corner.
-double speed_back_in_ode(const Scene& scene, const CornerSpring& corner, double dt) {
-  const Parameters spring{{"contactStiffness", corner.stiffness / 2}, {"contactDamping", corner.damping / 2}};
-  return speed_back(answer("ode", scene, dt, spring, "default"));
-}
-
 /// Landings on springs of one stiffness, from undamped to more than critically damped. Without friction
 /// nothing else is in the contact.
 Table damped_landings(Scene scene) {
@@ -160,9 +147,12 @@ Table damped_landings(Scene scene) {
     const CornerSpring corner{lesson_stiffness,
                               ratio / damping_ratio({lesson_stiffness, 1}, scene.blocks.front())};
     const History exact = exact_answer(with_springs(scene, scene.friction, corner), 1e-4);
+    // Two points bear a corner.
+    const Parameters spring{{"contactStiffness", corner.stiffness / 2},
+                            {"contactDamping", corner.damping / 2}};
+    const auto in_ode = [&](double dt) { return speed_back(answer("ode", scene, dt, spring, "default")); };
     table.rows.push_back({cell(ratio), fixed(restitution_of(ratio), 3), fixed(speed_back(exact), 3),
-                          fixed(speed_back_in_ode(scene, corner, 1e-3), 3),
-                          fixed(speed_back_in_ode(scene, corner, 1e-4), 3)});
+                          fixed(in_ode(1e-3), 3), fixed(in_ode(1e-4), 3)});
   }
   return table;
 }
@@ -188,13 +178,13 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   const Event landing = *first_event(exact_answer(scene), EventKind::impact);
   const Block& block = scene.blocks.front();
   const double alpha = std::atan2(block.half_width, block.half_height);
-  const std::vector<Fall> every = falls(scene);
+  const auto every = falls(scene);
   Table table{{"engine and parameters", "speed after / before: median", "least", "most"}};
   std::vector<std::vector<double>> bounces;
-  for (const auto& [engine, settings, label, changes] : choices()) {
+  for (const auto& [engine, settings, label, changes] : contact_choices) {
     std::vector<double>& list = bounces.emplace_back();
-    for (const Fall& fall : every)
-      list.push_back(rebound(answer(engine, fall.scene, contact_step, changes, settings), fall.landing));
+    for (const auto& [fall, its_landing] : every)
+      list.push_back(rebound(answer(engine, fall, contact_step, changes, settings), its_landing));
     table.rows.push_back({label, cell(median(list)), cell(quantile(list, 0)), cell(quantile(list, 1))});
   }
   return {.numbers = {{"alpha", fixed(alpha, 3)},

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <Eigen/Core>
+
 #include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
@@ -50,48 +52,39 @@ struct Swing {
   double acceleration(double angle) const { return -rate2 * std::sin(slenderness - angle); }
 };
 
-struct SwingState {
-  double angle, velocity;
-};
+/// Angle and angular velocity.
+using SwingState = Eigen::Vector2d;
 
-SwingState euler_step(const Swing& swing, SwingState from, double dt) {
-  const double velocity = from.velocity + dt * swing.acceleration(from.angle);
-  return {from.angle + dt * velocity, velocity};
+SwingState euler_step(const Swing& swing, const SwingState& from, double dt) {
+  const double velocity = from[1] + dt * swing.acceleration(from[0]);
+  return {from[0] + dt * velocity, velocity};
 }
 
-SwingState fourth_order_step(const Swing& swing, SwingState from, double dt) {
-  const auto rate = [&](double share, SwingState slope) {
-    return SwingState{from.velocity + share * dt * slope.velocity,
-                      swing.acceleration(from.angle + share * dt * slope.angle)};
+SwingState fourth_order_step(const Swing& swing, const SwingState& from, double dt) {
+  const auto rate = [&](double share, const SwingState& slope) {
+    const SwingState at = from + share * dt * slope;
+    return SwingState{at[1], swing.acceleration(at[0])};
   };
   const SwingState a = rate(0, {0, 0}), b = rate(0.5, a), c = rate(0.5, b), d = rate(1, c);
-  return {from.angle + dt / 6 * (a.angle + 2 * b.angle + 2 * c.angle + d.angle),
-          from.velocity + dt / 6 * (a.velocity + 2 * b.velocity + 2 * c.velocity + d.velocity)};
+  return from + dt / 6 * (a + 2 * b + 2 * c + d);
 }
-
-using SwingStep = SwingState(const Swing&, SwingState, double);
 
 /// When the block is down: the end of the step in which it lands, and the time within that step at which it
 /// does, s.
-struct Noticed {
-  double at_end, within;
-};
-
-Noticed landing_by_steps(SwingStep* step, const Swing& swing, double angle, double dt) {
-  SwingState state{angle, 0};
-  for (int done = 0;; ++done) {
-    const SwingState next = step(swing, state, dt);
-    if (next.angle > 0) {
-      state = next;
-      continue;
-    }
-    double low = 0, high = dt;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = (low + high) / 2;
-      (step(swing, state, middle).angle > 0 ? low : high) = middle;
-    }
-    return {(done + 1) * dt, done * dt + high};
+std::pair<double, double> landing_by_steps(SwingState (*step)(const Swing&, const SwingState&, double),
+                                           const Swing& swing, double angle, double dt) {
+  SwingState state{angle, 0}, next = step(swing, state, dt);
+  int done = 0;
+  for (; next[0] > 0; ++done) {
+    state = next;
+    next = step(swing, state, dt);
   }
+  double low = 0, high = dt;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (step(swing, state, middle)[0] > 0 ? low : high) = middle;
+  }
+  return {(done + 1) * dt, done * dt + high};
 }
 
 /// One fall by two methods, with the landing at the end of its step and where it is in it, less the exact
@@ -107,9 +100,10 @@ Table by_steps(const Scene& scene) {
   std::vector<double> first, last;
   constexpr double coarsest = 0.04, finest = 0.0025;  // s
   for (double dt = coarsest; dt >= finest; dt /= 2) {
-    const Noticed euler = landing_by_steps(euler_step, swing, scene.initial.angles.front(), dt);
-    const Noticed fourth = landing_by_steps(fourth_order_step, swing, scene.initial.angles.front(), dt);
-    last = {euler.at_end - exact, fourth.at_end - exact, euler.within - exact, fourth.within - exact};
+    const double angle = scene.initial.angles.front();
+    const auto [euler_end, euler_within] = landing_by_steps(euler_step, swing, angle, dt);
+    const auto [fourth_end, fourth_within] = landing_by_steps(fourth_order_step, swing, angle, dt);
+    last = {euler_end - exact, fourth_end - exact, euler_within - exact, fourth_within - exact};
     if (first.empty()) first = last;
     table.rows.push_back({cell(dt)});
     for (const double error : last) table.rows.back().push_back(cell(error));

@@ -5,7 +5,6 @@
 #include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -121,8 +120,8 @@ std::vector<Value> values_of(const Ensemble& ensemble, std::size_t run) {
   for (std::size_t v = 0; v < values.size(); ++v) {
     const Variation& variation = ensemble.variations[v];
     if (!variation.distribution) continue;
-    const DrawIndex index{ensemble.seed, run, static_cast<std::uint32_t>(v)};
-    values[v] = number_value(draw(*variation.distribution, index), variation.place);
+    const double drawn = draw(*variation.distribution, {ensemble.seed, run, static_cast<std::uint32_t>(v)});
+    values[v] = number_value(drawn, variation.place);
   }
   return values;
 }
@@ -133,12 +132,9 @@ void set_values(SceneDocument& document, const Variation& variation, const Value
 
 Json json_of(const Variation& variation) {
   Json json{{"keys", variation.keys}};
-  if (const auto& drawn = variation.distribution) {
-    const char* name = drawn->kind == Distribution::Kind::uniform  ? "uniform"
-                       : drawn->kind == Distribution::Kind::normal ? "normal"
-                                                                   : "lognormal";
-    json[name] = {drawn->first, drawn->second};
-  }
+  constexpr std::array kinds{"uniform", "normal", "lognormal"};  // as Distribution::Kind has them
+  if (const auto& drawn = variation.distribution)
+    json[kinds.at(static_cast<std::size_t>(drawn->kind))] = {drawn->first, drawn->second};
   for (const Value& value : variation.values)
     json["values"].push_back(value.node.kind == Node::Kind::number ? Json(value.node.number)
                                                                    : Json(value.text));
@@ -169,10 +165,9 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   Variation variation;
   variation.place = table.place;
   const Node& key = required(table, "key", "a key of the scene");
-  if (key.kind == Node::Kind::text)
-    variation.keys = {key.text};
-  else
-    variation.keys = each_of(entries(key, "a key of the scene, or an array of such keys"), text);
+  variation.keys = key.kind == Node::Kind::text
+                       ? std::vector{key.text}
+                       : each_of(entries(key, "a key of the scene, or an array of such keys"), text);
   // Whatever the value of these, the exact motion is the same.
   const auto is_label = [](const std::string& one) { return one == "title" || one == "engine.depth"; };
   if (find(table, "group") == nullptr && std::ranges::all_of(variation.keys, is_label))

@@ -104,17 +104,13 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
   std::map<std::string, std::size_t> numbers;
   for (const Run& run : runs) numbers.emplace(run.others, numbers.size());
   if (numbers.size() == runs.size()) return;
-  std::vector<std::pair<std::size_t, const Run*>> ordered;
-  ordered.reserve(runs.size());
-  for (const Run& run : runs) ordered.emplace_back(numbers[run.others], &run);
-  std::ranges::stable_sort(ordered, [](const auto& a, const auto& b) {
-    return std::pair(a.first, a.second->intensity) < std::pair(b.first, b.second->intensity);
-  });
+  std::ranges::stable_sort(runs, {},
+                           [&](const Run& run) { return std::pair(numbers[run.others], run.intensity); });
   CsvWriter curves;
   curves.line("curve", "values", "intensity", "peak_ratio", "toppled");
-  for (const auto& [number, run] : ordered)
-    curves.line(number + 1, run->others, number_text(run->intensity), number_text(run->peak_ratio),
-                run->toppled ? 1 : 0);
+  for (const Run& run : runs)
+    curves.line(numbers[run.others] + 1, run.others, number_text(run.intensity), number_text(run.peak_ratio),
+                run.toppled ? 1 : 0);
   write_file(folder / "incremental.csv", curves.text());
   CsvWriter fractiles;
   fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
@@ -126,62 +122,57 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
   write_file(folder / "incremental-fractiles.csv", fractiles.text());
 }
 
-void write_overturning(const std::vector<Run>& runs, const std::filesystem::path& folder) {
-  struct Cell {
-    std::size_t runs = 0, rest = 0, rocking = 0, after_impact = 0, without_impact = 0, failed = 0;
-  };
-  std::map<std::pair<double, double>, Cell> cells;
-  for (const Run& run : runs) {
-    Cell& cell = cells[{run.period, run.intensity}];
-    ++cell.runs;
-    ++(run.failed        ? cell.failed
-       : !run.toppled    ? (run.moved ? cell.rocking : cell.rest)
-       : run.with_impact ? cell.after_impact
-                         : cell.without_impact);
-  }
+/// How many runs of each kind, by the names of columns, there are at each place of a map.
+using Counts = std::map<std::vector<double>, std::map<std::string, std::size_t>>;
+
+void write_counts(const std::filesystem::path& file, const std::vector<std::string>& axes,
+                  const std::vector<std::string>& kinds, Counts counts) {
   CsvWriter csv;
-  csv.line("period", "frequency", "intensity", "runs", "rest", "rocking", "toppled_after_impact",
-           "toppled_without_impact", "failed");
-  for (const auto& [place, cell] : cells) {
-    for (const double value : {place.first, 1 / place.first, place.second}) csv.add(number_text(value));
-    csv.line(cell.runs, cell.rest, cell.rocking, cell.after_impact, cell.without_impact, cell.failed);
+  csv.line(axes, kinds);
+  for (auto& [place, count] : counts) {
+    for (const double value : place) csv.add(number_text(value));
+    for (const std::string& kind : kinds) csv.add(count[kind]);
+    csv.end_line();
   }
-  write_file(folder / "overturning.csv", csv.text());
+  write_file(file, csv.text());
+}
+
+void write_overturning(const std::vector<Run>& runs, const std::filesystem::path& folder) {
+  Counts counts;
+  for (const Run& run : runs) {
+    auto& count = counts[{run.period, 1 / run.period, run.intensity}];
+    ++count["runs"];
+    ++count[run.failed        ? "failed"
+            : !run.toppled    ? (run.moved ? "rocking" : "rest")
+            : run.with_impact ? "toppled_after_impact"
+                              : "toppled_without_impact"];
+  }
+  write_counts(folder / "overturning.csv", {"period", "frequency", "intensity"},
+               {"runs", "rest", "rocking", "toppled_after_impact", "toppled_without_impact", "failed"},
+               std::move(counts));
 }
 
 /// "slide_rock" of slide-rock.
-std::string column_of(MotionMode mode) {
-  std::string column = name(mode);
+std::string column_of(std::string mode) {
   std::ranges::replace_if(
-      column, [](char c) { return c == '-' || c == ' '; }, '_');
-  return column;
+      mode, [](char c) { return c == '-' || c == ' '; }, '_');
+  return mode;
 }
 
 void write_modes(const std::vector<Run>& runs, const std::filesystem::path& folder) {
-  struct Cell {
-    std::size_t runs = 0, failed = 0;
-    std::map<std::string, std::size_t> onset, motion;
-  };
-  const auto onsets = std::span(motion_modes).first(1 + static_cast<std::size_t>(MotionMode::free_flight));
-  std::map<std::pair<double, double>, Cell> cells;
+  Counts counts;
   for (const Run& run : runs) {
-    Cell& cell = cells[{run.intensity, run.friction}];
-    ++cell.runs;
-    ++(run.failed ? cell.failed : cell.onset[run.onset]);
-    if (!run.failed) ++cell.motion[run.motion];
+    auto& count = counts[{run.intensity, run.friction}];
+    ++count["runs"];
+    ++count[run.failed ? "failed" : "onset_" + column_of(run.onset)];
+    if (!run.failed) ++count[column_of(run.motion)];
   }
-  CsvWriter csv;
-  csv.add("intensity", "friction", "runs");
-  for (const MotionMode mode : onsets) csv.add("onset_" + column_of(mode));
-  for (const MotionMode mode : motion_modes) csv.add(column_of(mode));
-  csv.line("failed");
-  for (auto& [place, cell] : cells) {
-    csv.add(number_text(place.first), number_text(place.second), cell.runs);
-    for (const MotionMode mode : onsets) csv.add(cell.onset[name(mode)]);
-    for (const MotionMode mode : motion_modes) csv.add(cell.motion[name(mode)]);
-    csv.line(cell.failed);
-  }
-  write_file(folder / "modes.csv", csv.text());
+  std::vector<std::string> kinds{"runs"};
+  for (const MotionMode mode : motion_modes)
+    if (mode <= MotionMode::free_flight) kinds.push_back("onset_" + column_of(name(mode)));
+  for (const MotionMode mode : motion_modes) kinds.push_back(column_of(name(mode)));
+  kinds.emplace_back("failed");
+  write_counts(folder / "modes.csv", {"intensity", "friction"}, kinds, std::move(counts));
 }
 
 }  // namespace

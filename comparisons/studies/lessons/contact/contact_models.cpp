@@ -35,10 +35,10 @@ Table needs() {
   for (const Example& example : examples) {
     const Scene scene = scene_of(example);
     const ContactNeed need = contact_need(scene);
-    table.rows.push_back(
-        {example.scene, cell(example.friction), cell(need.force.least_normal / weight_of(scene)),
-         friction_cell(need.force.friction), friction_cell(need.impulse.friction), first_failure(need),
-         law_for(need) == Law::unilateral ? "unilateral" : "consistent"});
+    table.rows.push_back({example.scene, cell(example.friction),
+                          cell(need.force.least_normal / weight_of(scene)),
+                          friction_cell(need.force.friction), friction_cell(need.impulse.friction),
+                          first_failure(need), name(law_for(need))});
   }
   return table;
 }

@@ -69,21 +69,14 @@ Table demands(Scene scene) {
   return table;
 }
 
-/// Slips that begin, and how many of them at an impact.
-struct Slips {
-  int all = 0, at_impacts = 0;
-};
-
-Slips count_slips(const History& history) {
-  Slips count;
-  for (const Event& event : history.events) {
+/// With how many of these events a slip begins.
+std::string slips_from(const std::vector<Event>& events) {
+  return std::to_string(std::ranges::count_if(events, [](const Event& event) {
     bool begins = false;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(event.from.size); ++k)
       begins = begins || (event.from.slides[k] == 0 && event.to.slides[k] != 0);
-    count.all += begins;
-    count.at_impacts += begins && event.kind == EventKind::impact;
-  }
-  return count;
+    return begins;
+  }));
 }
 
 Table stack_slips(const Scene& scene) {
@@ -91,9 +84,8 @@ Table stack_slips(const Scene& scene) {
                "and is left at (mm)", "largest angle of the top block (rad)"}};
   for (const double friction : {2.0, 1.0, 0.5, 0.3}) {
     const History history = exact_answer(with_friction(scene, friction));
-    const Slips slips = count_slips(history);
     const InterfaceSummary top = contact_summary(history).back();
-    table.rows.push_back({cell(friction), std::to_string(slips.all), std::to_string(slips.at_impacts),
+    table.rows.push_back({cell(friction), slips_from(history.events), slips_from(impacts_of(history)),
                           cell(1e3 * top.largest_slip), cell(1e3 * top.final_slip),
                           cell(peak_angles(history).back())});
   }
@@ -123,7 +115,7 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"after", shown_pattern(impact.to)},
                       {"largest_slip", fixed(1e3 * floor.largest_slip, 2)},
                       {"final_slip", fixed(std::abs(1e3 * floor.final_slip), 2)},
-                      {"slips", std::to_string(count_slips(history).all)},
+                      {"slips", slips_from(history.events)},
                       {"stack_forces", fixed(top.friction, 2)},
                       {"stack_time", fixed(top.friction_time, 3)},
                       {"stack_impulses", fixed(contact_need(stack).impulse.friction, 2)}},

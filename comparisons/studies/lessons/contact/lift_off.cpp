@@ -18,13 +18,12 @@ InterfaceSummary summary_of(const Scene& scene) {
 Table amplitudes(Scene scene) {
   Table table{{"amplitude (g)", "least normal force by pivots (weights)", "lifts off at (s)", "lands at (s)",
                "highest gap (mm)"}};
-  const double weight = scene.blocks.front().mass * scene.gravity;
   for (const double share : {0.8, 0.99, 1.5, 2.0, 3.0}) {
     scene.vertical.pulse->amplitude = share * scene.gravity;
     const History history = solve(scene);
     const Event* lift = first_event(history, EventKind::lift_off);
     const Event* landing = first_event(history, EventKind::impact);
-    table.rows.push_back({cell(share), cell(contact_need(scene).force.least_normal / weight),
+    table.rows.push_back({cell(share), cell(contact_need(scene).force.least_normal / weight_of(scene)),
                           lift != nullptr ? cell(lift->time) : "",
                           landing != nullptr ? cell(landing->time) : "",
                           lift != nullptr ? cell(1e3 * summary_of(scene).highest_lift) : ""});
@@ -72,7 +71,6 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
   const History history = solve(scene);
   const Event& lift = *first_event(history, EventKind::lift_off);
   const Event& landing = *first_event(history, EventKind::impact);
-  const double weight = scene.blocks.front().mass * scene.gravity;
   const ContactNeed tied = contact_need(scene);
   constexpr double speed = 3;  // m/s
   return {.numbers = {{"amplitude", fixed(pulse.amplitude / scene.gravity, 0)},
@@ -81,7 +79,7 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"lift", fixed(lift.time, 6)},
                       {"rate", fixed(thrown.lift_off_rate, 4)},
                       {"flight", fixed(landing.time - lift.time, 3)},
-                      {"pull", fixed(-tied.force.least_normal / weight, 1)},
+                      {"pull", fixed(-tied.force.least_normal / weight_of(scene), 1)},
                       {"pull_from", fixed(tied.first_pull(), 4)},
                       {"speed", fixed(speed, 0)}},
           .tables = {{"flight", flight(scene, thrown, landing.time)},

@@ -54,62 +54,57 @@ double chance_matched(const Asked& asked) {
 
 using Quantity = double(const Asked& asked);
 
-const std::map<std::string, Quantity*>& quantities() {
-  static const std::map<std::string, Quantity*> list{
-      // Of a scene's exact solution. SI units.
-      {"first-impact", [](const Asked& a) { return first(a, EventKind::impact).time; }},
-      {"opening", [](const Asked& a) { return first(a, EventKind::opening).time; }},
-      {"opening-lead",
-       [](const Asked& a) { return first(a, EventKind::impact).time - first(a, EventKind::opening).time; }},
-      {"lift-off", [](const Asked& a) { return first(a, EventKind::lift_off).time; }},
-      {"flight",
-       [](const Asked& a) { return first(a, EventKind::impact).time - first(a, EventKind::lift_off).time; }},
-      {"impact-ratio", ratio_at_impact},
-      {"top-ratio",
-       [](const Asked& a) {
-         const Event& impact = first(a, EventKind::impact);
-         return impact.after.back() / impact.before.back();
-       }},
-      {"fifth-impact", fifth_impact},
-      {"kept-energy", kept_energy},
-      {"lost-energy", [](const Asked& a) { return 1 - kept_energy(a); }},
-      {"impacts", [](const Asked& a) { return static_cast<double>(impacts_of(a.history).size()); }},
-      {"base-after", [](const Asked& a) { return std::abs(first(a, EventKind::impact).after.front()); }},
-      {"slenderness", [](const Asked& a) { return slenderness(a.scene, 0); }},
-      {"force-friction", [](const Asked& a) { return contact_need(a.scene).force.friction; }},
-      {"impulse-friction", [](const Asked& a) { return contact_need(a.scene).impulse.friction; }},
-      {"sticking-ratio",
-       [](const Asked& a) {
-         const Block& block = a.scene.blocks.front();
-         return impact_ratio(block.half_height / block.half_width);
-       }},
-      {"friction-short", friction_short},
-      {"jamming-friction",
-       [](const Asked& a) {
-         return jamming_friction(a.scene.blocks.front(), a.scene.initial.angles.front());
-       }},
-      {"one-body-energy", [](const Asked& a) { return land(a.scene, {}).energy; }},
-      {"printed-energy",
-       [](const Asked& a) {
-         return land(a.scene, {true, true}).energy;
-       }},
-      // Of the numbers of the question.
-      {"chance-apart", chance_apart},
-      {"tests-that-show", [](const Asked& a) { return std::floor(a["level"] / chance_apart(a)); }},
-      {"chance-matched", chance_matched},
-      {"luckiest", [](const Asked& a) { return 1 - std::pow(1 - a["share"], a["draws"]); }},
-      {"order",
-       [](const Asked& a) { return std::log(a["coarse_error"] / a["fine_error"]) / std::log(a["factor"]); }},
-      {"lead", [](const Asked& a) { return a["step"] / 2; }},
-      {"erp-stiffness", [](const Asked& a) { return a["erp"] / (a["dt"] * a["cfm"]); }},
-      {"erp-damping", [](const Asked& a) { return (1 - a["erp"]) / a["cfm"]; }},
-      {"restitution-of-damping", [](const Asked& a) { return restitution_of(a["damping_ratio"]); }},
-      {"chatter-sum", [](const Asked& a) { return a["flight"] / (1 - a["factor"]); }},
-      {"doubling", [](const Asked& a) { return std::log(2.0) / a["rate"]; }},
-      {"predictable", [](const Asked& a) { return std::log(a["parted"] / a["error"]) / a["rate"]; }},
-      {"impacts-to-share", [](const Asked& a) { return impacts_to_share(a["share"], a["ratio"]); }}};
-  return list;
-}
+const std::map<std::string, Quantity*> all_quantities{
+    // Of a scene's exact solution. SI units.
+    {"first-impact", [](const Asked& a) { return first(a, EventKind::impact).time; }},
+    {"opening", [](const Asked& a) { return first(a, EventKind::opening).time; }},
+    {"opening-lead",
+     [](const Asked& a) { return first(a, EventKind::impact).time - first(a, EventKind::opening).time; }},
+    {"lift-off", [](const Asked& a) { return first(a, EventKind::lift_off).time; }},
+    {"flight",
+     [](const Asked& a) { return first(a, EventKind::impact).time - first(a, EventKind::lift_off).time; }},
+    {"impact-ratio", ratio_at_impact},
+    {"top-ratio",
+     [](const Asked& a) {
+       const Event& impact = first(a, EventKind::impact);
+       return impact.after.back() / impact.before.back();
+     }},
+    {"fifth-impact", fifth_impact},
+    {"kept-energy", kept_energy},
+    {"lost-energy", [](const Asked& a) { return 1 - kept_energy(a); }},
+    {"impacts", [](const Asked& a) { return static_cast<double>(impacts_of(a.history).size()); }},
+    {"base-after", [](const Asked& a) { return std::abs(first(a, EventKind::impact).after.front()); }},
+    {"slenderness", [](const Asked& a) { return slenderness(a.scene, 0); }},
+    {"force-friction", [](const Asked& a) { return contact_need(a.scene).force.friction; }},
+    {"impulse-friction", [](const Asked& a) { return contact_need(a.scene).impulse.friction; }},
+    {"sticking-ratio",
+     [](const Asked& a) {
+       const Block& block = a.scene.blocks.front();
+       return impact_ratio(block.half_height / block.half_width);
+     }},
+    {"friction-short", friction_short},
+    {"jamming-friction",
+     [](const Asked& a) { return jamming_friction(a.scene.blocks.front(), a.scene.initial.angles.front()); }},
+    {"one-body-energy", [](const Asked& a) { return land(a.scene, {}).energy; }},
+    {"printed-energy",
+     [](const Asked& a) {
+       return land(a.scene, {true, true}).energy;
+     }},
+    // Of the numbers of the question.
+    {"chance-apart", chance_apart},
+    {"tests-that-show", [](const Asked& a) { return std::floor(a["level"] / chance_apart(a)); }},
+    {"chance-matched", chance_matched},
+    {"luckiest", [](const Asked& a) { return 1 - std::pow(1 - a["share"], a["draws"]); }},
+    {"order",
+     [](const Asked& a) { return std::log(a["coarse_error"] / a["fine_error"]) / std::log(a["factor"]); }},
+    {"lead", [](const Asked& a) { return a["step"] / 2; }},
+    {"erp-stiffness", [](const Asked& a) { return a["erp"] / (a["dt"] * a["cfm"]); }},
+    {"erp-damping", [](const Asked& a) { return (1 - a["erp"]) / a["cfm"]; }},
+    {"restitution-of-damping", [](const Asked& a) { return restitution_of(a["damping_ratio"]); }},
+    {"chatter-sum", [](const Asked& a) { return a["flight"] / (1 - a["factor"]); }},
+    {"doubling", [](const Asked& a) { return std::log(2.0) / a["rate"]; }},
+    {"predictable", [](const Asked& a) { return std::log(a["parted"] / a["error"]) / a["rate"]; }},
+    {"impacts-to-share", [](const Asked& a) { return impacts_to_share(a["share"], a["ratio"]); }}};
 
 }  // namespace
 
@@ -129,12 +124,12 @@ Asked asked_about(const std::string& scene, const std::vector<std::string>& chan
 }
 
 double quantity(const std::string& name, const Asked& asked) {
-  const auto found = quantities().find(name);
-  return found != quantities().end() ? found->second(asked) : asked[name];
+  const auto found = all_quantities.find(name);
+  return found != all_quantities.end() ? found->second(asked) : asked[name];
 }
 
 std::vector<std::string> quantity_names() {
-  return each_of(quantities(), [](const auto& one) { return one.first; });
+  return each_of(all_quantities, [](const auto& one) { return one.first; });
 }
 
 }  // namespace rockstack
