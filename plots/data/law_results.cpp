@@ -31,12 +31,6 @@ LawResults read_law_results(const fs::path& results) {
   return read;
 }
 
-void LawShare::add(const LawCell& cell) {
-  impacts += cell.impacts;
-  differ += cell.differ;
-  none += cell.none;
-}
-
 void LawTally::add(const LawRun& one) {
   if (!one.run.done()) {
     ++failed;

@@ -39,7 +39,11 @@ struct LawShare {
   std::string of;  ///< what they have in common
   double impacts = 0, differ = 0, none = 0;
 
-  void add(const LawCell& cell);
+  void add(const LawCell& cell) {
+    impacts += cell.impacts;
+    differ += cell.differ;
+    none += cell.none;
+  }
   double differ_percent() const { return impacts > 0 ? 100 * differ / impacts : 0; }
   double none_percent() const { return impacts > 0 ? 100 * none / impacts : 0; }
 };
