@@ -14,8 +14,6 @@
 namespace rockstack::live {
 namespace {
 
-using plots::packed;
-
 /// Of the bodies, with what springs of law `compliant` hold.
 std::vector<double> exact_energies(const Scene& scene, const History& history) {
   std::vector<double> values = energies(scene, history);
@@ -94,8 +92,8 @@ void add_energies(Json& answer, const Scene& scene, const std::vector<double>& t
                   std::vector<double> values, std::size_t stride) {
   const double scale = energy_scale(scene);
   for (double& value : values) value /= scale;
-  answer["energy_times"] = packed(times, 1, stride);
-  answer["energy"] = packed(values, 1, stride);
+  answer["energy_times"] = plots::packed(times, 1, stride);
+  answer["energy"] = plots::packed(values, 1, stride);
 }
 
 std::string exact_answer(const std::string& question) {
