@@ -6,14 +6,6 @@
 #include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
-namespace {
-
-void scale(GroundMotion& motion, double factor) {
-  for (double& sample : motion.samples) sample *= factor;
-  if (motion.pulse) motion.pulse->amplitude *= factor;
-}
-
-}  // namespace
 
 Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run) {
   std::uint32_t key = 0;
@@ -31,8 +23,11 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
   for (std::vector<double>* values : {&initial.angles, &initial.velocities, &initial.slip_velocities,
                                       &initial.gaps, &initial.gap_velocities})
     for (double& value : *values) value *= start;
-  scale(result.horizontal, next_factor());
-  scale(result.vertical, next_factor());
+  for (GroundMotion* motion : {&result.horizontal, &result.vertical}) {
+    const double factor = next_factor();
+    for (double& sample : motion->samples) sample *= factor;
+    if (motion->pulse) motion->pulse->amplitude *= factor;
+  }
   return result;
 }
 
