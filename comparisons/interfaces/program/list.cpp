@@ -96,17 +96,16 @@ std::vector<Section> scene_sections(const std::optional<std::filesystem::path>& 
   std::vector<Section> sections{{&scene_keys, {{"title", "\"A column\""}}}, {&block_keys}, {&block_keys}};
   sections[1].values = {{"width", "0.6"}, {"height", "1.6"}};
   sections[2].values = {{"width", "0.5"}, {"height", "1.2"}};
-  if (!record) {
+  if (record) {
+    const Record motion = read_record(*record);
+    const double length = motion.interval * static_cast<double>(motion.samples.size());
+    sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
+    const std::string path = std::filesystem::proximate(*record, folder).string();
+    sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
+  } else {
     sections.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
     sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
-    sections.push_back({&surface_keys, {}, true});
-    return sections;
   }
-  const Record motion = read_record(*record);
-  const double length = motion.interval * static_cast<double>(motion.samples.size());
-  sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
-  const std::string path = std::filesystem::proximate(*record, folder).string();
-  sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
   sections.push_back({&surface_keys, {}, true});
   return sections;
 }
