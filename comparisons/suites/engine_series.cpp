@@ -92,13 +92,6 @@ std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::
   return list;
 }
 
-/// A value as a suite may give it.
-std::string value_text(const WorkerEngine& engine, const std::string& name, double value) {
-  const Setting& setting = find_setting(engine.name, engine.settings, name);
-  return setting.choices.empty() ? fmt::format("{}", value)
-                                 : setting.choices[static_cast<std::size_t>(value)];
-}
-
 }  // namespace
 
 EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
@@ -109,7 +102,10 @@ EngineSeries make_series(const WorkerEngine& engine, const std::string& settings
   for (const auto& [name, value] : changes) {
     check_value(engine.name, engine.settings, name, value);
     series.parameters[name] = value;
-    series.settings += fmt::format("+{}={}", name, value_text(engine, name, value));
+    const std::vector<std::string>& choices = find_setting(engine.name, engine.settings, name).choices;
+    series.settings +=
+        fmt::format("+{}={}", name,
+                    choices.empty() ? fmt::format("{}", value) : choices[static_cast<std::size_t>(value)]);
   }
   return series;
 }

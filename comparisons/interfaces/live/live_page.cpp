@@ -97,10 +97,6 @@ CourseFiles course_files(const fs::path& folder) {
 
 }  // namespace
 
-bool has_course_files(const fs::path& folder) {
-  return fs::exists(folder / "course.json") || fs::exists(folder / "lesson.json");
-}
-
 LivePage make_live_page(const PageStart& start) {
   LivePage page;
   for (const auto& record : start.records) page.records.insert(fs::absolute(record));

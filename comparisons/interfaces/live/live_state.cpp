@@ -10,11 +10,9 @@
 namespace rockstack::live {
 namespace {
 
-constexpr const char* infinite = "inf";
-
 /// A text, a number or an array of them as TOML.
 std::string toml_value(const Json& value) {
-  if (value.is_string()) return value == infinite ? infinite : toml_text(value.get<std::string>());
+  if (value.is_string()) return value == "inf" ? "inf" : toml_text(value.get<std::string>());
   if (value.is_number()) return number_text(value.get<double>());
   return "[" + text_of_each(value, toml_value, ", ") + "]";
 }

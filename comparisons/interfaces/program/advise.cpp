@@ -69,8 +69,8 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
                one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
                one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
   const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
-  std::string changes;
-  for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);
+  const std::string changes = text_of_each(
+      common.overrides, [](const std::string& change) { return " --set " + shell_word(change); });
   fmt::print("rockstack simulate {}{} --engine {}:{} --dt {}\n", shell_word(arguments.scene), changes,
              pick.engine, pick.solver, pick.dt.value_or(0));
 }

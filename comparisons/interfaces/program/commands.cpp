@@ -24,12 +24,9 @@ std::string waiting_time(double seconds) {
 }
 
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
-  std::vector<const WorkerEngine*> list = chosen_engines(name);
+  const std::vector<const WorkerEngine*> list = chosen_engines(name);
   if (name.find_first_of(":/") != std::string::npos) return list;
-  const EngineList solvers = engines_called(list.front()->name);
-  list.clear();
-  for (const WorkerEngine& engine : solvers) list.push_back(&engine);
-  return list;
+  return each_of(engines_called(list.front()->name), [](const WorkerEngine& engine) { return &engine; });
 }
 
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,

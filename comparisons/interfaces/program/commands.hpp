@@ -1,19 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "comparisons/runs/compare.hpp"
-#include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/diff/changes.hpp"
-#include "comparisons/suites/suite.hpp"
-#include "engines/worker/registry.hpp"
 
 namespace CLI {
 class App;
@@ -159,11 +147,6 @@ struct NewArguments {
 };
 int new_command(const NewArguments& arguments, const Common& common);
 
-/// Runs a study of stability, writes and draws its maps, and says how many runs have which verdict.
-/// `replicates`: as CompareArguments::replicates.
-int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
-                      int replicates, const Common& common);
-
 // What several commands share.
 
 /// All solvers of an engine: of a worker program named by its path, or of a name that `list engines` shows;
@@ -223,13 +206,8 @@ void print_legend(const std::vector<Suite>& suites, const Common& common);
 /// Has rows printed as they are told. `common` must outlive the options.
 void print_rows(const std::vector<Suite>& suites, const Common& common, CompareOptions& options);
 
-/// A subcommand with what it does once its options are read.
-struct Command {
-  CLI::App* app;
-  std::function<int()> run;
-};
-
-/// Adds every subcommand with its options to the program, which must outlive what is returned.
-std::vector<Command> add_commands(CLI::App& app, const Common& common);
+/// Adds every subcommand with its options to the program, which must outlive what is returned: what each does
+/// once its options are read.
+std::map<const CLI::App*, std::function<int()>> add_commands(CLI::App& app, const Common& common);
 
 }  // namespace rockstack

@@ -15,14 +15,12 @@
 namespace rockstack {
 namespace {
 
-/// A kind of input file with its tables.
-using FileKeys = std::pair<const char*, std::initializer_list<const KeyTable*>>;
-
 constexpr std::initializer_list<const KeyTable*> measured_tables{&measured_keys};
 
-constexpr std::initializer_list<FileKeys> files{{"scene", scene_tables},      {"scene", measured_tables},
-                                                {"suite", suite_tables},      {"suite", stability_tables},
-                                                {"suite", impact_law_tables}, {"ensemble", ensemble_tables}};
+/// The kinds of input files with their tables.
+constexpr std::initializer_list<std::pair<const char*, std::initializer_list<const KeyTable*>>> files{
+    {"scene", scene_tables},     {"scene", measured_tables},   {"suite", suite_tables},
+    {"suite", stability_tables}, {"suite", impact_law_tables}, {"ensemble", ensemble_tables}};
 
 void print_table(const KeyTable& table) {
   const std::string_view header = table.header;
@@ -35,15 +33,11 @@ void print_table(const KeyTable& table) {
 }
 
 Json table_json(const char* file, const KeyTable& table) {
-  Json json{{"file", file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", Json::array()}};
-  for (const InputKey& key : table.keys)
-    json["keys"].push_back({{"key", key.name},
-                            {"unit", key.unit},
-                            {"range", key.range},
-                            {"default", key.standard},
-                            {"meaning", key.meaning},
-                            {"example", key.example}});
-  return json;
+  const auto keys = each_of(table.keys, [](const InputKey& key) {
+    return Json{{"key", key.name},         {"unit", key.unit},       {"range", key.range},
+                {"default", key.standard}, {"meaning", key.meaning}, {"example", key.example}};
+  });
+  return {{"file", file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", keys}};
 }
 
 /// A table of a template with the values that differ from its examples.
@@ -102,17 +96,16 @@ std::vector<Section> scene_sections(const std::optional<std::filesystem::path>& 
   std::vector<Section> sections{{&scene_keys, {{"title", "\"A column\""}}}, {&block_keys}, {&block_keys}};
   sections[1].values = {{"width", "0.6"}, {"height", "1.6"}};
   sections[2].values = {{"width", "0.5"}, {"height", "1.2"}};
-  if (!record) {
+  if (record) {
+    const Record motion = read_record(*record);
+    const double length = motion.interval * static_cast<double>(motion.samples.size());
+    sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
+    const std::string path = std::filesystem::proximate(*record, folder).string();
+    sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
+  } else {
     sections.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
     sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
-    sections.push_back({&surface_keys, {}, true});
-    return sections;
   }
-  const Record motion = read_record(*record);
-  const double length = motion.interval * static_cast<double>(motion.samples.size());
-  sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
-  const std::string path = std::filesystem::proximate(*record, folder).string();
-  sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
   sections.push_back({&surface_keys, {}, true});
   return sections;
 }
@@ -168,18 +161,14 @@ std::vector<Listed> listed_engines() {
 }
 
 std::vector<Listed> listed(const std::string& kind) {
-  std::vector<Listed> list;
   if (kind == "engines") return listed_engines();
-  if (kind == "lessons") {
-    for (const Lesson& lesson : lessons()) list.push_back({lesson.name, title(lesson)});
-    return list;
-  }
-  for (const std::string& name : shipped_names(kind)) {
+  if (kind == "lessons")
+    return each_of(lessons(), [](const Lesson& lesson) { return Listed{lesson.name, title(lesson)}; });
+  return each_of(shipped_names(kind), [&](const std::string& name) {
     const Node root = read_toml(find_file(name, kind));
     const Node* title = find(root, "title");
-    list.push_back({name, title != nullptr ? title->text : ""});
-  }
-  return list;
+    return Listed{name, title != nullptr ? title->text : ""};
+  });
 }
 
 void print_list(const std::vector<Listed>& list, const std::string& indent) {

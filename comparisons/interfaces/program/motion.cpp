@@ -13,15 +13,12 @@
 namespace rockstack {
 namespace {
 
-/// What is said of other motions that obey.
-struct Branches {
-  std::vector<std::string> lines = {};
-  Json json = Json::object();  ///< added to that of the motion
-};
-
-/// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are.
+/// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are; in between
+/// what is said of other motions that obey.
 void print_history(const Scene& scene, const History& history, const Support& support,
-                   const std::filesystem::path& folder, const Common& common, const Branches& branches = {}) {
+                   const std::filesystem::path& folder, const Common& common,
+                   const std::vector<std::string>& lines_of_others = {},
+                   const Json& others = Json::object()) {
   std::map<std::string, int> events;
   for (const Event& event : history.events) ++events[name(event.kind)];
   const std::string verdict = motion_verdict(scene, history, support);
@@ -32,14 +29,14 @@ void print_history(const Scene& scene, const History& history, const Support& su
             {"peak_angles", peaks},
             {"warnings", warnings},
             {"folder", folder.string()}};
-  json.update(branches.json);
+  json.update(others);
   if (!in_words(json, common)) return;
   fmt::print("{}\n", verdict);
   for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
   for (std::size_t k = 0; const double peak : peaks)
     fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
   for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
-  for (const std::string& line : branches.lines) fmt::print("{}\n", line);
+  for (const std::string& line : lines_of_others) fmt::print("{}\n", line);
   fmt::print("results: {}\n", folder.string());
 }
 
@@ -47,9 +44,8 @@ void print_history(const Scene& scene, const History& history, const Support& su
 int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
   const BranchTree tree = solve_branches_into(job, most);
   const Scene& scene = job.scene.scene;
-  print_history(scene, tree.branches.front().history, {}, job.folder, common,
-                {branch_lines(scene, tree, most),
-                 {{"branches", branches_json(scene, tree)}, {"branches_left_out", tree.left_out}}});
+  print_history(scene, tree.branches.front().history, {}, job.folder, common, branch_lines(scene, tree, most),
+                {{"branches", branches_json(scene, tree)}, {"branches_left_out", tree.left_out}});
   const auto given_up = [](const Branch& branch) { return !branch.unfinished.empty(); };
   return std::ranges::any_of(tree.branches, given_up) ? 1 : 0;
 }

@@ -8,7 +8,6 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/studies/fit/fit.hpp"
-#include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
 
@@ -71,17 +70,6 @@ void print_sweep(const SweepResult& result, const std::filesystem::path& folder,
   fmt::print("results: {}\n", folder.string());
 }
 
-void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,
-                    const Common& common) {
-  if (common.quiet) return;
-  std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
-  for (const StabilityRun& row : rows)
-    if (row.row.dt) ++counts[name(row.verdict.soundness)];
-  if (!in_words({{"verdicts", counts}, {"folder", out.string()}}, common)) return;
-  for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
-  fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
-}
-
 void print(const CanonRow& row, const CanonAnswer& answer) {
   fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
              answer.verdict, answer.reason);
@@ -111,24 +99,8 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   return end_of_runs(result.failed, result.runs, "runs.csv");
 }
 
-int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
-                      int replicates, const Common& common) {
-  StabilityStudy study = read_stability_study(file, common.overrides);
-  if (replicates > 0) set_runs(study.suite.replicates, replicates);
-  require_comparable({study.suite});
-  const ResultsFolder folder(out, Results::stability);
-  const std::vector<StabilityRun> rows =
-      run_stability(study, out, executor, {.command = common.command, .progress = progress(common)});
-  print_verdicts(rows, out, common);
-  show_report(out, common);
-  const auto failed = std::count_if(
-      rows.begin(), rows.end(), [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
-  return end_of_runs(static_cast<std::size_t>(failed), rows.size(), "stability.csv");
-}
-
 int fit_command(const FitArguments& arguments, const Common& common) {
-  std::vector<FitParameter> parameters;
-  for (const std::string& each : arguments.vary) parameters.push_back(fit_parameter(each));
+  const std::vector<FitParameter> parameters = each_of(arguments.vary, fit_parameter);
   const SceneDocument document = read_document(input_file(arguments.scene, {"scenes"}), common.overrides);
   if (!document.measured) throw missing_key(document.root, "measured", "given, a table of what was measured");
   MotionLibrary library;

@@ -1,7 +1,5 @@
 #include "comparisons/interfaces/python/convert.hpp"
 
-#include <utility>
-
 namespace rockstack::python {
 namespace {
 

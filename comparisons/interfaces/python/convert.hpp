@@ -2,23 +2,13 @@
 
 #include <pybind11/numpy.h>
 
-#include <cstddef>
 #include <cstring>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <type_traits>
-#include <vector>
 
-#include "analytic/scene/ground/ground_motion.hpp"
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/module.hpp"
 
 namespace rockstack::python {
-
-namespace py = pybind11;
 
 // Numbers as numpy has them.
 

@@ -12,13 +12,13 @@ namespace {
 /// What messages say where a file has its name and the line.
 constexpr const char* scene_place = "scene";
 
-std::shared_ptr<GivenScene> make(SceneDocument document) {
+GivenScene make(SceneDocument document) {
   MotionLibrary library;
   Scene scene = make_scene(document, library);
-  return std::make_shared<GivenScene>(GivenScene{std::move(document), std::move(scene)});
+  return {std::move(document), std::move(scene)};
 }
 
-std::shared_ptr<GivenScene> changed(const GivenScene& scene, const py::dict& values) {
+GivenScene changed(const GivenScene& scene, const py::dict& values) {
   SceneDocument document = scene.document;
   for (const auto& [key, value] : values) {
     Node node;
@@ -156,7 +156,7 @@ void add_motion(py::module_& core) {
                   [](const ScenePointer& scene, const py::bytes& bytes) {
                     auto motion = unpacked<HeldMotion>(bytes);
                     motion.scene = scene;
-                    return std::make_shared<HeldMotion>(std::move(motion));
+                    return motion;
                   })
       .def_property_readonly(
           "times",

@@ -3,13 +3,8 @@
 #include "comparisons/interfaces/python/module.hpp"
 
 #ifdef ROCKSTACK_WITH_PLOTS
-#include <array>
-#include <nlohmann/json.hpp>
-#include <string>
 #include <tuple>
-#include <vector>
 
-#include "comparisons/measures/metrics/impacts.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player_data.hpp"
 
