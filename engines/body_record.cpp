@@ -1,7 +1,5 @@
 #include "engines/body_record.hpp"
 
-#include <utility>
-
 #include "analytic/scene/kinematics.hpp"
 #include "analytic/scene/lists.hpp"
 #include "engines/scene_setup.hpp"

@@ -49,7 +49,8 @@ std::string name(const Pattern& pattern) {
     if (slide != 0) word += slide > 0 ? '>' : '<';
   }
   if (pattern.size != 2 || word.find_first_of("-<>") != std::string::npos) return word;
-  return std::string(paper_names[static_cast<std::size_t>(3 * sign(pattern[1]) + sign(pattern[0]) + 4)]);
+  const int number = 3 * sign(pattern[1]) + sign(pattern[0]) + 4;
+  return std::string(paper_names[static_cast<std::size_t>(number)]);
 }
 
 std::string shown_pattern(const Pattern& pattern) {

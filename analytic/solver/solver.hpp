@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/scene/branching.hpp"
-#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/collisions.hpp"
 #include "analytic/steps/taylor_step.hpp"
 

@@ -1,23 +1,7 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <limits>
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include "analytic/scene/input/json_reader.hpp"
-#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/provenance.hpp"
-#include "comparisons/measures/results/run_metrics.hpp"
-#include "comparisons/measures/statistics/distributions.hpp"
-#include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 
 namespace rockstack::plots {

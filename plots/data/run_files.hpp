@@ -1,7 +1,6 @@
 #pragma once
 
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "plots/data/results.hpp"
 

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <variant>
-
 #include "plots/data/selection.hpp"
 #include "plots/drawing/series.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <set>
-
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/figures/figure.hpp"

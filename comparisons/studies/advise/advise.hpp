@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/json.hpp"
-#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/suites/suite.hpp"
 

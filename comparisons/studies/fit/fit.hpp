@@ -1,9 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/input/scene_file.hpp"

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "analytic/mechanics/impact.hpp"
-#include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/history.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"

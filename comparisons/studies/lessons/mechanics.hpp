@@ -1,12 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "analytic/mechanics/impact.hpp"
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 

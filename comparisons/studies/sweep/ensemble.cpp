@@ -2,7 +2,6 @@
 
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
 

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/input/scene_file.hpp"

@@ -1,4 +1,3 @@
-#include "analytic/scene/lists.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 
 #include "analytic/scene/messages/number_text.hpp"

@@ -3,7 +3,6 @@
 #include <new>
 
 #include "analytic/scene/input/page_scene.hpp"
-#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve_batch.hpp"
 #include "comparisons/measures/results/csv.hpp"

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"

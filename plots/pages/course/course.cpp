@@ -1,7 +1,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "plots/drawing/gnuplot.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/show.hpp"
 

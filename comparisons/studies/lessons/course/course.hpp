@@ -1,14 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
