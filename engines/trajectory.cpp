@@ -125,8 +125,9 @@ bool has_ended(const Setup& setup, const Trajectory& trajectory) {
 void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt) {
   const auto require = [&](double value, const char* quantity, std::size_t i) {
     if (std::abs(value) <= largest_number) return;
+    const std::size_t sample = i / blocks;
     throw NotFinite(fmt::format("{} of block {} is not finite at t = {} s{}", quantity, i % blocks + 1,
-                                static_cast<double>(i / blocks) * dt,
+                                static_cast<double>(sample) * dt,
                                 std::isfinite(value) ? fmt::format(", or as good as: {}", value) : ""));
   };
   for (std::size_t i = 0; i < trajectory.angles.size(); ++i) {

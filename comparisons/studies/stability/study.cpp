@@ -124,7 +124,7 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
 /// Where a run lies on the axis.
 double place(const StabilityStudy& study, const RunMetrics& row) {
   if (study.axis.parameter.empty()) {
-    const NamedScene& scene = find_scene(study.suite.scenes, row.scene);
+    const NamedScene& scene = part_named(study.suite.scenes, row.scene);
     return study.axis.values[static_cast<std::size_t>(&scene - study.suite.scenes.data())];
   }
   for (const EngineSeries& series : study.suite.series)
