@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/alignment.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
 
@@ -45,18 +46,8 @@ double largest_difference(const std::vector<double>& first, const std::vector<do
   return distance;
 }
 
-/// Twice the rank of each value, of all in rising order: whole numbers, where equal values share a rank.
-std::vector<std::size_t> doubled_ranks(const std::vector<double>& sorted) {
-  std::vector<std::size_t> ranks;
-  ranks.reserve(sorted.size());
-  for (const double value : sorted) {
-    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), value);
-    ranks.push_back(static_cast<std::size_t>(low - sorted.begin() + high - sorted.begin()) + 1);
-  }
-  return ranks;
-}
-
-/// The ranks of one stratum, and those that fall to the second sample.
+/// Twice the ranks of one stratum, whole numbers, where equal values share one, and those that fall to the
+/// second sample.
 struct Ranks {
   std::vector<std::size_t> all;  ///< rising
   std::size_t count = 0;         ///< of the second sample
@@ -74,10 +65,12 @@ Ranks ranks_of(const Stratum& stratum) {
   std::vector<double> sorted = stratum.first;
   sorted.insert(sorted.end(), stratum.second.begin(), stratum.second.end());
   std::ranges::sort(sorted);
-  Ranks ranks{doubled_ranks(sorted), stratum.second.size()};
-  for (const double value : stratum.second)
-    ranks.sum +=
-        ranks.all[static_cast<std::size_t>(std::ranges::lower_bound(sorted, value) - sorted.begin())];
+  const auto rank = [&](double value) {
+    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), value);
+    return static_cast<std::size_t>(low - sorted.begin() + high - sorted.begin()) + 1;
+  };
+  Ranks ranks{each_of(sorted, rank), stratum.second.size()};
+  for (const double value : stratum.second) ranks.sum += rank(value);
   return ranks;
 }
 
