@@ -68,9 +68,7 @@ std::string band_csv(const std::vector<double>& times, std::size_t blocks,
   std::erase_if(motions, [](const auto& angles) { return angles.empty(); });
   if (motions.empty()) return "";
   CsvWriter csv;
-  csv.add("time");
-  for (std::size_t k = 1; k <= blocks; ++k) csv.add(fmt::format("lower_{}", k), fmt::format("upper_{}", k));
-  csv.end_line();
+  csv.line("time", numbered_in_turn({"lower_", "upper_"}, static_cast<int>(blocks)));
   const auto shortest = std::ranges::min_element(motions, {}, &std::vector<double>::size);
   for (std::size_t i = 0; i < shortest->size() / blocks; ++i) {
     csv.add(fmt::format("{:.7g}", times[i]));

@@ -128,8 +128,13 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 }
 
 std::vector<std::string> numbered(const std::string& stem, int count) {
+  return numbered_in_turn({stem}, count);
+}
+
+std::vector<std::string> numbered_in_turn(const std::vector<std::string>& stems, int count) {
   std::vector<std::string> names;
-  for (int k = 1; k <= count; ++k) names.push_back(stem + std::to_string(k));
+  for (int k = 1; k <= count; ++k)
+    for (const std::string& stem : stems) names.push_back(stem + std::to_string(k));
   return names;
 }
 

@@ -8,13 +8,6 @@ namespace rockstack {
 namespace {
 
 namespace fs = std::filesystem;
-/// The centres of mass, x and y in turn.
-std::vector<std::string> place_names(int blocks) {
-  std::vector<std::string> names;
-  for (int k = 1; k <= blocks; ++k)
-    names.insert(names.end(), {fmt::format("x_{}", k), fmt::format("y_{}", k)});
-  return names;
-}
 
 History samples_in(const fs::path& file) {
   History history;
@@ -29,7 +22,8 @@ History samples_in(const fs::path& file) {
   const CsvLine::Indices angles = line.indices(numbered("theta_", std::max(blocks, 1))),
                          velocities = line.indices(numbered("omega_", blocks)),
                          pattern = columns({"pattern"}), slips = columns(numbered("slip_", blocks)),
-                         gaps = columns(numbered("gap_", blocks)), places = columns(place_names(blocks));
+                         gaps = columns(numbered("gap_", blocks)),
+                         places = columns(numbered_in_turn({"x_", "y_"}, blocks));
   const auto named = [&](const auto& name) { return named_pattern(name, blocks); };
   for (std::string last; line.next();) {
     history.times.push_back(line.value(time));

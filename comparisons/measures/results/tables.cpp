@@ -75,8 +75,7 @@ std::string history_csv(const History& history) {
   if (patterns) csv.add("pattern");
   if (slips) csv.add(numbered("slip_", history.blocks));
   if (gaps) csv.add(numbered("gap_", history.blocks));
-  if (places)
-    for (int k = 1; k <= history.blocks; ++k) csv.add(fmt::format("x_{}", k), fmt::format("y_{}", k));
+  if (places) csv.add(numbered_in_turn({"x_", "y_"}, history.blocks));
   csv.end_line();
   for (std::size_t i = 0; i < history.size(); ++i) {
     csv.add(history.times[i], history.angles_at(i), history.velocities_at(i));
