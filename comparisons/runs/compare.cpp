@@ -214,19 +214,6 @@ void require_comparable(const std::vector<Suite>& suites) {
   }
 }
 
-void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
-                      const std::string& command) {
-  std::vector<Suite> read;
-  std::vector<Job> jobs;
-  executor.serve([&](std::size_t task) {
-    if (jobs.empty()) {
-      read = suites();
-      jobs = jobs_of(read);
-    }
-    return compute_task(jobs, task, command, executor.count());
-  });
-}
-
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       Executor& executor, const CompareOptions& options) {
   require_comparable(suites);

@@ -18,11 +18,6 @@ struct Progress {
   std::optional<double> remaining;
 };
 
-/// The text of a task, to be delivered. Tasks are numbered: the nominal runs of all jobs, then their
-/// replicates.
-std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
-                         std::size_t at_a_time);
-
 /// What results name as their command, and what is told while they are made.
 struct CompareOptions {
   std::string command = {};                                                ///< written into the results

@@ -8,7 +8,8 @@
 namespace rockstack {
 namespace {
 
-/// What is computed in one go: the nominal run of a job, or all its replicates.
+/// What is computed in one go: the nominal run of a job, or all its replicates. Tasks are numbered: the
+/// nominal runs of all jobs, then their replicates.
 struct Task {
   std::size_t job;
   bool replicates;
@@ -152,8 +153,7 @@ class Runs {
   std::map<std::size_t, std::string> texts_;  ///< replicates that came before their nominal run
 };
 
-}  // namespace
-
+/// The text of a task, to be delivered.
 std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
                          std::size_t at_a_time) {
   const Task task = task_of(number, jobs.size());
@@ -161,6 +161,21 @@ std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const
   if (!task.replicates) return pack(measure(job, command, at_a_time));
   const std::size_t threads = std::max<std::size_t>(1, all_cores() / at_a_time);
   return pack_replicates(make_replicates(job, threads), replicates_identity(job));
+}
+
+}  // namespace
+
+void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
+                      const std::string& command) {
+  std::vector<Suite> read;
+  std::vector<Job> jobs;
+  executor.serve([&](std::size_t task) {
+    if (jobs.empty()) {
+      read = suites();
+      jobs = jobs_of(read);
+    }
+    return compute_task(jobs, task, command, executor.count());
+  });
 }
 
 DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
