@@ -129,6 +129,13 @@ std::string sinking(const Scene& scene, const History& history, double depth) {
                                                            : "";
 }
 
+/// The first block that has fallen off what it stood on.
+std::string fallen_block(const std::vector<double>& unsupported_since) {
+  const auto first = std::ranges::min_element(unsupported_since);
+  if (first == unsupported_since.end() || std::isinf(*first)) return "";
+  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
+}
+
 }  // namespace
 
 std::string doubt_of(const History& history) {
@@ -150,12 +157,6 @@ std::string observed_toppling(const Scene& scene, const History& history) {
     if (std::abs(last[k]) > toppling_angle(scene, static_cast<int>(k)))
       return fmt::format("block {} at {} s", k + 1, history.times.back());
   return "";
-}
-
-std::string fallen_block(const std::vector<double>& unsupported_since) {
-  const auto first = std::ranges::min_element(unsupported_since);
-  if (first == unsupported_since.end() || std::isinf(*first)) return "";
-  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
 }
 
 TopplingVerdict toppling_verdict(bool exact, bool engine) {
