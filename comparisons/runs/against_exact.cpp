@@ -126,16 +126,6 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.contact_restitution = restitution_of(*row.contact_damping_ratio);
 }
 
-/// How far two motions' centres are apart at times of both, m.
-Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
-                               const std::vector<double>& second, std::size_t blocks) {
-  Difference result{blocks, times, {}};
-  result.values.reserve(times.size() * blocks);
-  for (std::size_t i = 0; i < 2 * times.size() * blocks; i += 2)
-    result.values.push_back(std::hypot(second[i] - first[i], second[i + 1] - first[i + 1]));
-  return result;
-}
-
 /// Where centres are; `exact` and `times`: those that are compared.
 void add_positions(const Scene& scene, const History& exact, const std::vector<double>& times,
                    const std::optional<BodyRecord>& bodies, double tolerance, RunMetrics& row) {
@@ -143,7 +133,10 @@ void add_positions(const Scene& scene, const History& exact, const std::vector<d
   row.motion = extent_of_motion(scene, exact, centres);
   row.error = row.rms_angle_difference;
   if (!bodies) return;
-  const Difference apart = position_difference(times, centres, bodies->centres, scene.blocks.size());
+  Difference apart{scene.blocks.size(), times, {}};
+  for (std::size_t i = 0; i < 2 * times.size() * scene.blocks.size(); i += 2)
+    apart.values.push_back(
+        std::hypot(bodies->centres[i] - centres[i], bodies->centres[i + 1] - centres[i + 1]));
   const double height = least_height(scene.blocks);
   row.largest_position_difference = largest(apart);
   row.rms_position_difference = root_mean_square(apart);
