@@ -23,15 +23,9 @@ std::string fall_of(const RunMetrics& row) {
   return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
 }
 
-/// How deep a block has sunk in.
-struct Sunk {
-  double depth = 0;    ///< m
-  bool stays = false;  ///< to the end, not for a moment
-};
-
-/// Where it stays so by more than told_sinking of the least block height, or is deeper by the tolerance for a
-/// moment; nought elsewhere.
-Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene) {
+/// How deep a block has sunk in, m, and whether to the end, not for a moment: where it stays so by more than
+/// told_sinking of the least block height, or is deeper by the tolerance for a moment; nought elsewhere.
+std::pair<double, bool> sunk_in(const RunMetrics& row, const JudgedScene& scene) {
   const double off = row.largest_position_difference.value_or(0);
   const double at_the_end = std::min(row.sinking.value_or(0), off);
   const double deepest = std::min(row.penetration.value_or(0), off);
@@ -63,7 +57,7 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   for (const RunMetrics* row : events) {
     const std::string event = event_of(*row, part_named(scenes, row->scene));
     const std::string verb = event.substr(0, event.find_first_of(" ,"));
-    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, part_named(scenes, row->scene)).depth);
+    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, part_named(scenes, row->scene)).first);
     if (verb == "rises") highest = std::max(highest, row->gap.value_or(0));
     sets[verb == "sinks" || verb == "rises" || verb == "stands" ? verb : "falls"].insert(set_name(*row));
   }
@@ -104,8 +98,8 @@ std::string event_of(const RunMetrics& row, const JudgedScene& scene) {
   if (const std::string fall = fall_of(row); !fall.empty())
     return replicates.empty() ? fall : fall + ", " + replicates;
   if (!replicates.empty()) return "topples otherwise " + replicates;
-  if (const Sunk sunk = sunk_in(row, scene); sunk.depth > 0)
-    return "sinks in by " + quantity_text(sunk.depth, "m", 2) + (sunk.stays ? "" : " for a moment");
+  if (const auto [depth, stays] = sunk_in(row, scene); depth > 0)
+    return "sinks in by " + quantity_text(depth, "m", 2) + (stays ? "" : " for a moment");
   const bool pivots = row.law == name(Law::paper) || row.law == name(Law::consistent);
   const bool rises = pivots && row.motion > rest_extent && row.gap > scene.tolerance * scene.least_height;
   return rises ? "rises by " + quantity_text(*row.gap, "m", 2) : "";
