@@ -58,39 +58,30 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
 }
 
 /// Tells rows as CompareOptions has them, those that are told together the nearest first. Keeps references.
-class RowTeller {
- public:
-  RowTeller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
-            const CompareOptions& options)
-      : scenes_(scenes), options_(options) {
-    for (const Job& job : jobs) ++left_[cell_of(job)];
-  }
-
-  void add(const Job& job, const RunWithReplicates& row) {
-    const Cell cell = cell_of(job);
-    std::vector<RunWithReplicates>& own = rows_[cell];
-    own.push_back(row);
-    if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front());
-    if (--left_[cell] > 0) return;
-    std::vector<ReplicatedRow> rows = reported_rows(own, scenes_);
+auto row_teller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
+                const CompareOptions& options) {
+  struct Cell {
+    std::size_t left = 0;  ///< rows that are still to come
+    std::vector<RunWithReplicates> rows = {};
+  };
+  std::map<std::pair<std::string, double>, Cell> cells;  // by scene and step, 0 of the exact solutions
+  const auto key_of = [](const Job& job) {
+    return std::pair(job.scene.name, job.series == nullptr ? 0 : job.dt);
+  };
+  for (const Job& job : jobs) ++cells[key_of(job)].left;
+  return [&, key_of, cells](std::size_t job, const RunWithReplicates& row) mutable {
+    Cell& cell = cells[key_of(jobs[job])];
+    cell.rows.push_back(row);
+    if (jobs[job].series != nullptr) options.row(reported_rows({row}, scenes).front());
+    if (--cell.left > 0) return;
+    std::vector<ReplicatedRow> rows = reported_rows(std::exchange(cell.rows, {}), scenes);
     const auto place = [](const RunMetrics& one) {
       return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
     };
     std::ranges::stable_sort(rows, {}, place);
-    options_.rows({rows.begin(), rows.end()});
-    rows_.erase(cell);
-  }
-
- private:
-  using Cell = std::pair<std::string, double>;  ///< scene and step, 0 of the exact solutions
-
-  static Cell cell_of(const Job& job) { return {job.scene.name, job.series == nullptr ? 0 : job.dt}; }
-
-  const std::vector<JudgedScene>& scenes_;
-  const CompareOptions& options_;
-  std::map<Cell, std::size_t> left_;
-  std::map<Cell, std::vector<RunWithReplicates>> rows_;
-};
+    options.rows({rows.begin(), rows.end()});
+  };
+}
 
 /// Empty where the scene cannot be solved.
 Json predictable_json(const std::string& scene, const std::vector<RunMetrics>& rows) {
@@ -219,9 +210,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
-  RowTeller teller(jobs, scenes, options);
-  const auto tell = [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); };
-  const DoneTasks made = carry_out(jobs, folder, executor, options, tell);
+  const DoneTasks made = carry_out(jobs, folder, executor, options, row_teller(jobs, scenes, options));
   ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
   CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, made.reused, {}};
   evidence.fits = fit_runs(result.rows);
