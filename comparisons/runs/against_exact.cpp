@@ -176,18 +176,6 @@ History exact_motion(const Scene& scene, const std::vector<double>& times) {
   }
 }
 
-/// Of angles that are linear in the factor by which springs are softer, those for factor 1.
-History extrapolated(const History& stiffer, const History& softer, double factor) {
-  History result;
-  result.blocks = stiffer.blocks;
-  const std::size_t samples = std::min(stiffer.size(), softer.size());
-  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
-  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
-    result.angles.push_back(stiffer.angles[i] -
-                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
-  return result;
-}
-
 void add_sizes(const DifferenceParts& parts, RunMetrics& row) {
   const Difference whole = whole_of(parts);
   row.model_difference = root_mean_square(parts.model);
@@ -211,7 +199,16 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
     return solve(with_springs(scene, friction, one), {.sample_times = times});
   };
   if (factor == 1) return {solved(1), 1};
-  return {extrapolated(solved(factor), solved(2 * factor), factor), factor};
+  // Of angles that are linear in the factor, those for factor 1.
+  const History stiffer = solved(factor), softer = solved(2 * factor);
+  const std::size_t samples = std::min(stiffer.size(), softer.size());
+  History result;
+  result.blocks = stiffer.blocks;
+  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
+  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
+    result.angles.push_back(stiffer.angles[i] -
+                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
+  return {std::move(result), factor};
 }
 
 void add_parts(const Scene& scene, const History& exact, const CandidateMotion& candidate, double horizon,
