@@ -5,8 +5,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "comparisons/measures/statistics/samples.hpp"
-
 namespace rockstack {
 namespace {
 
@@ -64,7 +62,9 @@ History up_to(History history, double time) {
 }
 
 double largest(const Difference& difference) {
-  return largest_magnitude(difference.values);
+  double result = 0;
+  for (const double angle : difference.values) result = std::max(result, std::abs(angle));
+  return result;
 }
 
 double root_mean_square(const Difference& difference) {
