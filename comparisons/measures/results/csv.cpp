@@ -1,7 +1,5 @@
 #include "comparisons/measures/results/csv.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -152,11 +150,6 @@ void CsvWriter::end_line() {
 void CsvWriter::separate() {
   if (begun_) text_ += ',';
   begun_ = true;
-}
-
-void CsvWriter::write(double number) {
-  separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
 }
 
 void CsvWriter::write(std::string_view text) {
