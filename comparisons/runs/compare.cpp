@@ -22,13 +22,6 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
   row.exact_peaks.push_back(*run.exact_peak_angle);
 }
 
-/// Ranks of the rows of one scene and step, given to them.
-void rank(const std::vector<ReplicatedRow*>& rows) {
-  for (const RankedSet& set : rank_all(each_of(rows, [](const ReplicatedRow* row) { return *row; })))
-    for (ReplicatedRow* one : rows)
-      if (set_name(*one) == set_name(set) && one->status == RunStatus::done) one->rank = set.rank;
-}
-
 std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
   std::vector<JudgedScene> scenes;
   for (const Suite& suite : suites)
@@ -53,7 +46,10 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     one.outcome = outcome(one, part_named(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
-  for (const auto& [cell, own] : cells) rank(own);
+  for (const auto& [cell, own] : cells)
+    for (const RankedSet& set : rank_all(each_of(own, [](const ReplicatedRow* row) { return *row; })))
+      for (ReplicatedRow* one : own)
+        if (set_name(*one) == set_name(set) && one->status == RunStatus::done) one->rank = set.rank;
   return reported;
 }
 
@@ -210,16 +206,16 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
-  const DoneTasks made = carry_out(jobs, folder, executor, options, row_teller(jobs, scenes, options));
-  ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
-  CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, made.reused, {}};
+  const auto [made, reused] = carry_out(jobs, folder, executor, options, row_teller(jobs, scenes, options));
+  ComparisonEvidence evidence{reported_rows(made, scenes), {}, {}};
+  CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, reused, {}};
   evidence.fits = fit_runs(result.rows);
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
   if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(evidence.distances));
   if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(evidence.fits));
-  if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made.rows));
+  if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));
   write_file(folder / "comparison.csv", csv_of(result.rows));

@@ -29,18 +29,13 @@ struct CompareOptions {
   std::function<void(const std::vector<RunMetrics>&)> rows = [](const std::vector<RunMetrics>&) {};
 };
 
-struct DoneTasks {
-  std::vector<RunWithReplicates> rows;  ///< one a job
-  std::size_t reused = 0;               ///< nominal runs that were there already
-};
-
 /// Makes the tasks that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
 /// before its replicates, and tells how far it has come, and of each job whose tasks are all there its row,
-/// from one thread at a time. Replicates of a run that has failed are not made. Precondition:
-/// executor.leads().
-DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                    const CompareOptions& options,
-                    const std::function<void(std::size_t job, const RunWithReplicates&)>& row);
+/// from one thread at a time. Replicates of a run that has failed are not made. Returns a row a job, and how
+/// many nominal runs were there already. Precondition: executor.leads().
+std::pair<std::vector<RunWithReplicates>, std::size_t> carry_out(
+    const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+    const CompareOptions& options, const std::function<void(std::size_t job, const RunWithReplicates&)>& row);
 
 struct CompareResult {
   std::vector<RunMetrics> rows;

@@ -178,9 +178,10 @@ void serve_comparison(Executor& executor, const std::function<std::vector<Suite>
   });
 }
 
-DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                    const CompareOptions& options,
-                    const std::function<void(std::size_t job, const RunWithReplicates&)>& row) {
+std::pair<std::vector<RunWithReplicates>, std::size_t> carry_out(
+    const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+    const CompareOptions& options,
+    const std::function<void(std::size_t job, const RunWithReplicates&)>& row) {
   Runs runs(jobs, folder);
   const std::vector<std::size_t> order = order_of(jobs);
   double work = 0;
