@@ -6,7 +6,6 @@
 #include "analytic/scene/input/page_scene.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/histories.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"

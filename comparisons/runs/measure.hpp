@@ -67,7 +67,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 struct SolveJob {
   const NamedScene& scene;
   const SolveOptions& options;
-  const std::vector<std::string>& histories;  ///< kinds to be kept (results/histories.hpp)
+  const std::vector<std::string>& histories;  ///< kinds to be kept (results/tables.hpp)
   const std::filesystem::path& folder;
   const std::string& command;
 };
