@@ -25,13 +25,6 @@ std::string verdict_of(const Scene& scene, const Branch& branch) {
   return branch.unfinished.empty() ? motion_verdict(scene, branch.history) : "given up: " + branch.unfinished;
 }
 
-/// "; from 1.2 s on the mirror image of branch 2", or nothing.
-std::string likeness_of(const Branch& branch) {
-  if (!branch.like) return "";
-  return fmt::format("; from {:.4g} s on {} branch {}", branch.like->from,
-                     branch.like->mirrored ? "the mirror image of" : "the same as", branch.like->branch + 1);
-}
-
 }  // namespace
 
 Json branches_json(const Scene& scene, const BranchTree& tree) {
@@ -64,8 +57,12 @@ std::vector<std::string> branch_lines(const Scene& scene, const BranchTree& tree
                                    branch.start->time, name(branch.start->ways[branch.start->taken]),
                                    name(branch.start->ways.front()))
                      : "";
-    lines.push_back(
-        fmt::format("branch {}: {}{}{}", i + 1, start, verdict_of(scene, branch), likeness_of(branch)));
+    const std::string likeness =
+        branch.like ? fmt::format("; from {:.4g} s on {} branch {}", branch.like->from,
+                                  branch.like->mirrored ? "the mirror image of" : "the same as",
+                                  branch.like->branch + 1)
+                    : "";
+    lines.push_back(fmt::format("branch {}: {}{}{}", i + 1, start, verdict_of(scene, branch), likeness));
   }
   if (tree.branches.size() == 1 && tree.left_out == 0) lines.push_back("no event leaves another motion");
   if (tree.left_out > 0)
