@@ -126,16 +126,6 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.contact_restitution = restitution_of(*row.contact_damping_ratio);
 }
 
-/// How far two motions' centres are apart at times of both, m.
-Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
-                               const std::vector<double>& second, std::size_t blocks) {
-  Difference result{blocks, times, {}};
-  result.values.reserve(times.size() * blocks);
-  for (std::size_t i = 0; i < 2 * times.size() * blocks; i += 2)
-    result.values.push_back(std::hypot(second[i] - first[i], second[i + 1] - first[i + 1]));
-  return result;
-}
-
 /// Where centres are; `exact` and `times`: those that are compared.
 void add_positions(const Scene& scene, const History& exact, const std::vector<double>& times,
                    const std::optional<BodyRecord>& bodies, double tolerance, RunMetrics& row) {
@@ -143,7 +133,10 @@ void add_positions(const Scene& scene, const History& exact, const std::vector<d
   row.motion = extent_of_motion(scene, exact, centres);
   row.error = row.rms_angle_difference;
   if (!bodies) return;
-  const Difference apart = position_difference(times, centres, bodies->centres, scene.blocks.size());
+  Difference apart{scene.blocks.size(), times, {}};
+  for (std::size_t i = 0; i < 2 * times.size() * scene.blocks.size(); i += 2)
+    apart.values.push_back(
+        std::hypot(bodies->centres[i] - centres[i], bodies->centres[i + 1] - centres[i + 1]));
   const double height = least_height(scene.blocks);
   row.largest_position_difference = largest(apart);
   row.rms_position_difference = root_mean_square(apart);
@@ -183,18 +176,6 @@ History exact_motion(const Scene& scene, const std::vector<double>& times) {
   }
 }
 
-/// Of angles that are linear in the factor by which springs are softer, those for factor 1.
-History extrapolated(const History& stiffer, const History& softer, double factor) {
-  History result;
-  result.blocks = stiffer.blocks;
-  const std::size_t samples = std::min(stiffer.size(), softer.size());
-  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
-  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
-    result.angles.push_back(stiffer.angles[i] -
-                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
-  return result;
-}
-
 void add_sizes(const DifferenceParts& parts, RunMetrics& row) {
   const Difference whole = whole_of(parts);
   row.model_difference = root_mean_square(parts.model);
@@ -218,7 +199,16 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
     return solve(with_springs(scene, friction, one), {.sample_times = times});
   };
   if (factor == 1) return {solved(1), 1};
-  return {extrapolated(solved(factor), solved(2 * factor), factor), factor};
+  // Of angles that are linear in the factor, those for factor 1.
+  const History stiffer = solved(factor), softer = solved(2 * factor);
+  const std::size_t samples = std::min(stiffer.size(), softer.size());
+  History result;
+  result.blocks = stiffer.blocks;
+  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
+  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
+    result.angles.push_back(stiffer.angles[i] -
+                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
+  return {std::move(result), factor};
 }
 
 void add_parts(const Scene& scene, const History& exact, const CandidateMotion& candidate, double horizon,

@@ -22,13 +22,6 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
   row.exact_peaks.push_back(*run.exact_peak_angle);
 }
 
-/// Ranks of the rows of one scene and step, given to them.
-void rank(const std::vector<ReplicatedRow*>& rows) {
-  for (const RankedSet& set : rank_all(each_of(rows, [](const ReplicatedRow* row) { return *row; })))
-    for (ReplicatedRow* one : rows)
-      if (set_name(*one) == set_name(set) && one->status == RunStatus::done) one->rank = set.rank;
-}
-
 std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
   std::vector<JudgedScene> scenes;
   for (const Suite& suite : suites)
@@ -53,44 +46,38 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     one.outcome = outcome(one, part_named(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
-  for (const auto& [cell, own] : cells) rank(own);
+  for (const auto& [cell, own] : cells)
+    for (const RankedSet& set : rank_all(each_of(own, [](const ReplicatedRow* row) { return *row; })))
+      for (ReplicatedRow* one : own)
+        if (set_name(*one) == set_name(set) && one->status == RunStatus::done) one->rank = set.rank;
   return reported;
 }
 
 /// Tells rows as CompareOptions has them, those that are told together the nearest first. Keeps references.
-class RowTeller {
- public:
-  RowTeller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
-            const CompareOptions& options)
-      : scenes_(scenes), options_(options) {
-    for (const Job& job : jobs) ++left_[cell_of(job)];
-  }
-
-  void add(const Job& job, const RunWithReplicates& row) {
-    const Cell cell = cell_of(job);
-    std::vector<RunWithReplicates>& own = rows_[cell];
-    own.push_back(row);
-    if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front());
-    if (--left_[cell] > 0) return;
-    std::vector<ReplicatedRow> rows = reported_rows(own, scenes_);
+auto row_teller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
+                const CompareOptions& options) {
+  struct Cell {
+    std::size_t left = 0;  ///< rows that are still to come
+    std::vector<RunWithReplicates> rows = {};
+  };
+  std::map<std::pair<std::string, double>, Cell> cells;  // by scene and step, 0 of the exact solutions
+  const auto key_of = [](const Job& job) {
+    return std::pair(job.scene.name, job.series == nullptr ? 0 : job.dt);
+  };
+  for (const Job& job : jobs) ++cells[key_of(job)].left;
+  return [&, key_of, cells](std::size_t job, const RunWithReplicates& row) mutable {
+    Cell& cell = cells[key_of(jobs[job])];
+    cell.rows.push_back(row);
+    if (jobs[job].series != nullptr) options.row(reported_rows({row}, scenes).front());
+    if (--cell.left > 0) return;
+    std::vector<ReplicatedRow> rows = reported_rows(std::exchange(cell.rows, {}), scenes);
     const auto place = [](const RunMetrics& one) {
       return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
     };
     std::ranges::stable_sort(rows, {}, place);
-    options_.rows({rows.begin(), rows.end()});
-    rows_.erase(cell);
-  }
-
- private:
-  using Cell = std::pair<std::string, double>;  ///< scene and step, 0 of the exact solutions
-
-  static Cell cell_of(const Job& job) { return {job.scene.name, job.series == nullptr ? 0 : job.dt}; }
-
-  const std::vector<JudgedScene>& scenes_;
-  const CompareOptions& options_;
-  std::map<Cell, std::size_t> left_;
-  std::map<Cell, std::vector<RunWithReplicates>> rows_;
-};
+    options.rows({rows.begin(), rows.end()});
+  };
+}
 
 /// Empty where the scene cannot be solved.
 Json predictable_json(const std::string& scene, const std::vector<RunMetrics>& rows) {
@@ -214,36 +201,21 @@ void require_comparable(const std::vector<Suite>& suites) {
   }
 }
 
-void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
-                      const std::string& command) {
-  std::vector<Suite> read;
-  std::vector<Job> jobs;
-  executor.serve([&](std::size_t task) {
-    if (jobs.empty()) {
-      read = suites();
-      jobs = jobs_of(read);
-    }
-    return compute_task(jobs, task, command, executor.count());
-  });
-}
-
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       Executor& executor, const CompareOptions& options) {
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
-  RowTeller teller(jobs, scenes, options);
-  const auto tell = [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); };
-  const DoneTasks made = carry_out(jobs, folder, executor, options, tell);
-  ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
-  CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, made.reused, {}};
+  const auto [made, reused] = carry_out(jobs, folder, executor, options, row_teller(jobs, scenes, options));
+  ComparisonEvidence evidence{reported_rows(made, scenes), {}, {}};
+  CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, reused, {}};
   evidence.fits = fit_runs(result.rows);
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
   if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(evidence.distances));
   if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(evidence.fits));
-  if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made.rows));
+  if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));
   write_file(folder / "comparison.csv", csv_of(result.rows));

@@ -18,11 +18,6 @@ struct Progress {
   std::optional<double> remaining;
 };
 
-/// The text of a task, to be delivered. Tasks are numbered: the nominal runs of all jobs, then their
-/// replicates.
-std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
-                         std::size_t at_a_time);
-
 /// What results name as their command, and what is told while they are made.
 struct CompareOptions {
   std::string command = {};                                                ///< written into the results
@@ -34,18 +29,13 @@ struct CompareOptions {
   std::function<void(const std::vector<RunMetrics>&)> rows = [](const std::vector<RunMetrics>&) {};
 };
 
-struct DoneTasks {
-  std::vector<RunWithReplicates> rows;  ///< one a job
-  std::size_t reused = 0;               ///< nominal runs that were there already
-};
-
 /// Makes the tasks that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
 /// before its replicates, and tells how far it has come, and of each job whose tasks are all there its row,
-/// from one thread at a time. Replicates of a run that has failed are not made. Precondition:
-/// executor.leads().
-DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                    const CompareOptions& options,
-                    const std::function<void(std::size_t job, const RunWithReplicates&)>& row);
+/// from one thread at a time. Replicates of a run that has failed are not made. Returns a row a job, and how
+/// many nominal runs were there already. Precondition: executor.leads().
+std::pair<std::vector<RunWithReplicates>, std::size_t> carry_out(
+    const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+    const CompareOptions& options, const std::function<void(std::size_t job, const RunWithReplicates&)>& row);
 
 struct CompareResult {
   std::vector<RunMetrics> rows;

@@ -6,7 +6,6 @@
 #include "analytic/scene/input/page_scene.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/histories.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
@@ -217,7 +216,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene, history);
-  if (bodies) row.fallen = fallen_block(bodies->unsupported_since);
+  if (bodies) row.fallen = support_of(bodies->penetration, bodies->unsupported_since).fallen;
   compare_with_exact(scene, job.suite,
                      {history, dt, observed_impacts(history, chatter_speed(scene)),
                       !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
@@ -275,8 +274,8 @@ BranchTree solve_branches_into(const SolveJob& job, std::size_t most) {
   return tree;
 }
 
-SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                              const std::filesystem::path& folder, const std::string& command) {
+std::pair<History, Support> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                                          const std::filesystem::path& folder, const std::string& command) {
   auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters, {}, true);
   const Support support = support_of(bodies->penetration, bodies->unsupported_since);
   RunMetrics row = describe({{}, scene, dt, &series});

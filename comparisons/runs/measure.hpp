@@ -67,7 +67,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 struct SolveJob {
   const NamedScene& scene;
   const SolveOptions& options;
-  const std::vector<std::string>& histories;  ///< kinds to be kept (results/histories.hpp)
+  const std::vector<std::string>& histories;  ///< kinds to be kept (results/tables.hpp)
   const std::filesystem::path& folder;
   const std::string& command;
 };
@@ -81,15 +81,10 @@ History solve_into(const SolveJob& job);
 /// branches.csv, branches_json() as a table. @throws as solve_branches().
 BranchTree solve_branches_into(const SolveJob& job, std::size_t most);
 
-/// An engine's motion, and how its blocks end on what they stand on.
-struct SimulatedMotion {
-  History history;
-  Support support;
-};
-
 /// Runs one engine and writes the same files, with patterns as its angles tell them (sampled_patterns());
-/// an engine reports no events, so events.csv has its header alone.
-SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                              const std::filesystem::path& folder, const std::string& command);
+/// an engine reports no events, so events.csv has its header alone. Returns how its blocks end on what they
+/// stand on as well.
+std::pair<History, Support> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                                          const std::filesystem::path& folder, const std::string& command);
 
 }  // namespace rockstack

@@ -48,16 +48,22 @@ RunMetrics make_replicate(const Job& job, int number, const std::vector<double>&
   return row;
 }
 
-std::vector<double> values_of(const Column& column, const RunMetrics& nominal,
-                              const std::vector<RunMetrics>& replicates) {
-  std::vector<double> values;
-  const auto add = [&](const RunMetrics& row) {
-    if (row.status != RunStatus::done) return;
-    if (const Json cell = column.cell(row); cell.is_number()) values.push_back(cell.get<double>());
-  };
-  add(nominal);
-  std::ranges::for_each(replicates, add);
-  return values;
+/// The numbers of each column that is a median over replicates, where there are some.
+std::vector<std::pair<const Column&, std::vector<double>>> values_of(
+    const RunMetrics& nominal, const std::vector<RunMetrics>& replicates) {
+  std::vector<std::pair<const Column&, std::vector<double>>> list;
+  for (const Column& column : columns()) {
+    if (!column.replicated) continue;
+    std::vector<double> values;
+    const auto add = [&](const RunMetrics& row) {
+      if (row.status != RunStatus::done) return;
+      if (const Json cell = column.cell(row); cell.is_number()) values.push_back(cell.get<double>());
+    };
+    add(nominal);
+    std::ranges::for_each(replicates, add);
+    if (!values.empty()) list.emplace_back(column, std::move(values));
+  }
+  return list;
 }
 
 constexpr double lower = 0.25, upper = 0.75;
@@ -68,9 +74,7 @@ std::string band_csv(const std::vector<double>& times, std::size_t blocks,
   std::erase_if(motions, [](const auto& angles) { return angles.empty(); });
   if (motions.empty()) return "";
   CsvWriter csv;
-  csv.add("time");
-  for (std::size_t k = 1; k <= blocks; ++k) csv.add(fmt::format("lower_{}", k), fmt::format("upper_{}", k));
-  csv.end_line();
+  csv.line("time", numbered_in_turn({"lower_", "upper_"}, static_cast<int>(blocks)));
   const auto shortest = std::ranges::min_element(motions, {}, &std::vector<double>::size);
   for (std::size_t i = 0; i < shortest->size() / blocks; ++i) {
     csv.add(fmt::format("{:.7g}", times[i]));
@@ -125,9 +129,7 @@ std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text
     const Json json = parse_json(text, "draws: ");
     if (json.at("identity") != identity) return {};
     return json.at("draws").get<std::vector<RunMetrics>>();
-  } catch (const InputError&) {
-    return {};
-  } catch (const Json::exception&) {
+  } catch (const std::exception&) {
     return {};
   }
 }
@@ -144,19 +146,15 @@ void write_replicates(const std::string& packed, const RunMetrics& nominal,
 }
 
 void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
-  const RunMetrics first = nominal;
   const auto count = [&](const auto& counts) {
     return static_cast<int>(std::ranges::count_if(replicates, counts));
   };
   nominal.draws = static_cast<int>(replicates.size()) + 1;
   nominal.draws_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
-  nominal.draws_other_verdict = (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
+  nominal.draws_other_verdict = (differ(nominal.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
                                   return row.status == RunStatus::done && differ(row.toppling_verdict);
                                 });
-  for (const Column& column : columns()) {
-    if (!column.replicated) continue;
-    const std::vector<double> values = values_of(column, first, replicates);
-    if (values.empty()) continue;
+  for (const auto& [column, values] : values_of(nominal, replicates)) {
     column.set(nominal, median(values));
     if (!column.quartiles) continue;
     column_named(column.name + "_lower").set(nominal, quantile(values, lower));
@@ -169,13 +167,9 @@ std::string spread_csv(const std::vector<RunWithReplicates>& rows) {
   csv.line("run", "quantity", "draws", "least", "lower_quartile", "median", "upper_quartile", "greatest");
   for (const auto& [nominal, replicates] : rows) {
     if (replicates.empty()) continue;
-    for (const Column& column : columns()) {
-      if (!column.replicated) continue;
-      const std::vector<double> values = values_of(column, nominal, replicates);
-      if (values.empty()) continue;
+    for (const auto& [column, values] : values_of(nominal, replicates))
       csv.line(nominal.run, column.name, values.size(), quantile(values, 0), quantile(values, lower),
                median(values), quantile(values, upper), quantile(values, 1));
-    }
   }
   return csv.text();
 }

@@ -45,38 +45,28 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
 
 // All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit. Members
 // are bound by their number, so that a struct with another one does not compile until it counts here.
-Json fields_of(const Block& block) {
-  const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
-  return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
-}
-
-Json fields_of(const Pulse& pulse) {
-  const auto& [shape, amplitude, period, start, cycles, phase] = pulse;
-  return std::tuple(shape, amplitude, period, start, cycles, phase);
-}
-
-Json fields_of(const InitialState& initial) {
-  const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
-  return std::tuple(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities);
-}
-
-Json fields_of(const CornerSprings& springs) {
-  const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
-  return std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential);
-}
-
 Json fields_of(const GroundMotion& motion) {
   const auto& [interval, samples, source, made_up, pulse] = motion;
-  return std::tuple(interval, samples, source, made_up, pulse ? fields_of(*pulse) : Json());
+  if (!pulse) return std::tuple(interval, samples, source, made_up, Json());
+  const auto& [shape, amplitude, period, start, cycles, phase] = *pulse;
+  return std::tuple(interval, samples, source, made_up,
+                    std::tuple(shape, amplitude, period, start, cycles, phase));
 }
 
 Json fields_of(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
                point_restitution, restitution_law, springs, initial, horizontal, vertical, engine] = scene;
+  const Json each = each_of(blocks, [](const Block& block) -> Json {
+    const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
+    return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
+  });
+  const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
+  const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
   const auto& [engine_friction, depth] = engine;
-  const Json each = each_of(blocks, [](const Block& block) { return fields_of(block); });
   return std::tuple(title, duration, gravity, inclination, law, equations, restitution, each, friction,
-                    point_restitution, restitution_law, fields_of(springs), fields_of(initial),
+                    point_restitution, restitution_law,
+                    std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential),
+                    std::tuple(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities),
                     fields_of(horizontal), fields_of(vertical), engine_friction, depth);
 }
 

@@ -8,7 +8,8 @@
 namespace rockstack {
 namespace {
 
-/// What is computed in one go: the nominal run of a job, or all its replicates.
+/// What is computed in one go: the nominal run of a job, or all its replicates. Tasks are numbered: the
+/// nominal runs of all jobs, then their replicates.
 struct Task {
   std::size_t job;
   bool replicates;
@@ -152,8 +153,7 @@ class Runs {
   std::map<std::size_t, std::string> texts_;  ///< replicates that came before their nominal run
 };
 
-}  // namespace
-
+/// The text of a task, to be delivered.
 std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
                          std::size_t at_a_time) {
   const Task task = task_of(number, jobs.size());
@@ -163,9 +163,25 @@ std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const
   return pack_replicates(make_replicates(job, threads), replicates_identity(job));
 }
 
-DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                    const CompareOptions& options,
-                    const std::function<void(std::size_t job, const RunWithReplicates&)>& row) {
+}  // namespace
+
+void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
+                      const std::string& command) {
+  std::vector<Suite> read;
+  std::vector<Job> jobs;
+  executor.serve([&](std::size_t task) {
+    if (jobs.empty()) {
+      read = suites();
+      jobs = jobs_of(read);
+    }
+    return compute_task(jobs, task, command, executor.count());
+  });
+}
+
+std::pair<std::vector<RunWithReplicates>, std::size_t> carry_out(
+    const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+    const CompareOptions& options,
+    const std::function<void(std::size_t job, const RunWithReplicates&)>& row) {
   Runs runs(jobs, folder);
   const std::vector<std::size_t> order = order_of(jobs);
   double work = 0;

@@ -4,7 +4,7 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/histories.hpp"
+#include "comparisons/measures/results/tables.hpp"
 
 namespace rockstack {
 namespace {

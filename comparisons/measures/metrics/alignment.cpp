@@ -1,82 +1,53 @@
 #include "comparisons/measures/metrics/alignment.hpp"
 
-#include <set>
-
 namespace rockstack {
 namespace {
 
 /// How many pairs an alignment has, and less the sum of their time differences, s: the greater, the better.
 using Score = std::pair<int, double>;
 
-/// The impacts of one interface, by their numbers in both sequences.
-class InterfaceAlignment {
- public:
-  InterfaceAlignment(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
-                     const std::vector<double>& windows, int interface)
-      : exact_(exact),
-        engine_(engine),
-        windows_(windows),
-        exact_numbers_(of_interface(exact, interface)),
-        engine_numbers_(of_interface(engine, interface)),
-        columns_(engine_numbers_.size() + 1),
-        scores_((exact_numbers_.size() + 1) * columns_) {
-    for (std::size_t i = exact_numbers_.size(); i-- > 0;)
-      for (std::size_t j = engine_numbers_.size(); j-- > 0;)
-        scores_[i * columns_ + j] = std::max({at(i + 1, j), at(i, j + 1), paired(i, j)});
-  }
+/// The numbers of those of one interface.
+std::vector<std::size_t> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < impacts.size(); ++i)
+    if (impacts[i].interface == interface) numbers.push_back(i);
+  return numbers;
+}
 
-  void append_to(std::vector<AlignedImpact>& lines) const {
-    std::size_t i = 0, j = 0;
-    while (i < exact_numbers_.size() || j < engine_numbers_.size()) {
-      const bool both = i < exact_numbers_.size() && j < engine_numbers_.size();
-      const bool pair = both && at(i, j) == paired(i, j);
-      const bool takes_exact = pair || j == engine_numbers_.size() || (both && at(i + 1, j) >= at(i, j + 1));
-      AlignedImpact& line = lines.emplace_back();
-      if (pair || !takes_exact) {
-        const ImpactTime& impact = engine_at(j++);
-        line.interface = impact.interface;
-        line.engine = impact.time;
-        line.engine_side = impact.side;
-      }
-      if (takes_exact) {
-        const ImpactTime& impact = exact_at(i++);
-        line.interface = impact.interface;
-        line.number = static_cast<int>(exact_numbers_[i - 1]) + 1;
-        line.exact = impact.time;
-        line.exact_side = impact.side;
-      }
+void align_interface(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
+                     const std::vector<double>& windows, int interface, std::vector<AlignedImpact>& lines) {
+  const auto firsts = of_interface(exact, interface), seconds = of_interface(engine, interface);
+  std::vector<std::vector<Score>> best(firsts.size() + 1,  // of the tails from i and j
+                                       std::vector<Score>(seconds.size() + 1));
+  // Of the best alignment that starts with the pair (i, j); less than any where these cannot be a pair.
+  const auto paired = [&](std::size_t i, std::size_t j) -> Score {
+    const ImpactTime &one = exact[firsts[i]], &other = engine[seconds[j]];
+    const double apart = std::abs(one.time - other.time);
+    if (sign(one.side) * sign(other.side) < 0 || !(apart <= windows[firsts[i]])) return {-1, 0};
+    return {best[i + 1][j + 1].first + 1, best[i + 1][j + 1].second - apart};
+  };
+  for (std::size_t i = firsts.size(); i-- > 0;)
+    for (std::size_t j = seconds.size(); j-- > 0;)
+      best[i][j] = std::max({best[i + 1][j], best[i][j + 1], paired(i, j)});
+  for (std::size_t i = 0, j = 0; i < firsts.size() || j < seconds.size();) {
+    const bool both = i < firsts.size() && j < seconds.size();
+    const bool pair = both && best[i][j] == paired(i, j);
+    const bool takes_exact = pair || j == seconds.size() || (both && best[i + 1][j] >= best[i][j + 1]);
+    AlignedImpact& line = lines.emplace_back();
+    line.interface = interface;
+    if (pair || !takes_exact) {
+      const ImpactTime& impact = engine[seconds[j++]];
+      line.engine = impact.time;
+      line.engine_side = impact.side;
+    }
+    if (takes_exact) {
+      line.number = static_cast<int>(firsts[i]) + 1;
+      const ImpactTime& impact = exact[firsts[i++]];
+      line.exact = impact.time;
+      line.exact_side = impact.side;
     }
   }
-
- private:
-  static std::vector<std::size_t> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
-    std::vector<std::size_t> numbers;
-    for (std::size_t i = 0; i < impacts.size(); ++i)
-      if (impacts[i].interface == interface) numbers.push_back(i);
-    return numbers;
-  }
-
-  const ImpactTime& exact_at(std::size_t i) const { return exact_[exact_numbers_[i]]; }
-  const ImpactTime& engine_at(std::size_t j) const { return engine_[engine_numbers_[j]]; }
-
-  /// Of the best alignment of the tails from i and j.
-  const Score& at(std::size_t i, std::size_t j) const { return scores_[i * columns_ + j]; }
-
-  /// Of the best one that starts with the pair (i, j); less than any where these cannot be a pair.
-  Score paired(std::size_t i, std::size_t j) const {
-    const double apart = std::abs(exact_at(i).time - engine_at(j).time);
-    if (sign(exact_at(i).side) * sign(engine_at(j).side) < 0 || !(apart <= windows_[exact_numbers_[i]]))
-      return {-1, 0};
-    return {at(i + 1, j + 1).first + 1, at(i + 1, j + 1).second - apart};
-  }
-
-  const std::vector<ImpactTime>& exact_;
-  const std::vector<ImpactTime>& engine_;
-  const std::vector<double>& windows_;
-  std::vector<std::size_t> exact_numbers_, engine_numbers_;
-  std::size_t columns_;
-  std::vector<Score> scores_;
-};
+}
 
 double time_of(const AlignedImpact& line) {
   return line.exact ? *line.exact : *line.engine;
@@ -123,12 +94,9 @@ double window_of(const std::vector<ImpactTime>& exact, std::size_t number, const
 
 std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
                                  const std::vector<double>& windows) {
-  std::set<int> interfaces;
-  for (const auto* impacts : {&exact, &engine})
-    for (const ImpactTime& impact : *impacts) interfaces.insert(impact.interface);
   std::vector<AlignedImpact> lines;
-  for (const int interface : interfaces)
-    InterfaceAlignment(exact, engine, windows, interface).append_to(lines);
+  for (int interface = 1; interface <= max_blocks; ++interface)
+    align_interface(exact, engine, windows, interface, lines);
   std::ranges::stable_sort(lines, {}, time_of);
   return lines;
 }

@@ -78,21 +78,6 @@ State<double> state_at(const History& history, std::size_t sample) {
   return state;
 }
 
-/// The forces of one sample, from the equations of motion.
-void add_reactions(const Model<double>& model, const Scene& scene, const History& history, std::size_t sample,
-                   std::vector<Reaction>& rows) {
-  const double time = history.times[sample];
-  const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,
-                             acceleration(scene.vertical, time)};
-  const PatternSolution<double> solution = accelerate(model, state_at(history, sample), ground);
-  const auto& reactions = solution.reactions;
-  for (int k = 0; k < history.blocks; ++k) {
-    const bool carried = solution.pattern[k] == Contact::closed && reactions.normal[k] > solution.rounding[k];
-    rows.push_back({reactions.normal[k], reactions.tangential[k],
-                    carried ? -reactions.moment[k] / reactions.normal[k] : std::nan("")});
-  }
-}
-
 }  // namespace
 
 std::vector<InterfaceSummary> contact_summary(const History& history) {
@@ -177,7 +162,17 @@ std::vector<Reaction> reactions_of(const Scene& scene, const History& history) {
   const Model<double> model = make_model<double>(scene);
   std::vector<Reaction> rows;
   rows.reserve(history.size() * static_cast<std::size_t>(history.blocks));
-  for (std::size_t i = 0; i < history.size(); ++i) add_reactions(model, scene, history, i, rows);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const double time = history.times[i];
+    const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,
+                               acceleration(scene.vertical, time)};
+    const PatternSolution<double> solution = accelerate(model, state_at(history, i), ground);
+    const auto& [normal, tangential, moment] = solution.reactions;
+    for (int k = 0; k < history.blocks; ++k) {
+      const bool carried = solution.pattern[k] == Contact::closed && normal[k] > solution.rounding[k];
+      rows.push_back({normal[k], tangential[k], carried ? -moment[k] / normal[k] : std::nan("")});
+    }
+  }
   return rows;
 }
 

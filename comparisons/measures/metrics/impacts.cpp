@@ -31,15 +31,12 @@ std::vector<Contact> contacts(const std::vector<double>& times, const std::vecto
   return list;
 }
 
-struct Passage {
-  double time = 0;  ///< s
-  Pattern pattern;
-};
-
-std::vector<Passage> passages(const std::vector<double>& times, const std::vector<Pattern>& patterns) {
-  std::vector<Passage> list;
+/// The times at which patterns begin, s, and which.
+std::vector<std::pair<double, Pattern>> passages(const std::vector<double>& times,
+                                                 const std::vector<Pattern>& patterns) {
+  std::vector<std::pair<double, Pattern>> list;
   for (std::size_t i = 0; i < times.size(); ++i)
-    if (list.empty() || !(list.back().pattern == patterns[i])) list.push_back({times[i], patterns[i]});
+    if (list.empty() || !(list.back().second == patterns[i])) list.emplace_back(times[i], patterns[i]);
   return list;
 }
 
@@ -147,10 +144,10 @@ double agreement(const std::vector<PatternShare>& shares) {
 double sequence_time(const std::vector<double>& times, const std::vector<Pattern>& exact,
                      const std::vector<Pattern>& engine) {
   const auto first = passages(times, exact), second = passages(times, engine);
-  const auto alike = [](const Passage& a, const Passage& b) { return a.pattern == b.pattern; };
+  const auto alike = [](const auto& a, const auto& b) { return a.second == b.second; };
   const auto [one, other] = std::mismatch(first.begin(), first.end(), second.begin(), second.end(), alike);
-  return std::min(one == first.end() ? times.back() : one->time,
-                  other == second.end() ? times.back() : other->time);
+  return std::min(one == first.end() ? times.back() : one->first,
+                  other == second.end() ? times.back() : other->first);
 }
 
 std::vector<ImpactTime> settlings(const Scene& scene, const History& history) {

@@ -14,14 +14,6 @@ constexpr double visible = 1e-9;  // m
 /// In the order of TopplingVerdict.
 constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
 
-/// When a block leans furthest among the samples, s.
-double peak_time(const History& history, std::size_t block) {
-  std::size_t furthest = 0;
-  for (std::size_t i = 0; i < history.size(); ++i)
-    if (std::abs(history.angles_at(i)[block]) > std::abs(history.angles_at(furthest)[block])) furthest = i;
-  return history.times[furthest];
-}
-
 /// When an interface would have to pull, by forces or by impulses; empty where none does.
 std::string pull(const History& history) {
   for (const auto* demands : {&history.forces, &history.impulses})
@@ -137,6 +129,13 @@ std::string sinking(const Scene& scene, const History& history, double depth) {
                                                            : "";
 }
 
+/// The first block that has fallen off what it stood on.
+std::string fallen_block(const std::vector<double>& unsupported_since) {
+  const auto first = std::ranges::min_element(unsupported_since);
+  if (first == unsupported_since.end() || std::isinf(*first)) return "";
+  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
+}
+
 }  // namespace
 
 std::string doubt_of(const History& history) {
@@ -158,12 +157,6 @@ std::string observed_toppling(const Scene& scene, const History& history) {
     if (std::abs(last[k]) > toppling_angle(scene, static_cast<int>(k)))
       return fmt::format("block {} at {} s", k + 1, history.times.back());
   return "";
-}
-
-std::string fallen_block(const std::vector<double>& unsupported_since) {
-  const auto first = std::ranges::min_element(unsupported_since);
-  if (first == unsupported_since.end() || std::isinf(*first)) return "";
-  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
 }
 
 TopplingVerdict toppling_verdict(bool exact, bool engine) {
@@ -264,7 +257,7 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
       most.ratio < 1e-3 && !history.slips.empty()
           ? "; nothing rocks"
           : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
-                        most.ratio, peak_time(history, most.block));
+                        most.ratio, largest_swing(history, most.block).peak_time);
   const std::string state =
       going_on.empty() ? "stands" : fmt::format("{} at the end, {:.4g} s", going_on, history.times.back());
   return state + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(history);

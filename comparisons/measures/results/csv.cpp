@@ -1,7 +1,5 @@
 #include "comparisons/measures/results/csv.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -128,8 +126,13 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 }
 
 std::vector<std::string> numbered(const std::string& stem, int count) {
+  return numbered_in_turn({stem}, count);
+}
+
+std::vector<std::string> numbered_in_turn(const std::vector<std::string>& stems, int count) {
   std::vector<std::string> names;
-  for (int k = 1; k <= count; ++k) names.push_back(stem + std::to_string(k));
+  for (int k = 1; k <= count; ++k)
+    for (const std::string& stem : stems) names.push_back(stem + std::to_string(k));
   return names;
 }
 
@@ -147,11 +150,6 @@ void CsvWriter::end_line() {
 void CsvWriter::separate() {
   if (begun_) text_ += ',';
   begun_ = true;
-}
-
-void CsvWriter::write(double number) {
-  separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
 }
 
 void CsvWriter::write(std::string_view text) {

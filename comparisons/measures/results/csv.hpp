@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -76,6 +78,9 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 /// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
 std::vector<std::string> numbered(const std::string& stem, int count);
 
+/// The same of several stems in turn: x_1, y_1, x_2, y_2.
+std::vector<std::string> numbered_in_turn(const std::vector<std::string>& stems, int count);
+
 /// A cell as a number, none where it is something else.
 std::optional<double> number_in(std::string_view cell);
 
@@ -102,24 +107,20 @@ class CsvWriter {
  private:
   template <class Cell>
   void add_one(const Cell& cell) {
-    if constexpr (std::is_same_v<Cell, bool>) {
-      write(std::string_view(cell ? "true" : "false"));
-    } else if constexpr (std::is_integral_v<Cell>) {
-      write(std::string_view(std::to_string(cell)));
-    } else if constexpr (std::is_floating_point_v<Cell>) {
-      write(static_cast<double>(cell));
+    if constexpr (std::is_arithmetic_v<Cell>) {
+      separate();
+      fmt::format_to(std::back_inserter(text_), "{}", cell);
     } else if constexpr (std::is_convertible_v<const Cell&, std::string_view>) {
-      write(std::string_view(cell));
+      write(cell);
     } else if constexpr (std::ranges::range<Cell>) {
       for (const auto& element : cell) add_one(element);
     } else if (cell) {
       add_one(*cell);
     } else {
-      write(std::string_view());
+      write("");
     }
   }
 
-  void write(double number);
   void write(std::string_view text);
   void separate();
 

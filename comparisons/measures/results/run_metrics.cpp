@@ -25,25 +25,21 @@ Json json_of(const Value& value) {
     return value ? Json(*value) : Json();
 }
 
-void read_cell(const Json& cell, std::optional<double>& value) {
-  if (!cell.is_null()) value = cell.get<double>();
-}
-
 /// Counts stay whole: a median half way between two is rounded up.
-void read_cell(const Json& cell, std::optional<int>& value) {
-  if (!cell.is_null()) value = static_cast<int>(std::lround(cell.get<double>()));
-}
-
-void read_cell(const Json& cell, std::string& value) {
-  value = cell.get<std::string>();
-}
-
-void read_cell(const Json& cell, RunStatus& value) {
-  value = run_status(cell.get<std::string>());
-}
-
-void read_cell(const Json& cell, TopplingVerdict& value) {
-  value = named_verdict(cell.get<std::string>());
+template <class Value>
+void read_cell(const Json& cell, Value& value) {
+  if constexpr (std::is_same_v<Value, RunStatus>)
+    value = run_status(cell.get<std::string>());
+  else if constexpr (std::is_same_v<Value, TopplingVerdict>)
+    value = named_verdict(cell.get<std::string>());
+  else if constexpr (std::is_same_v<Value, std::string>)
+    value = cell.get<std::string>();
+  else if (cell.is_null())
+    return;
+  else if constexpr (std::is_same_v<Value, std::optional<int>>)
+    value = static_cast<int>(std::lround(cell.get<double>()));
+  else
+    value = cell.get<double>();
 }
 
 /// Those of quartiles stand behind the one that they are of.

@@ -18,21 +18,6 @@ struct Ends {
   bool beyond = false;        ///< of these, one up to a horizon that is before its scene's end
 };
 
-using EndsOfSteps = std::map<double, Ends, std::greater<>>;
-
-EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
-  EndsOfSteps steps;
-  for (const ReplicatedRow& row : rows) {
-    if (!can_be_ranked(row)) continue;
-    const JudgedScene& scene = part_named(scenes, row.scene);
-    Ends& ends = steps[*row.dt];
-    const bool whole = agrees(row, scene);
-    ends.times.push_back(whole ? INFINITY : agreement_end(row, scene));
-    ends.beyond = ends.beyond || (whole && row.horizon.value_or(scene.duration) < scene.duration);
-  }
-  return steps;
-}
-
 /// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
 /// by when as many as half of all have, so that steps at which few leave are not taken for those at which
 /// they leave soon.
@@ -182,9 +167,17 @@ std::vector<ReplicatedRow> rows_of(std::vector<ReplicatedRow> rows, const Judged
 
 std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
                                const std::vector<JudgedScene>& scenes) {
-  const EndsOfSteps steps = ends_of(rows, scenes);
+  std::map<double, Ends, std::greater<>> steps;
+  for (const ReplicatedRow& row : rows) {
+    if (!can_be_ranked(row)) continue;
+    const JudgedScene& scene = part_named(scenes, row.scene);
+    Ends& ends = steps[*row.dt];
+    const bool whole = agrees(row, scene);
+    ends.times.push_back(whole ? INFINITY : agreement_end(row, scene));
+    ends.beyond = ends.beyond || (whole && row.horizon.value_or(scene.duration) < scene.duration);
+  }
   if (steps.empty()) return "";
-  std::vector<double> reported = each_of(steps, &EndsOfSteps::value_type::first);
+  std::vector<double> reported = each_of(steps, [](const auto& step) { return step.first; });
   if (reported.size() > 3) reported = {reported.front(), reported[reported.size() / 2], reported.back()};
   const auto told = [&](double dt) { return quantity_text(dt, "s") + " " + leaving(steps.at(dt)); };
   const double tolerance = scenes.front().tolerance;

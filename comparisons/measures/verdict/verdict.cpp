@@ -16,11 +16,6 @@ std::string phrase(const RunMetrics& row) {
   return fmt::format("{} at {}", set_name(row), quantity_text(*row.dt, "s"));
 }
 
-std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& rows) {
-  const auto one = std::ranges::find(rows, run, &RunMetrics::run);
-  return one == rows.end() || !is_engine(*one) ? run : phrase(*one);
-}
-
 std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
   const std::string doubt = exact.outcome.empty() ? "" : ". It is " + exact.outcome;
   const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scene.duration, "s"))
@@ -112,7 +107,9 @@ std::string toppling_sentence(const std::vector<DistributionDistance>& distances
     if (one.scene != scene || one.quantity != "toppled") continue;
     exact = one.exact_mean, count = one.exact;
     most = std::max({most, one.exact_mean, one.other_mean});
-    engines.push_back(fmt::format("{:.3g} % with {}{}", 100 * one.other_mean, phrase_of(one.run, rows),
+    const auto row = std::ranges::find(rows, one.run, &RunMetrics::run);
+    const std::string run = row == rows.end() || !is_engine(*row) ? one.run : phrase(*row);
+    engines.push_back(fmt::format("{:.3g} % with {}{}", 100 * one.other_mean, run,
                                   one.apart.distance > one.apart.critical ? ", more than chance apart" : ""));
   }
   if (most == 0) return "";
@@ -160,13 +157,6 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
   return sentences;
 }
 
-/// Whether blocks of an engine do not rest where those of the exact motion do, though nothing sinks or falls.
-bool row_is_off_at_rest(const RunMetrics& row, const std::vector<JudgedScene>& scenes) {
-  if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
-  const JudgedScene& scene = part_named(scenes, row.scene);
-  return !agrees(row, scene) && event_of(row, scene).empty();
-}
-
 /// Scenes in which nothing moves, where what happens in engines is all there is to tell.
 std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
   std::vector<std::string> at_rest;
@@ -177,9 +167,13 @@ std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vec
     if (rests) at_rest.push_back(scene.name);
   }
   if (at_rest.empty()) return "";
-  const ReplicatedRow* worst = nullptr;
-  for (const ReplicatedRow& one : rows)
-    if (row_is_off_at_rest(one, scenes) && (worst == nullptr || *one.error > *worst->error)) worst = &one;
+  const ReplicatedRow* worst = nullptr;  // where blocks do not rest as exactly, though nothing sinks or falls
+  for (const ReplicatedRow& one : rows) {
+    if (!is_engine(one) || !one.error || !one.motion || *one.motion > rest_extent) continue;
+    const JudgedScene& scene = part_named(scenes, one.scene);
+    const bool off = !agrees(one, scene) && event_of(one, scene).empty();
+    if (off && (worst == nullptr || *one.error > *worst->error)) worst = &one;
+  }
   return fmt::format("Nothing moves in {}, where no set is ranked{}.", joined(at_rest),
                      worst == nullptr ? "" : fmt::format("; {} {}", phrase(*worst), worst->outcome));
 }
