@@ -65,20 +65,6 @@ double short_step(const Adapter& adapter);
 
 double largest(const std::vector<double>& values);
 
-/// The constants of Housner 1963 for slender_block().
-struct Housner {
-  double slenderness = std::atan(0.2);                                ///< rad
-  double frequency = std::sqrt(3 * 9.81 / (4 * std::hypot(0.2, 1)));  ///< p, 1/s
-  /// Angular velocity at which a block released at `angle` meets the ground, rad/s.
-  double speed_at_ground(double angle) const;
-};
-
-/// Time from release at `start` to the ground: the energy integral of the full equation, s.
-double quarter_period(const Housner& block, double start);
-
-/// Time of the lowest block's first zero crossing, linear between samples; not a number where none comes.
-double first_ground_impact(const History& history);
-
 /// All of them: promises, smooth motion, contact, and planar motion of one block and of pairs.
 const std::vector<Check>& checks();
 

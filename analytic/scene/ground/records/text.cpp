@@ -5,6 +5,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -78,9 +79,7 @@ std::string lower(std::string_view text) {
 }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  return rockstack::trimmed(text, blanks);
 }
 
 bool contains(std::string_view text, std::string_view lower_case_part) {
