@@ -63,12 +63,6 @@ double short_step(const Adapter& adapter) {
   return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
 }
 
-double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (const double value : values) result = std::max(result, std::abs(value));
-  return result;
-}
-
 const std::vector<Check>& checks() {
   static const std::vector<Check> list{
       {"InitialStateIsTheScenes", initial_state_is_the_scenes},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/scene/lists.hpp"
 #include "engines/body_record.hpp"
 #include "engines/scene_setup.hpp"
 
@@ -62,8 +63,6 @@ double rounding(const Adapter& adapter);
 
 /// The shortest step at which gravity's share of a step stands clear of rounding, s.
 double short_step(const Adapter& adapter);
-
-double largest(const std::vector<double>& values);
 
 /// All of them: promises, smooth motion, contact, and planar motion of one block and of pairs.
 const std::vector<Check>& checks();

@@ -47,8 +47,8 @@ double first_ground_impact(const History& history) {
 /// The larger of angle and velocity over what they may be.
 Judgement quiet(const Adapter& adapter, const Scene& scene, double limit) {
   const History history = run(adapter, scene).history;
-  return {std::max(largest(history.angles), largest(history.velocities) * usual_step), limit,
-          "largest angle, or angular velocity times the step, rad"};
+  return {std::max(largest_magnitude(history.angles), largest_magnitude(history.velocities) * usual_step),
+          limit, "largest angle, or angular velocity times the step, rad"};
 }
 
 double quarter_period_error(const Adapter& adapter, double dt) {

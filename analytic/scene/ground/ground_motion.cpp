@@ -1,6 +1,6 @@
 #include "analytic/scene/ground/ground_motion.hpp"
 
-#include <algorithm>
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {
@@ -51,9 +51,7 @@ double mean_acceleration(const GroundMotion& motion, double from, double to) {
 }
 
 double peak(const GroundMotion& motion) {
-  double largest = 0;
-  for (const double sample : motion.samples) largest = std::max(largest, std::abs(sample));
-  return largest;
+  return largest_magnitude(motion.samples);
 }
 
 }  // namespace rockstack

@@ -189,10 +189,6 @@ std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns colu
   return values;
 }
 
-bool is_end_of_data(std::string_view line) {
-  return starts_with(line, "/&") || starts_with(line, "end-of-data");
-}
-
 std::vector<double> read_values(Cursor& cursor, bool marked) {
   std::vector<double> values;
   while (!cursor.at_end()) {

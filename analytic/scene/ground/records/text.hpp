@@ -76,9 +76,6 @@ Columns fortran_columns(const Cursor& cursor, std::string_view line);
 std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns columns,
                                  std::optional<double> null = std::nullopt);
 
-/// "/& ---- End of data for channel 1", or "End-of-data for Chan  1 acceleration".
-bool is_end_of_data(std::string_view line);
-
 /// All values up to the end of the file, separated by blanks or commas. `marked`: some copies end with "***
 /// End Data ***"; overflown values are asterisks too, but alone.
 std::vector<double> read_values(Cursor& cursor, bool marked = false);
