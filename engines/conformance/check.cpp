@@ -26,10 +26,6 @@ Scene at_rest(std::vector<Block> blocks, double duration) {
   return scene;
 }
 
-GroundMotion constant(double value) {
-  return {.interval = 10, .samples = {value, value}};
-}
-
 Scene slender_block(double duration) {
   Scene scene = at_rest({make_block(0.4, 2, 2500)}, duration);
   scene.initial.angles = {0.5 * std::atan(0.2)};
@@ -47,20 +43,6 @@ ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt) {
   Trajectory trajectory = adapter.run(setup, adapter.parameters);
   std::vector<BodyState> bodies = trajectory.bodies;
   return {account_of(scene, setup, std::move(trajectory), false).history, std::move(bodies)};
-}
-
-Adapter by_force(Adapter adapter) {
-  if (adapter.parameters.count("shaking") != 0) adapter.parameters["shaking"] = 0;
-  return adapter;
-}
-
-double rounding(const Adapter& adapter) {
-  return adapter.single_precision ? std::numeric_limits<float>::epsilon()
-                                  : std::numeric_limits<double>::epsilon();
-}
-
-double short_step(const Adapter& adapter) {
-  return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
 }
 
 const std::vector<Check>& checks() {

@@ -82,14 +82,6 @@ std::string_view trimmed(std::string_view text) {
   return rockstack::trimmed(text, blanks);
 }
 
-bool contains(std::string_view text, std::string_view lower_case_part) {
-  return lower(text).find(lower_case_part) != std::string::npos;
-}
-
-bool starts_with(std::string_view text, std::string_view lower_case_part) {
-  return lower(text).starts_with(lower_case_part);
-}
-
 std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
   const std::string cuts = std::string(blanks) + std::string(separators);
   std::vector<std::string_view> result;
