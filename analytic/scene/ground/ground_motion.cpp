@@ -1,6 +1,6 @@
 #include "analytic/scene/ground/ground_motion.hpp"
 
-#include "analytic/scene/lists.hpp"
+#include <algorithm>
 
 namespace rockstack {
 namespace {
@@ -51,7 +51,9 @@ double mean_acceleration(const GroundMotion& motion, double from, double to) {
 }
 
 double peak(const GroundMotion& motion) {
-  return largest_magnitude(motion.samples);
+  double largest = 0;
+  for (const double sample : motion.samples) largest = std::max(largest, std::abs(sample));
+  return largest;
 }
 
 }  // namespace rockstack
