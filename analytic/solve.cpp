@@ -42,14 +42,6 @@ History contacts_in(const Scene& scene, const SolveOptions& options, Branching* 
   }
 }
 
-History solve_with_contacts(const Scene& scene, const SolveOptions& options, Branching* branching) {
-  validate(options);
-  if (options.integrator != Integrator::taylor)
-    throw std::invalid_argument("integrator = rk4: must be taylor under law " + std::string(name(scene.law)));
-  return double_does(scene) ? contacts_in<double>(scene, options, branching)
-                            : contacts_in<long double>(scene, options, branching);
-}
-
 }  // namespace
 
 History solve(const Scene& scene, const SolveOptions& options, Branching* branching) {
@@ -57,7 +49,14 @@ History solve(const Scene& scene, const SolveOptions& options, Branching* branch
   if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
     throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
                                 number_text(scene.duration / most_steps) + " s, or there are too many");
-  if (leaves_pivots(scene.law)) return solve_with_contacts(scene, options, branching);
+  if (leaves_pivots(scene.law)) {
+    validate(options);
+    if (options.integrator != Integrator::taylor)
+      throw std::invalid_argument("integrator = rk4: must be taylor under law " +
+                                  std::string(name(scene.law)));
+    return double_does(scene) ? contacts_in<double>(scene, options, branching)
+                              : contacts_in<long double>(scene, options, branching);
+  }
   try {
     return solve_in_double(scene, options, branching);
   } catch (const IllConditioned&) {

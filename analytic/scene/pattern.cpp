@@ -37,10 +37,6 @@ std::optional<Pattern> paper_pattern(std::string_view text) {
 
 }  // namespace
 
-Pattern closed_pattern(int size) {
-  return {.size = size};
-}
-
 std::string name(const Pattern& pattern) {
   std::string word;
   for (int k = 0; k < pattern.size; ++k) {

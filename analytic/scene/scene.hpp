@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 
@@ -32,7 +34,9 @@ struct Block {
 };
 
 /// Moment of inertia of a uniform rectangle about its centre, m (b² + h²)/3, kg·m².
-double rectangle_inertia(double mass, double half_width, double half_height);
+inline double rectangle_inertia(double mass, double half_width, double half_height) {
+  return mass * (half_width * half_width + half_height * half_height) / 3;
+}
 
 /// A uniform block of the given width and height in m and density in kg/m³ per metre of depth.
 Block make_block(double width, double height, double density);
@@ -140,13 +144,19 @@ inline bool leaves_pivots(Law law) {
 }
 
 /// Coulomb's coefficient of each interface, from the ground up.
-std::vector<double> friction_of(const Scene& scene);
+inline std::vector<double> friction_of(const Scene& scene) {
+  return scene.friction.empty() ? std::vector<double>(scene.blocks.size(), scene.engine.friction)
+                                : scene.friction;
+}
 
 /// Gravity in the ground's axes, along it to the right and across it downwards, m/s².
 struct Gravity {
   double along, across;
 };
-Gravity gravity_of(const Scene& scene);
+
+inline Gravity gravity_of(const Scene& scene) {
+  return {scene.gravity * std::sin(scene.inclination), scene.gravity * std::cos(scene.inclination)};
+}
 
 /// Half-width of interface k, from 0: that of the narrower block that meets there; the ground is endless.
 double interface_half_width(const Scene& scene, int interface);

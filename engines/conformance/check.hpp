@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/scene/lists.hpp"
 #include "engines/body_record.hpp"
 #include "engines/scene_setup.hpp"
 
@@ -34,7 +35,9 @@ inline constexpr double usual_step = 1e-3;  ///< of most checks, s
 Scene at_rest(std::vector<Block> blocks, double duration);
 
 /// Samples `value` from t = 0 on, m/s².
-GroundMotion constant(double value);
+inline GroundMotion constant(double value) {
+  return {.interval = 10, .samples = {value, value}};
+}
 
 /// A block of slenderness atan(0.2), released at half its slenderness.
 Scene slender_block(double duration);
@@ -55,29 +58,21 @@ struct ObservedMotion {
 ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt = usual_step);
 
 /// The same, shaken by a body force.
-Adapter by_force(Adapter adapter);
+inline Adapter by_force(Adapter adapter) {
+  if (adapter.parameters.count("shaking") != 0) adapter.parameters["shaking"] = 0;
+  return adapter;
+}
 
 /// Unit round-off of the engine's own numbers.
-double rounding(const Adapter& adapter);
+inline double rounding(const Adapter& adapter) {
+  return adapter.single_precision ? std::numeric_limits<float>::epsilon()
+                                  : std::numeric_limits<double>::epsilon();
+}
 
 /// The shortest step at which gravity's share of a step stands clear of rounding, s.
-double short_step(const Adapter& adapter);
-
-double largest(const std::vector<double>& values);
-
-/// The constants of Housner 1963 for slender_block().
-struct Housner {
-  double slenderness = std::atan(0.2);                                ///< rad
-  double frequency = std::sqrt(3 * 9.81 / (4 * std::hypot(0.2, 1)));  ///< p, 1/s
-  /// Angular velocity at which a block released at `angle` meets the ground, rad/s.
-  double speed_at_ground(double angle) const;
-};
-
-/// Time from release at `start` to the ground: the energy integral of the full equation, s.
-double quarter_period(const Housner& block, double start);
-
-/// Time of the lowest block's first zero crossing, linear between samples; not a number where none comes.
-double first_ground_impact(const History& history);
+inline double short_step(const Adapter& adapter) {
+  return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
+}
 
 /// All of them: promises, smooth motion, contact, and planar motion of one block and of pairs.
 const std::vector<Check>& checks();

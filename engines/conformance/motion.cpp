@@ -121,7 +121,8 @@ Judgement falling_ground_is_weaker_gravity(const Adapter& adapter) {
   const auto one = run(force, falling).history.angles;
   auto apart = run(force, weaker).history.angles;
   for (std::size_t i = 0; i < apart.size() && i < one.size(); ++i) apart[i] -= one[i];
-  return {one.size() == apart.size() ? largest(apart) : HUGE_VAL, 0, "largest angle difference, rad"};
+  return {one.size() == apart.size() ? largest_magnitude(apart) : HUGE_VAL, 0,
+          "largest angle difference, rad"};
 }
 
 Judgement mirrored_scene_mirrors_motion(const Adapter& adapter) {
@@ -135,7 +136,8 @@ Judgement mirrored_scene_mirrors_motion(const Adapter& adapter) {
   if (sum.size() != history.angles.size()) return {HUGE_VAL, 0, "one of the two topples"};
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += history.angles[i];
   // Contacts are taken in another order, which may shift an impact by a step.
-  return {largest(sum), largest(history.velocities) * usual_step, "largest sum of mirrored angles, rad"};
+  return {largest_magnitude(sum), largest_magnitude(history.velocities) * usual_step,
+          "largest sum of mirrored angles, rad"};
 }
 
 /// The paper's two blocks, with all their impacts.

@@ -136,11 +136,6 @@ bool names_an_error(std::string lower) {
   });
 }
 
-std::string trimmed(const std::string& line) {
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
-}
-
 }  // namespace
 
 void check_descriptions(const std::vector<EngineDescription>& engines) {
@@ -195,7 +190,7 @@ std::string telling_line(std::string_view text) {
   std::istringstream lines{std::string(text)};
   std::string last, error;
   for (std::string line; std::getline(lines, line);) {
-    line = trimmed(line);
+    line = trimmed(line, " \t\r");
     if (!line.empty()) last = line;
     if (names_an_error(line)) error = line;
   }

@@ -16,13 +16,6 @@ std::chrono::milliseconds tick_of(const Limits& limits) {
   return std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50);
 }
 
-Ends socket_pair() {
-  std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    throw std::runtime_error("no sockets for a worker");
-  return {high(ends[0]), high(ends[1])};
-}
-
 /// Waits for a tick at most until the socket takes some of what is left of a question, or has more of a
 /// reply.
 /// @return false where no more will come.
@@ -42,6 +35,13 @@ bool exchange(const FileDescriptor& socket, const Child& child, std::string_view
 
 }  // namespace
 
+Ends socket_pair() {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw std::runtime_error("no sockets for a worker");
+  return {high(ends[0]), high(ends[1])};
+}
+
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits) {
   const FileDescriptor in = memory_file(input), reply = memory_file({});
   Child child(program, in.get(), reply.get(), limits);
@@ -51,9 +51,6 @@ ProcessEnd run_process(const std::filesystem::path& program, std::string_view in
   end.reply = content(reply);
   return end;
 }
-
-LastingProcess::LastingProcess(const std::filesystem::path& program, const Limits& limits)
-    : LastingProcess(program, limits, socket_pair()) {}
 
 LastingProcess::LastingProcess(const std::filesystem::path& program, const Limits& limits, Ends ends)
     : socket_(std::move(ends.ours)), child_(program, ends.theirs.get(), ends.theirs.get(), limits) {}

@@ -10,12 +10,15 @@ namespace rockstack {
 /// @throws std::runtime_error where the operating system will not start it.
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits);
 
+/// What says something to either end is heard at the other.
+Ends socket_pair();
+
 /// A program that answers one question after the other, each of them a line, under its own limits of time and
 /// reply. It is started as by run_process(), and ends with this, or with the thread that has started it.
 class LastingProcess {
  public:
   /// The limit of memory is that of all questions.
-  LastingProcess(const std::filesystem::path& program, const Limits& limits);
+  LastingProcess(const std::filesystem::path& program, const Limits& limits, Ends ends = socket_pair());
 
   /// False where it has ended, or has said something that nobody asked.
   bool waits() const;
@@ -26,8 +29,6 @@ class LastingProcess {
   ProcessEnd ask(std::string_view question, const Limits& limits);
 
  private:
-  LastingProcess(const std::filesystem::path& program, const Limits& limits, Ends ends);
-
   FileDescriptor socket_;  ///< the other end is standard input of the program, and its descriptor 3
   Child child_;
 };

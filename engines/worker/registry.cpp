@@ -180,10 +180,8 @@ const std::vector<BrokenWorker>& broken_workers() {
 
 std::vector<std::string> engines_left_out() {
   std::vector<std::string> names = split(ROCKSTACK_KNOWN_ENGINES);
-  std::erase_if(names, [](const std::string& name) {
-    const auto has_it = [&](const WorkerEngine& engine) { return engine.name == name; };
-    return is_built(name) || std::ranges::any_of(found().engines, has_it);
-  });
+  std::erase_if(names,
+                [](const std::string& name) { return is_built(name) || !engines_called(name).empty(); });
   return names;
 }
 

@@ -32,6 +32,7 @@ struct RunReply {
   double peak_memory = 0;            ///< of the worker, bytes; 0 where it does not say
   /// Steps that it took before the first timed run; empty where it does not say: those of the trajectory.
   std::optional<std::size_t> warm_up = {};
+  double processor_time = 0;  ///< by the operating system's account, s; no message has it
 };
 
 struct Reply {

@@ -51,12 +51,6 @@ RunRequest request(const WorkerEngine& engine, const Parameters& parameters, std
   return asked;
 }
 
-/// What a worker answered, or why it did not; what it took.
-struct Answer {
-  RunReply run;
-  double processor_time = 0;  ///< s
-};
-
 /// @throws std::runtime_error where it is none.
 Message read_answer(const std::string& bytes) {
   if (bytes.empty()) throw std::runtime_error("nothing came on descriptor 3; standard output is thrown away");
@@ -77,17 +71,20 @@ RunReply read_run(const std::string& bytes, const RunRequest& asked) {
   return *std::move(reply.run);
 }
 
-Answer answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunRequest& asked,
-                 const Limits& limits) {
-  if (end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0)
-    return {explain(end, limits), end.processor_time};
+/// What a worker answered, or why it did not.
+RunReply answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunRequest& asked,
+                   const Limits& limits) {
+  RunReply answer;
   try {
-    return {read_run(end.reply, asked), end.processor_time};
+    const bool silent = end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0;
+    answer = silent ? explain(end, limits) : read_run(end.reply, asked);
   } catch (const std::exception& error) {
     const std::string reason =
         fmt::format("{} gave a reply that cannot be read: {}", engine.program.string(), heard(error.what()));
-    return {{"failed", with_last_words(reason, end)}, end.processor_time};
+    answer = {"failed", with_last_words(reason, end)};
   }
+  answer.processor_time = end.processor_time;
+  return answer;
 }
 
 /// A process that may take further runs of a thread.
@@ -107,14 +104,14 @@ bool may_share(const WorkerEngine& engine, const RunRequest& asked, const Limits
          limits.unwanted == nullptr;
 }
 
-Answer ask_kept(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
+RunReply ask_kept(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
   const std::string question = to_bytes(Request{asked}, engine.form);
-  Answer answer = answer_of(kept.process->ask(question, limits), engine, asked, limits);
-  if (answer.run.status != "done" || --kept.runs == 0) kept = {};
+  RunReply answer = answer_of(kept.process->ask(question, limits), engine, asked, limits);
+  if (answer.status != "done" || --kept.runs == 0) kept = {};
   return answer;
 }
 
-Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
+RunReply ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   limits.reply = reply_limit(asked);
   if (!may_share(engine, asked, limits))
     return answer_of(run_process(engine.program, to_bytes(Request{asked}, engine.form), limits), engine,
@@ -122,14 +119,14 @@ Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   double spent = 0;
   const bool there = kept.process && kept.program == engine.program && kept.memory == limits.memory;
   if (there && kept.process->waits()) {
-    Answer answer = ask_kept(engine, asked, limits);
-    if (answer.run.status == "done") return answer;
+    RunReply answer = ask_kept(engine, asked, limits);
+    if (answer.status == "done") return answer;
     spent = answer.processor_time;  // the runs before it may be why: a new process tells
   }
   kept = {};
   kept = {engine.program, limits.memory, engine.runs_per_process,
           std::make_unique<LastingProcess>(engine.program, limits)};
-  Answer answer = ask_kept(engine, asked, limits);
+  RunReply answer = ask_kept(engine, asked, limits);
   answer.processor_time += spent;
   return answer;
 }
@@ -169,10 +166,10 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
     result.reason = error.what();
     return result;
   }
-  auto [run, processor_time] = ask(engine, asked, limits);
+  RunReply run = ask(engine, asked, limits);
   result.status = std::move(run.status);
   result.reason = std::move(run.reason);
-  result.processor_time = processor_time;
+  result.processor_time = run.processor_time;
   result.peak_memory = run.peak_memory;
   if (result.status != "done") return result;
   const std::size_t steps = run.trajectory.angles.size() / scene.blocks.size() - 1;
@@ -186,9 +183,9 @@ Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters&
                const Limits& limits, std::size_t repeats) {
   RunRequest asked = request(engine, parameters, repeats, bodies);
   asked.setup = setup;
-  Answer answer = ask(engine, asked, limits);
-  if (answer.run.status != "done") throw std::runtime_error(answer.run.status + ": " + answer.run.reason);
-  return std::move(answer.run.trajectory);
+  RunReply answer = ask(engine, asked, limits);
+  if (answer.status != "done") throw std::runtime_error(answer.status + ": " + answer.reason);
+  return std::move(answer.trajectory);
 }
 
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,

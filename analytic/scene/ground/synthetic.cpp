@@ -96,10 +96,6 @@ void correct_base_line(const SyntheticMotion& motion, std::vector<double>& sampl
 
 }  // namespace
 
-double synthetic_cutoff(const SyntheticMotion& motion) {
-  return std::min(25.0, 0.5 / motion.interval);
-}
-
 double synthetic_spectrum(const SyntheticMotion& motion, double frequency) {
   constexpr double slowness = 0.1, high_pass_damping = 0.6;
   const auto square = [](double x) { return x * x; };

@@ -11,20 +11,12 @@ namespace {
 using nlohmann::json;
 
 /// Accepts whatever has few levels.
-struct Levels : nlohmann::json_sax<json> {
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return ++levels <= most_levels; }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return --levels >= 0; }
-  bool start_array(std::size_t) override { return ++levels <= most_levels; }
-  bool end_array() override { return --levels >= 0; }
-  bool parse_error(std::size_t place, const std::string&, const nlohmann::detail::exception&) override {
+struct Levels : nlohmann::detail::json_sax_acceptor<json> {
+  bool start_object(std::size_t) { return ++levels <= most_levels; }
+  bool end_object() { return --levels >= 0; }
+  bool start_array(std::size_t) { return ++levels <= most_levels; }
+  bool end_array() { return --levels >= 0; }
+  bool parse_error(std::size_t place, const std::string&, const nlohmann::detail::exception&) {
     position = place;
     return false;
   }

@@ -93,14 +93,8 @@ void require_short_keys(std::string_view text, const std::string& name) {
   }
 }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// The parts of a dotted key; an empty part stays, for the caller to refuse.
-std::vector<std::string> parts(const std::string& key) {
+std::vector<std::string> parts(std::string_view key) {
   std::vector<std::string> result(1);
   for (const char letter : key) letter == '.' ? result.emplace_back() : result.back() += letter;
   return result;
@@ -170,11 +164,12 @@ std::optional<Node> parse_toml_value(const std::string& text, const Node& target
 void apply_override(Node& root, const std::string& override_text) {
   const std::string place = "--set " + one_line(override_text);
   const auto equals = override_text.find('=');
-  const auto path = parts(trimmed(override_text.substr(0, equals)));
+  const auto path = parts(trimmed(override_text.substr(0, equals), " \t"));
   if (equals == std::string::npos || !is_key(path))
     throw InputError(place + ": must be key=value, e.g. blocks.1.height=3 or law=consistent");
   Node& node = target(root, path, place);
-  Node fresh{Node::Kind::text, node.name, node.key, place, 0, trimmed(override_text.substr(equals + 1)), {}};
+  const std::string given(trimmed(override_text.substr(equals + 1), " \t"));
+  Node fresh{Node::Kind::text, node.name, node.key, place, 0, given, {}};
   const Node empty{fresh.kind, fresh.name, fresh.key, place, 0, {}, {}};
   if (auto value = parse_toml_value(fresh.text, empty)) fresh = *std::move(value);
   node = std::move(fresh);

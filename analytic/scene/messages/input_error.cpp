@@ -38,14 +38,6 @@ void require_between(const std::string& key, double value, double least, double 
     throw FieldError(key, value, "a number from " + number_text(least) + " to " + number_text(most));
 }
 
-void require_positive(const std::string& key, double value) {
-  require_between(key, value, 1 / largest_number);
-}
-
-std::string entry_key(const std::string& array, std::size_t k) {
-  return array + "." + std::to_string(k + 1);
-}
-
 void require_each_between(const std::string& array, const std::vector<double>& values, double least,
                           double most) {
   for (std::size_t k = 0; k < values.size(); ++k)

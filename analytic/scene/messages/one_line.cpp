@@ -56,6 +56,11 @@ std::string one_line(std::string_view text, std::size_t most) {
   return line;
 }
 
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+  const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(first, text.find_last_not_of(blanks) + 1 - first);  // npos + 1 is 0
+}
+
 std::string hex_digits(char byte) {
   static constexpr std::string_view digits = "0123456789abcdef";
   const auto code = static_cast<unsigned char>(byte);

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -62,9 +64,7 @@ History up_to(History history, double time) {
 }
 
 double largest(const Difference& difference) {
-  double result = 0;
-  for (const double angle : difference.values) result = std::max(result, std::abs(angle));
-  return result;
+  return largest_magnitude(difference.values);
 }
 
 double root_mean_square(const Difference& difference) {

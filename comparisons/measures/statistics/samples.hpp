@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 
 namespace rockstack {
@@ -23,13 +24,6 @@ inline double quantile(std::vector<double> values, double share) {
 /// Half of the values lie on either side. Precondition: likewise.
 inline double median(std::vector<double> values) {
   return quantile(std::move(values), 0.5);
-}
-
-/// The largest absolute value; 0 where there is none.
-inline double largest_magnitude(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
 }
 
 /// The 97.5 % point of Student's distribution with that many degrees of freedom, > 0: an interval of 95 %

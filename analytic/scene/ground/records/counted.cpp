@@ -12,6 +12,11 @@ constexpr std::size_t raw_interval_place = 34;  // s
 constexpr std::size_t interval_place = 62;      // ms
 constexpr double second_per_millisecond = 0.001;
 
+/// "/& ---- End of data for channel 1", or "End-of-data for Chan  1 acceleration".
+bool is_end_of_data(std::string_view line) {
+  return starts_with(line, "/&") || starts_with(line, "end-of-data");
+}
+
 /// The text lines of a channel. Gives the value that stands for "unknown".
 double read_text_lines(Cursor& cursor) {
   const std::string_view first = cursor.next("text lines");
@@ -42,13 +47,6 @@ std::vector<double> read_counted_header(Cursor& cursor, std::string_view name) {
   return read_columns(cursor, count(cursor, first_word(cursor, line)), fortran_columns(cursor, line));
 }
 
-void skip_comments(Cursor& cursor) {
-  const std::string_view line = cursor.next("comment lines");
-  if (!contains(line, "comment line")) cursor.fail("expected the number of comment lines");
-  const std::string_view lines = first_word(cursor, line);
-  if (number(cursor, lines) != 0) cursor.skip(count(cursor, lines), "the data");
-}
-
 double header_interval(const Cursor& cursor, const std::vector<double>& reals, double null) {
   if (reals.size() >= interval_place && reals[interval_place - 1] != null)
     return checked_interval(cursor, reals[interval_place - 1] * second_per_millisecond);
@@ -73,7 +71,10 @@ void read_channel(Cursor& cursor, std::vector<Record>& series) {
   const double null = read_text_lines(cursor);
   const std::vector<double> integers = read_counted_header(cursor, "integer-header");
   const std::vector<double> reals = read_counted_header(cursor, "real-header");
-  skip_comments(cursor);
+  const std::string_view comments = cursor.next("comment lines");
+  if (!contains(comments, "comment line")) cursor.fail("expected the number of comment lines");
+  const std::string_view lines = first_word(cursor, comments);
+  if (number(cursor, lines) != 0) cursor.skip(count(cursor, lines), "the data");
   const std::string_view line = cursor.next("the data");
   const std::size_t values = count(cursor, first_word(cursor, line));
   const Columns columns = fortran_columns(cursor, line);

@@ -56,7 +56,9 @@ class HeaderUnit {
   /// Of an acceleration. @throws InputError at the cursor's line if no line named one.
   double factor(const Cursor& cursor) const;
   /// @throws InputError likewise, where none of velocity or displacement was named either.
-  Unit unit(const Cursor& cursor) const;
+  Unit unit(const Cursor& cursor) const {
+    return other_ && !acceleration_ ? other_->unit : Unit{factor(cursor), 0};
+  }
 
  private:
   struct Named {

@@ -5,6 +5,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -78,17 +79,7 @@ std::string lower(std::string_view text) {
 }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-bool contains(std::string_view text, std::string_view lower_case_part) {
-  return lower(text).find(lower_case_part) != std::string::npos;
-}
-
-bool starts_with(std::string_view text, std::string_view lower_case_part) {
-  return lower(text).starts_with(lower_case_part);
+  return rockstack::trimmed(text, blanks);
 }
 
 std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
@@ -188,10 +179,6 @@ std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns colu
     if (!trimmed(rest).empty()) cursor.fail("surplus " + quoted(trimmed(rest)) + " at the end of this line");
   }
   return values;
-}
-
-bool is_end_of_data(std::string_view line) {
-  return starts_with(line, "/&") || starts_with(line, "end-of-data");
 }
 
 std::vector<double> read_values(Cursor& cursor, bool marked) {

@@ -108,8 +108,4 @@ double HeaderUnit::factor(const Cursor& cursor) const {
   return acceleration_->unit.factor;
 }
 
-Unit HeaderUnit::unit(const Cursor& cursor) const {
-  return other_ && !acceleration_ ? other_->unit : Unit{factor(cursor), 0};
-}
-
 }  // namespace rockstack::records
