@@ -13,7 +13,7 @@ namespace rockstack {
 namespace {
 
 /// When rows of one step stop agreeing.
-struct Ends {
+struct AgreementEnds {
   std::vector<double> times;  ///< s, infinite where they do not
   bool beyond = false;        ///< of these, one up to a horizon that is before its scene's end
 };
@@ -21,7 +21,7 @@ struct Ends {
 /// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
 /// by when as many as half of all have, so that steps at which few leave are not taken for those at which
 /// they leave soon.
-std::string leaving(Ends ends) {
+std::string leaving(AgreementEnds ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
   const auto leave = static_cast<std::size_t>(
@@ -167,11 +167,11 @@ std::vector<ReplicatedRow> rows_of(std::vector<ReplicatedRow> rows, const Judged
 
 std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
                                const std::vector<JudgedScene>& scenes) {
-  std::map<double, Ends, std::greater<>> steps;
+  std::map<double, AgreementEnds, std::greater<>> steps;
   for (const ReplicatedRow& row : rows) {
     if (!can_be_ranked(row)) continue;
     const JudgedScene& scene = part_named(scenes, row.scene);
-    Ends& ends = steps[*row.dt];
+    AgreementEnds& ends = steps[*row.dt];
     const bool whole = agrees(row, scene);
     ends.times.push_back(whole ? INFINITY : agreement_end(row, scene));
     ends.beyond = ends.beyond || (whole && row.horizon.value_or(scene.duration) < scene.duration);
