@@ -125,12 +125,12 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
 using Counts = std::map<std::vector<double>, std::map<std::string, std::size_t>>;
 
 void write_counts(const std::filesystem::path& file, const std::vector<std::string>& axes,
-                  const std::vector<std::string>& kinds, Counts counts) {
+                  const std::vector<std::string>& kinds, const Counts& counts) {
   CsvWriter csv;
   csv.line(axes, kinds);
-  for (auto& [place, count] : counts) {
+  for (const auto& [place, count] : counts) {
     for (const double value : place) csv.add(number_text(value));
-    for (const std::string& kind : kinds) csv.add(count[kind]);
+    for (const std::string& kind : kinds) csv.add(count.contains(kind) ? count.at(kind) : 0);
     csv.end_line();
   }
   write_file(file, csv.text());
