@@ -25,7 +25,8 @@ std::vector<std::string> shipped_names(const std::string& kind) {
 std::filesystem::path find_file(const std::string& input, const std::string& kind,
                                 const std::filesystem::path& folder) {
   std::error_code ignored;  // a link may lead in a circle
-  const std::filesystem::path given = folder / input, name = input + ".toml", own = shipped(kind) / name;
+  const std::string name = input + ".toml";
+  std::filesystem::path given = folder / input, own = shipped(kind) / name;
   if (std::filesystem::is_regular_file(given, ignored)) return given;
   if (std::filesystem::exists(own, ignored)) return own;
   for (const auto& entry : std::filesystem::directory_iterator(shipped(kind), ignored))  // as scenes/canon
