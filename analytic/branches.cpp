@@ -3,7 +3,6 @@
 #include <map>
 
 namespace rockstack {
-
 namespace {
 
 constexpr double alike = 1e-9;
@@ -26,12 +25,6 @@ Branch follow(const Scene& scene, const SolveOptions& options, const Start& star
   }
   branch.forks = std::move(branching.forks);
   return branch;
-}
-
-double height(const Scene& scene) {
-  double sum = 0;
-  for (const Block& block : scene.blocks) sum += 2 * block.half_height;
-  return sum;
 }
 
 /// Whether two motions end alike, apart from where.
@@ -62,7 +55,9 @@ bool alike_at(std::size_t sample, const History& one, const History& other, doub
 /// The likeness of a branch to an earlier one that begins first.
 std::optional<Likeness> likeness(const Scene& scene, const Branch& branch,
                                  const std::vector<Branch>& earlier) {
-  const double length = height(scene) * alike;
+  double height = 0;
+  for (const Block& block : scene.blocks) height += 2 * block.half_height;
+  const double length = height * alike;
   std::optional<Likeness> found;
   for (std::size_t i = 0; i < earlier.size(); ++i) {
     const History &one = branch.history, &other = earlier[i].history;

@@ -3,10 +3,8 @@
 #include "analytic/solver/solver.hpp"
 #include "analytic/solver/to_double.hpp"
 #include "analytic/unilateral/solve_contacts.hpp"
-#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
-
 namespace {
 
 constexpr double most_steps = 1e8;
@@ -28,16 +26,11 @@ BasicHistory<Real> solve_stack_of(const Scene& scene, const SolveOptions& option
 }
 
 History solve_in_double(const Scene& scene, const SolveOptions& options, Branching* branching) {
-  switch (scene.blocks.size()) {
-    case 1:
-      return solve_stack_of<double, 1>(scene, options, branching);
-    case 2:
-      return solve_stack_of<double, 2>(scene, options, branching);
-    case 3:
-      return solve_stack_of<double, 3>(scene, options, branching);
-    default:
-      return solve_stack_of<double, Eigen::Dynamic>(scene, options, branching);
-  }
+  const std::size_t blocks = scene.blocks.size();
+  if (blocks == 1) return solve_stack_of<double, 1>(scene, options, branching);
+  if (blocks == 2) return solve_stack_of<double, 2>(scene, options, branching);
+  if (blocks == 3) return solve_stack_of<double, 3>(scene, options, branching);
+  return solve_stack_of<double, Eigen::Dynamic>(scene, options, branching);
 }
 
 template <class Real>
@@ -49,14 +42,6 @@ History contacts_in(const Scene& scene, const SolveOptions& options, Branching* 
   }
 }
 
-History solve_with_contacts(const Scene& scene, const SolveOptions& options, Branching* branching) {
-  validate(options);
-  if (options.integrator != Integrator::taylor)
-    throw std::invalid_argument("integrator = rk4: must be taylor under law " + std::string(name(scene.law)));
-  return double_does(scene) ? contacts_in<double>(scene, options, branching)
-                            : contacts_in<long double>(scene, options, branching);
-}
-
 }  // namespace
 
 History solve(const Scene& scene, const SolveOptions& options, Branching* branching) {
@@ -64,7 +49,14 @@ History solve(const Scene& scene, const SolveOptions& options, Branching* branch
   if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
     throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
                                 number_text(scene.duration / most_steps) + " s, or there are too many");
-  if (leaves_pivots(scene.law)) return solve_with_contacts(scene, options, branching);
+  if (leaves_pivots(scene.law)) {
+    validate(options);
+    if (options.integrator != Integrator::taylor)
+      throw std::invalid_argument("integrator = rk4: must be taylor under law " +
+                                  std::string(name(scene.law)));
+    return double_does(scene) ? contacts_in<double>(scene, options, branching)
+                              : contacts_in<long double>(scene, options, branching);
+  }
   try {
     return solve_in_double(scene, options, branching);
   } catch (const IllConditioned&) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "analytic/scene/branching.hpp"
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"

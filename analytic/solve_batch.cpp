@@ -10,17 +10,11 @@ namespace {
 
 using Deliver = std::function<void(Solved&&)>;
 
-/// A scene's history, or why there is none.
-struct Ending {
-  History history;
-  std::exception_ptr failure;
-};
-
-Ending alone(const Scene& scene, const SolveOptions& options) {
+Solved alone(std::size_t number, const Scene& scene, const SolveOptions& options) {
   try {
-    return {solve(scene, options), nullptr};
+    return {number, scene, solve(scene, options), nullptr};
   } catch (const std::exception&) {
-    return {{}, std::current_exception()};
+    return {number, scene, {}, std::current_exception()};
   }
 }
 
@@ -78,24 +72,25 @@ class Lanes {
   /// A part of a run that tells whether there is more.
   template <class Part>
   void attempt(std::size_t lane, const Part& part) {
+    Run& run = *runs_[lane];
     try {
       if (part()) return;
     } catch (const IllConditioned&) {
-      return end(lane, alone(runs_[lane]->scene, options_));  // in wider numbers
+      return end(lane, alone(run.number, run.scene, options_));  // in wider numbers
     } catch (const std::runtime_error& failure) {
-      const Unfinished unfinished(failure.what(), runs_[lane]->lane->so_far(rows_, lane));
-      return end(lane, {{}, std::make_exception_ptr(unfinished)});
+      const Unfinished unfinished(failure.what(), run.lane->so_far(rows_, lane));
+      return end(lane, {run.number, run.scene, {}, std::make_exception_ptr(unfinished)});
     } catch (const std::exception&) {
-      return end(lane, {{}, std::current_exception()});
+      return end(lane, {run.number, run.scene, {}, std::current_exception()});
     }
-    end(lane, {std::move(*runs_[lane]->lane).history(), nullptr});
+    end(lane, {run.number, run.scene, std::move(*run.lane).history(), nullptr});
   }
 
-  void end(std::size_t lane, Ending&& ending) {
+  void end(std::size_t lane, Solved&& solved) {
     const std::unique_ptr<Run> run = std::move(runs_[lane]);
     --busy_;
     rows_.busy[lane] = 0;
-    deliver_({run->number, run->scene, std::move(ending.history), ending.failure});
+    deliver_(std::move(solved));
   }
 
   MakeSteps make_steps_;
@@ -144,13 +139,9 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
   const StepKernels* made_by = kernels(set);
   // A batch keeps no samples.
   if (options.integrator != Integrator::taylor || !options.sample_times.empty()) made_by = nullptr;
-  const auto by_itself = [&](std::size_t number, const Scene& scene) {
-    Ending ending = alone(scene, options);
-    deliver({number, scene, std::move(ending.history), ending.failure});
-  };
   std::size_t number = 0;
   if (made_by == nullptr) {
-    while (std::optional<Scene> scene = next()) by_itself(number++, *scene);
+    while (std::optional<Scene> scene = next()) deliver(alone(number++, *scene, options));
     return;
   }
   Lanes<1> one[]{{false, made_by->one_block, options, deliver}, {true, made_by->one_block, options, deliver}};
@@ -161,20 +152,16 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
   for (; std::optional<Scene> scene = next(); ++number) {
     const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
     // Kernels know pivots alone, and no levers.
-    const bool alone = scene->equations == Equations::small_angle || leaves_pivots(scene->law);
-    switch (alone ? 0 : scene->blocks.size()) {
-      case 1:
-        one[kind].add(number, std::move(*scene));
-        break;
-      case 2:
-        two[kind].add(number, std::move(*scene));
-        break;
-      case 3:
-        three[kind].add(number, std::move(*scene));
-        break;
-      default:
-        by_itself(number, *scene);
-    }
+    const bool by_itself = scene->equations == Equations::small_angle || leaves_pivots(scene->law);
+    const std::size_t blocks = by_itself ? 0 : scene->blocks.size();
+    if (blocks == 1)
+      one[kind].add(number, std::move(*scene));
+    else if (blocks == 2)
+      two[kind].add(number, std::move(*scene));
+    else if (blocks == 3)
+      three[kind].add(number, std::move(*scene));
+    else
+      deliver(alone(number, *scene, options));
   }
   for (Lanes<1>& lanes : one) lanes.finish();
   for (Lanes<2>& lanes : two) lanes.finish();

@@ -1,8 +1,7 @@
 #include "engines/body_record.hpp"
 
-#include <utility>
-
 #include "analytic/scene/kinematics.hpp"
+#include "analytic/scene/lists.hpp"
 #include "engines/scene_setup.hpp"
 
 namespace rockstack {
@@ -16,8 +15,7 @@ struct Face {
 };
 
 Point<double> along(const BlockPose& pose, double across, double up) {
-  const Point<double> arm = turned(across, up, std::cos(pose.angle), std::sin(pose.angle));
-  return {pose.x + arm.x(), pose.y + arm.y()};
+  return Point<double>(pose.x, pose.y) + turned(across, up, std::cos(pose.angle), std::sin(pose.angle));
 }
 
 Face face_of(const Block& block, const BlockPose& pose, double outward) {
@@ -62,7 +60,11 @@ class BodyAccount {
   }
 
   void next() {
-    ground_ = ground_at(samples_);
+    if (samples_ > 0 && !setup_.ground.empty()) {
+      ground_ = setup_.ground[samples_ - 1];
+      ground_.x += setup_.dt * ground_.velocity_x;
+      ground_.y += setup_.dt * ground_.velocity_y;
+    }
     const std::size_t blocks = setup_.blocks.size();
     const auto bodies = std::span(trajectory_.bodies).subspan(samples_ * blocks, blocks);
     last_poses_ = std::move(poses_);
@@ -79,27 +81,10 @@ class BodyAccount {
     ++samples_;
   }
 
-  /// The last sample, as a history has it of laws that leave pivots.
-  void append_to(History& history) const {
-    for (const InterfaceState& state : interfaces_) {
-      history.slips.push_back(state.slip);
-      history.gaps.push_back(-state.depth);
-    }
-    for (const BlockPose& pose : poses_) history.centres.insert(history.centres.end(), {pose.x, pose.y});
-  }
-
   const BodyRecord& record() const { return record_; }
+  const std::vector<InterfaceState>& interfaces() const { return interfaces_; }
 
  private:
-  /// Where the ground is and how fast it has moved over the last step.
-  GroundStep ground_at(std::size_t sample) const {
-    if (sample == 0 || setup_.ground.empty()) return {};
-    GroundStep ground = setup_.ground[sample - 1];
-    ground.x += setup_.dt * ground.velocity_x;
-    ground.y += setup_.dt * ground.velocity_y;
-    return ground;
-  }
-
   void add_energy(std::span<const BodyState> bodies, std::span<const double> velocities) {
     double energy = 0, work = 0, rest_height = 0;
     BodyAcceleration pull;
@@ -128,7 +113,6 @@ class BodyAccount {
   void add_interfaces() {
     const double time = static_cast<double>(samples_) * setup_.dt;
     double penetration = 0;
-    interfaces_.clear();
     for (std::size_t k = 0; k < poses_.size(); ++k) {
       const Block& block = scene_.blocks[k];
       const InterfaceState& state =
@@ -149,10 +133,10 @@ class BodyAccount {
   const Scene& scene_;
   const Setup& setup_;
   const Trajectory& trajectory_;
-  GroundStep ground_;
+  GroundStep ground_;  ///< where the ground is, and how fast it has moved over the last step
   std::size_t samples_ = 0;
   std::vector<BlockPose> poses_, last_poses_;  ///< in the ground's frame, one a block
-  std::vector<InterfaceState> interfaces_;
+  std::vector<InterfaceState> interfaces_;     ///< of all samples
   BodyRecord record_;
 };
 
@@ -166,8 +150,7 @@ InterfaceState on_ground(const Block& block, const BlockPose& pose) {
 
 InterfaceState on_block(const Block& lower, const BlockPose& lower_pose, const Block& upper,
                         const BlockPose& upper_pose) {
-  const Face top = face_of(lower, lower_pose, 1);
-  const Face bottom = face_of(upper, upper_pose, -1);
+  const Face top = face_of(lower, lower_pose, 1), bottom = face_of(upper, upper_pose, -1);
   const double leaning = upper_pose.angle < lower_pose.angle ? -1 : 1;
   return {std::max(deepest_corner(top, bottom), deepest_corner(bottom, top)), slip_of(top, bottom, leaning)};
 }
@@ -184,9 +167,11 @@ EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajecto
   for (std::size_t i = 0; i < samples; ++i) run.history.times.push_back(static_cast<double>(i) * setup.dt);
   if (needs_bodies(scene, bodies)) {
     BodyAccount account(scene, setup, trajectory);
-    for (std::size_t i = 0; i < samples; ++i) {
-      account.next();
-      if (leaves_pivots(scene.law)) account.append_to(run.history);
+    for (std::size_t i = 0; i < samples; ++i) account.next();
+    if (leaves_pivots(scene.law)) {
+      run.history.slips = each_of(account.interfaces(), &InterfaceState::slip);
+      run.history.gaps = each_of(account.interfaces(), [](const InterfaceState& at) { return -at.depth; });
+      run.history.centres = account.record().centres;
     }
     if (bodies) run.bodies = account.record();
   }

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
-#include "engines/setup.hpp"
 #include "engines/trajectory.hpp"
 
 namespace rockstack {
@@ -18,8 +14,7 @@ struct BlockPose {
 
 /// How a block stands on what is under it.
 struct InterfaceState {
-  /// How deep a corner of either body lies below the face of the other that it is over, m, negative where it
-  /// is above it; −∞ where none is over it.
+  /// How deep a corner lies below the other body's face that it is over, m, negative above it; −∞: over none.
   double depth = 0;
   /// How far the block has slipped to the right along what is under it, m: by its pivot on the side to which
   /// it leans, along the face. The pivot is the end of the faces' overlap there: a corner of the block, or of
@@ -34,8 +29,7 @@ InterfaceState on_ground(const Block& block, const BlockPose& pose);
 InterfaceState on_block(const Block& lower, const BlockPose& lower_pose, const Block& upper,
                         const BlockPose& upper_pose);
 
-/// What the bodies of an engine did that angles alone do not tell, over one run. SI units, in the ground's
-/// frame.
+/// What an engine's bodies did over one run that angles do not tell. SI units, in the ground's frame.
 struct BodyRecord {
   /// At each sample: kinetic and potential, zero where the stack rests upright, J.
   std::vector<double> energy;
@@ -71,8 +65,7 @@ inline bool needs_bodies(const Scene& scene, bool bodies) {
   return bodies || leaves_pivots(scene.law);
 }
 
-/// A trajectory of the scene that `setup` was made of. Precondition: it tells bodies where
-/// needs_bodies(scene, bodies).
+/// A trajectory of the scene of `setup`. Precondition: it tells bodies where needs_bodies(scene, bodies).
 EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajectory, bool bodies);
 
 }  // namespace rockstack

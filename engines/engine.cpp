@@ -16,11 +16,6 @@ std::string range_of(const Setting& setting) {
   return fmt::format("{} from {} to {}", kind, setting.least, setting.most);
 }
 
-bool allows(const Setting& setting, double value) {
-  const bool inside = value >= setting.least && value <= setting.most;
-  return inside && (!setting.whole || value == std::floor(value));
-}
-
 }  // namespace
 
 Setting switch_setting(std::string name, double standard, double tuned) {
@@ -72,18 +67,17 @@ const Setting& find_setting(const std::string& engine, const std::vector<Setting
 void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
                  double value) {
   const Setting& setting = find_setting(engine, settings, name);
-  if (!allows(setting, value))
+  if (!setting.allows(value))
     throw std::invalid_argument(
         fmt::format("{}: {} = {}: must be {}", engine, name, value, range_of(setting)));
 }
 
 void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given) {
   for (const auto& [name, value] : given) check_value(engine, settings, name, value);
-  for (const Setting& setting : settings) {
-    if (given.count(setting.name) != 0) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: {} is missing: must be {}", engine, setting.name, range_of(setting)));
-  }
+  for (const Setting& setting : settings)
+    if (!given.contains(setting.name))
+      throw std::invalid_argument(
+          fmt::format("{}: {} is missing: must be {}", engine, setting.name, range_of(setting)));
 }
 
 }  // namespace rockstack

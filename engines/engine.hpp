@@ -1,20 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "engines/setup.hpp"
 #include "engines/simulation.hpp"
 
 namespace rockstack {
 
-/// Every number that shapes an engine run, by the engine's own name for it; written into the results as it
-/// is.
+/// Every number that shapes an engine run, by the engine's own name; written into the results as it is.
 using Parameters = std::map<std::string, double>;
 
 /// What of a scene a setting is given the value of.
@@ -24,8 +19,7 @@ enum class SettingRole {
   restitution_threshold,  ///< the speed below which nothing bounces: the least that it takes, where points do
 };
 
-/// One setting of an engine: its own name for it, what the engine starts with, what suits rocking blocks
-/// best, and the range an adapter takes.
+/// One setting of an engine: its own name, its value by default, and tuned to rocking blocks, and its range.
 struct Setting {
   std::string name = {};
   std::string unit = {};                  ///< as "N/m"; empty for a number alone
@@ -37,7 +31,14 @@ struct Setting {
       choices.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(choices.size()) - 1;
   bool whole = !choices.empty();  ///< only whole numbers
   SettingRole role = SettingRole::own;
+
+  bool allows(double value) const {
+    return value >= least && value <= most && (!whole || value == std::floor(value));
+  }
 };
+
+/// N/m or N s/m: far beyond what a step resolves, and finite, as stiffness and damping are divided.
+inline constexpr double stiffest = 1e18;
 
 /// A setting that is off, 0 or false, or on, 1 or true.
 Setting switch_setting(std::string name, double standard, double tuned);
@@ -52,26 +53,22 @@ Setting shaking_setting();
 /// The number of a choice's name. @throws std::invalid_argument naming the choices.
 double choice_value(const std::string& engine, const Setting& setting, const std::string& choice);
 
-/// By what an adapter multiplies every mass, on which no angle depends: 1, or with the setting unitMass
-/// what gives the stack that mass, kg, so that cfm, contact forces and limits of impulses mean the same for
-/// grams and tonnes.
+/// By what an adapter multiplies every mass, on which no angle depends: 1, or with the setting unitMass what
+/// gives the stack that mass, kg: cfm, forces and limits of impulses mean the same for grams and tonnes.
 double mass_factor(const Setup& setup, const Parameters& parameters);
 
 /// Of a set: &Setting::standard or &Setting::tuned.
 Parameters values_of(const std::vector<Setting>& settings, double Setting::*set);
 
-/// The setting of that name. @throws std::invalid_argument naming the engine, the setting and those that
-/// there are.
+/// The setting of that name. @throws std::invalid_argument naming the engine, the setting and all there are.
 const Setting& find_setting(const std::string& engine, const std::vector<Setting>& settings,
                             const std::string& name);
 
-/// Checks one value. @throws std::invalid_argument naming the engine, the setting, its value and what is
-/// allowed: unknown or out of range.
+/// Checks one value. @throws std::invalid_argument naming engine, setting, value and what is allowed.
 void check_value(const std::string& engine, const std::vector<Setting>& settings, const std::string& name,
                  double value);
 
-/// Checks what Engine::start was given.
-/// @throws std::invalid_argument as above, or for one that is missing.
+/// Checks what Engine::start was given. @throws std::invalid_argument as above, or for one that is missing.
 void check(const std::string& engine, const std::vector<Setting>& settings, const Parameters& given);
 
 /// What an engine is able to do, and by which rules it is to be judged.
@@ -80,8 +77,7 @@ struct Capabilities {
   double largest_friction = std::numeric_limits<double>::infinity();
   bool single_precision = false;
   bool planar = false;  ///< by nature; else constraints or corrections hold its bodies in the plane
-  /// By how many steps places are ahead under a constant force: ½ for semi-implicit Euler, 0 for an
-  /// integrator of higher order.
+  /// How many steps places are ahead under a constant force: ½ for semi-implicit Euler, 0 of higher order.
   double lead = 0.5;
   double tuned_lead = lead;  ///< with the tuned set, where the number of substeps is a setting
 };

@@ -1,7 +1,5 @@
 #include "engines/scene_setup.hpp"
 
-#include <utility>
-
 #include "analytic/scene/kinematics.hpp"
 
 namespace rockstack {
@@ -34,51 +32,45 @@ Pattern initial_pattern(const InitialState& initial) {
   return pattern;
 }
 
-/// Centres as chains of pivots have them, with the offsets, gaps and slips of the start besides.
-struct Centres {
-  Points<double> at, rate;
-};
-
 /// Moves blocks as `initial` says, each with all above it.
-class Mover {
- public:
-  Mover(const Scene& scene, const Pattern& pattern, Centres centres)
-      : scene_(scene), initial_(scene.initial), pattern_(pattern), centres_(std::move(centres)) {}
+struct Mover {
+  const Scene& scene;
+  const Pattern& pattern;
+  Points<double> at, rate;  ///< centres as chains of pivots have them; offsets, gaps and slips come to them
+  const InitialState& initial = scene.initial;
 
-  Centres moved() && {
-    for (int k = 0; k < pattern_.size; ++k) {
-      if (const double offset = value(initial_.offsets, k); offset != 0) move_off_centre(k, offset);
-      if (has_gap(initial_, static_cast<std::size_t>(k))) {
+  void apply() {
+    for (int k = 0; k < pattern.size; ++k) {
+      if (const double offset = value(initial.offsets, k); offset != 0) move_off_centre(k, offset);
+      if (has_gap(initial, static_cast<std::size_t>(k))) {
         lift(k);
-      } else if (const double slip = value(initial_.slip_velocities, k); slip != 0) {
+      } else if (const double slip = value(initial.slip_velocities, k); slip != 0) {
         add(k, Point<double>::Zero(), turned_by(slip, 0, angle(holding(k))));
       }
     }
-    return std::move(centres_);
   }
 
- private:
-  double angle(int body) const { return value(initial_.angles, body); }
-  double turning(int body) const { return value(initial_.velocities, body); }
+  double angle(int body) const { return value(initial.angles, body); }
+  double turning(int body) const { return value(initial.velocities, body); }
   double half_width(int body) const {
     return body < 0 ? std::numeric_limits<double>::infinity()
-                    : scene_.blocks[static_cast<std::size_t>(body)].half_width;
+                    : scene.blocks[static_cast<std::size_t>(body)].half_width;
   }
 
   /// The body whose face an interface touches along: that below, or the block that leans over its corner.
   int holding(int k) const {
-    const int side = sign(pattern_[k]);
-    return side != 0 && half_width(k - 1) - side * value(initial_.offsets, k) < half_width(k) ? k : k - 1;
+    const int side = sign(pattern[k]);
+    return side != 0 && half_width(k - 1) - side * value(initial.offsets, k) < half_width(k) ? k : k - 1;
   }
 
   void add(int first, const Point<double>& way, const Point<double>& speed) {
-    centres_.at.rightCols(pattern_.size - first).colwise() += way;
-    centres_.rate.rightCols(pattern_.size - first).colwise() += speed;
+    at.rightCols(pattern.size - first).colwise() += way;
+    rate.rightCols(pattern.size - first).colwise() += speed;
   }
 
   /// The pivot goes from the end of centred faces to that of the faces as they overlap.
   void move_off_centre(int k, double offset) {
-    const int side = sign(pattern_[k]);
+    const int side = sign(pattern[k]);
     const double centred = side * std::min(half_width(k), half_width(k - 1));
     const double pivot = side == 0 ? 0 : side * std::min(half_width(k), half_width(k - 1) - side * offset);
     const auto move = [&](double along, int body) {
@@ -90,22 +82,16 @@ class Mover {
   }
 
   void lift(int k) {
-    add(k, turned_by(0, initial_.gaps[static_cast<std::size_t>(k)], angle(holding(k))),
-        Point<double>::Zero());
+    add(k, turned_by(0, initial.gaps[static_cast<std::size_t>(k)], angle(holding(k))), Point<double>::Zero());
     const auto column = [&](const Points<double>& points, int body) -> Point<double> {
       return body < 0 ? Point<double>(Point<double>::Zero()) : Point<double>(points.col(body));
     };
-    const Point<double> arm = column(centres_.at, k) - column(centres_.at, k - 1);
+    const Point<double> arm = column(at, k) - column(at, k - 1);
     const Point<double> speed =
-        column(centres_.rate, k - 1) + turning(k - 1) * quarter_turned<double>(arm) +
-        turned_by(value(initial_.slip_velocities, k), value(initial_.gap_velocities, k), angle(k - 1));
-    add(k, Point<double>::Zero(), speed - column(centres_.rate, k));
+        column(rate, k - 1) + turning(k - 1) * quarter_turned<double>(arm) +
+        turned_by(value(initial.slip_velocities, k), value(initial.gap_velocities, k), angle(k - 1));
+    add(k, Point<double>::Zero(), speed - column(rate, k));
   }
-
-  const Scene& scene_;
-  const InitialState& initial_;
-  const Pattern& pattern_;
-  Centres centres_;
 };
 
 }  // namespace
@@ -116,17 +102,17 @@ std::vector<Placement> place(const Scene& scene) {
   const Vector<double> velocities = vector_of<double>(scene.initial.velocities);
   const Pattern pattern = initial_pattern(scene.initial);
   const Chain<double> chain = make_chain(make_stack<double>(scene), pattern, angles);
-  const auto [middles, motions] =
-      Mover(scene, pattern, {centres(chain), centre_velocities(chain, velocities)}).moved();
+  Mover mover{scene, pattern, centres(chain), centre_velocities(chain, velocities)};
+  mover.apply();
 
   std::vector<Placement> placements;
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
     const Block& block = scene.blocks[static_cast<std::size_t>(k)];
     const double depth = scene.engine.depth;
-    placements.push_back({.x = middles(0, k),
-                          .y = middles(1, k),
-                          .velocity_x = motions(0, k),
-                          .velocity_y = motions(1, k),
+    placements.push_back({.x = mover.at(0, k),
+                          .y = mover.at(1, k),
+                          .velocity_x = mover.rate(0, k),
+                          .velocity_y = mover.rate(1, k),
                           .angle = angles[k],
                           .angular_velocity = velocities[k],
                           .width = 2 * block.half_width,

@@ -13,8 +13,7 @@ double smooth_moment(const GroundMotion& motion, double from, double to, double 
   // Gauss–Legendre on [−1, 1].
   static constexpr std::array<double, 3> points{0, 0.5384693101056831, 0.9061798459386640};
   static constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
-  const double middle = 0.5 * (from + to);
-  const double half = 0.5 * (to - from);
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   const auto value = [&](double t) { return (end - t) * acceleration(motion, t); };
   double sum = weights[0] * value(middle);
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -38,12 +37,6 @@ double moment(const GroundMotion& motion, double from, double to) {
     t = next;
   }
   return sum;
-}
-
-/// True where the engine is to move the ground: all engines that can name the parameter so.
-bool moves_ground(const Parameters& parameters) {
-  const auto shaking = parameters.find("shaking");
-  return shaking != parameters.end() && shaking->second != 0;
 }
 
 /// Along one axis: displacement and velocity of the ground at the start of the next step.
@@ -114,7 +107,8 @@ Setup set_up(const Scene& scene, double dt, const Parameters& parameters) {
   // A duration that is a whole number of steps up to rounding counts as one.
   setup.steps = static_cast<std::size_t>(std::floor(scene.duration / dt + 1e-9));
   if (!is_shaken(scene)) return setup;
-  if (moves_ground(parameters)) {
+  // All engines that can move the ground name the parameter so.
+  if (const auto shaking = parameters.find("shaking"); shaking != parameters.end() && shaking->second != 0) {
     setup.ground = ground_path(scene, dt, setup.steps);
     return setup;
   }

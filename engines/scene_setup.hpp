@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "analytic/scene/scene.hpp"
 #include "engines/engine.hpp"
 
@@ -38,8 +36,7 @@ void require_restitution(const EngineDescription& engine, const Scene& scene);
 /// @throws std::invalid_argument as check_step(); std::runtime_error as place().
 Setup set_up(const Scene& scene, double dt, const Parameters& parameters);
 
-/// @throws std::invalid_argument for a time step that a duration holds less than once, or more than 10⁹
-/// times. Both in s.
+/// @throws std::invalid_argument for a step that a duration holds less than once, or over 10⁹ times. In s.
 void check_step(double dt, double duration);
 
 }  // namespace rockstack

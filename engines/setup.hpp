@@ -43,8 +43,7 @@ struct Setup {
   std::vector<GroundStep> ground;
 };
 
-/// How far a ground that has edges should go to each side, m: ten times as far as all blocks in a row.
-/// Precondition: there is a block.
+/// How far a ground with edges should go to each side, m: ten times all blocks in a row. There must be one.
 inline double ground_reach(const std::vector<Placement>& blocks) {
   double reach = blocks.front().depth;
   for (const Placement& block : blocks) reach += block.width + block.height;

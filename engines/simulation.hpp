@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "engines/setup.hpp"
 
@@ -32,9 +30,8 @@ struct ContactPoint {
   double damping = 0;  ///< N s/m where a dashpot is beside the spring; without meaning where there is none
 };
 
-/// Stiffness of a contact that takes away the share `erp` of its overlap in a step of `dt` s and gives way by
-/// `cfm` m/s for a force of 1 N: a spring and a dashpot, integrated by the implicit Euler method (ODE's
-/// manual, section 3.8.2). N/m; infinite for cfm = 0.
+/// Stiffness of a contact that takes away the share `erp` of its overlap in `dt` s and gives way by `cfm`
+/// m/s for 1 N: a spring and a dashpot by implicit Euler (ODE's manual, 3.8.2). N/m; infinite for cfm = 0.
 inline double contact_stiffness(double erp, double cfm, double dt) {
   return cfm > 0 ? erp / (dt * cfm) : std::numeric_limits<double>::infinity();
 }
@@ -54,8 +51,7 @@ class Simulation {
 
   virtual BodyState body(std::size_t block) const = 0;
 
-  /// Lets contacts() tell what every step from now on makes of its contacts, at some cost.
-  /// @return whether the engine can.
+  /// Lets contacts() tell what steps from now on make of contacts, at some cost. @return whether it can.
   virtual bool watch_contacts() { return false; }
 
   /// The contacts of the last step; none before the first, or where they are not watched.
@@ -65,40 +61,42 @@ class Simulation {
   virtual std::size_t warnings() const { return 0; }
 };
 
-/// What adapters share: each step is told how the ground moves. Where the setup has ground motion, it is
-/// either that of a ground that really moves or a body force; once the scene is over nothing changes any
-/// more.
+/// What adapters share: each step is told how the ground moves. Ground motion in a setup is either that of a
+/// ground that really moves or a body force; once the scene is over nothing changes any more.
 class ShakenSimulation : public Simulation {
  public:
   void step() final {
     const std::size_t now = steps_++;
-    if (now < ground_.size()) place_ground(ground_[now]);
-    if (now < accelerations_.size()) set_gravity(accelerations_[now]);
+    if (now < setup_.ground.size()) place_ground(setup_.ground[now]);
+    if (now < setup_.accelerations.size()) set_gravity(setup_.accelerations[now]);
     advance();
   }
   bool watch_contacts() override { return watched_ = true; }
 
  protected:
-  explicit ShakenSimulation(const Setup& setup)
-      : dt_(setup.dt), ground_(setup.ground), accelerations_(setup.accelerations) {}
+  /// `mass_factor`: by what the adapter multiplies every mass; no angle depends on it.
+  explicit ShakenSimulation(const Setup& setup, double mass_factor = 1)
+      : mass_factor_(mass_factor), setup_(setup) {}
 
-  double dt() const { return dt_; }
+  double dt() const { return setup_.dt; }
   bool watches_contacts() const { return watched_; }
   /// True where the ground really moves.
-  bool moves_ground() const { return !ground_.empty(); }
+  bool moves_ground() const { return !setup_.ground.empty(); }
   /// The ground in the next step; null where it rests or the scene is over.
-  const GroundStep* next_ground() const { return steps_ < ground_.size() ? &ground_[steps_] : nullptr; }
+  const GroundStep* next_ground() const {
+    return steps_ < setup_.ground.size() ? &setup_.ground[steps_] : nullptr;
+  }
   std::size_t steps() const { return steps_; }
 
+  const double mass_factor_;
+
  private:
-  /// Puts a ground that really moves where the step under way starts.
+  /// Puts a ground that really moves where the step under way starts, where most engines find contacts.
   virtual void place_ground(const GroundStep& /*ground*/) {}
   virtual void set_gravity(const BodyAcceleration& acceleration) = 0;
   virtual void advance() = 0;
 
-  double dt_;
-  std::vector<GroundStep> ground_;
-  std::vector<BodyAcceleration> accelerations_;
+  Setup setup_;
   std::size_t steps_ = 0;
   bool watched_ = false;
 };

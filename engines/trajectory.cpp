@@ -21,20 +21,9 @@ std::vector<double> relative_to_below(std::span<const double> values) {
 /// Of each interface: the lesser value of the two bodies that meet there; above the ground that of the block.
 std::vector<double> lesser(const std::vector<Placement>& blocks, double Placement::*value) {
   std::vector<double> list;
-  list.reserve(blocks.size());
   for (std::size_t k = 0; k < blocks.size(); ++k)
     list.push_back(std::min(blocks[k].*value, blocks[k == 0 ? 0 : k - 1].*value));
   return list;
-}
-
-/// The state that a simulation is in, as the last sample of its trajectory.
-void append(Trajectory& trajectory, const Simulation& simulation, std::size_t blocks, bool bodies) {
-  for (std::size_t k = 0; k < blocks; ++k) {
-    const BodyState body = simulation.body(k);
-    trajectory.angles.push_back(body.angle);
-    trajectory.velocities.push_back(body.angular_velocity);
-    if (bodies) trajectory.bodies.push_back(body);
-  }
 }
 
 }  // namespace
@@ -128,11 +117,9 @@ void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<
 }
 
 bool has_ended(const Setup& setup, const Trajectory& trajectory) {
-  const std::size_t blocks = setup.blocks.size();
-  const std::span<const double> last = std::span(trajectory.angles).last(blocks);
-  for (std::size_t k = 0; k < blocks; ++k)
-    if (!(std::abs(last[k]) <= setup.toppling_angles[k])) return true;
-  return false;
+  const auto last = trajectory.angles.end() - static_cast<std::ptrdiff_t>(setup.blocks.size());
+  return !std::equal(last, trajectory.angles.end(), setup.toppling_angles.begin(),
+                     [](double angle, double most) { return std::abs(angle) <= most; });
 }
 
 void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt) {
@@ -163,7 +150,12 @@ Trajectory run(const Engine& engine, const Setup& setup, const Parameters& param
   std::optional<ContactWatch> contacts;
   if (bodies && simulation->watch_contacts()) contacts.emplace(setup, engine.capabilities.largest_friction);
   const auto observe = [&] {
-    append(trajectory, *simulation, blocks, bodies);
+    for (std::size_t k = 0; k < blocks; ++k) {
+      const BodyState body = simulation->body(k);
+      trajectory.angles.push_back(body.angle);
+      trajectory.velocities.push_back(body.angular_velocity);
+      if (bodies) trajectory.bodies.push_back(body);
+    }
     if (!contacts) return;
     contacts->observe(simulation->contacts(), std::span(trajectory.angles).last(blocks),
                       std::span(trajectory.velocities).last(blocks));
@@ -184,7 +176,6 @@ Trajectory run(const Engine& engine, const Setup& setup, const Parameters& param
 std::vector<double> time_stepping(const Engine& engine, const Setup& setup, const Parameters& parameters,
                                   std::size_t steps, int repeats) {
   std::vector<double> seconds;
-  seconds.reserve(static_cast<std::size_t>(repeats));
   for (int run = 0; run < repeats; ++run) {
     const auto simulation = engine.start(setup, parameters);
     const auto start = std::chrono::steady_clock::now();

@@ -1,21 +1,15 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <vector>
 
 #include "engines/engine.hpp"
-#include "engines/setup.hpp"
-#include "engines/simulation.hpp"
 
 namespace rockstack {
 
-/// An impact that contacts tell: an end of an interface that was off and bore nothing begins to bear while
-/// the interface closes.
+/// An impact that contacts tell: an end of an interface that was off and bore nothing bears as it closes.
 struct ContactImpact {
   double time = 0;    ///< at which both faces touch there, by gap and approach, within the run so far, s
   int interface = 0;  ///< from 1
@@ -27,8 +21,7 @@ struct ContactImpact {
 struct ContactRecord {
   /// ½kd² of all contacts that are springs which steps follow and overlap by d, at each sample, J.
   std::vector<double> elastic;
-  /// Largest product of gap and force of a contact that pushes across a gap, J. Impulses count as forces that
-  /// act for the whole step.
+  /// Largest product of gap and force of a contact that pushes across a gap, J; an impulse acts all the step.
   double complementarity = 0;
   /// Impulse across the contacts' normals above what Coulomb's cone allows, over the whole run, as a share of
   /// all that they push; whatever law of friction the engine has.
@@ -47,8 +40,7 @@ class ContactWatch {
   /// `largest_friction`: the coefficient that acts where a scene asks for more.
   ContactWatch(const Setup& setup, double largest_friction);
 
-  /// To be called once at t = 0 and once after every step, with the contacts of that step and the state that
-  /// it led to.
+  /// To be called at t = 0 and after every step, with the contacts of that step and the state it led to.
   void observe(const std::vector<ContactPoint>& points, std::span<const double> angles,
                std::span<const double> velocities);
 
@@ -63,9 +55,8 @@ class ContactWatch {
   };
   using Ends = std::array<End, 2>;  ///< left, right
 
-  /// ½kd² of the points that overlap by d and are springs which steps follow. One that makes the lighter body
-  /// move to and fro within a step, k dt² above its mass, is found overlapped by far more than any motion
-  /// could press it, and counts as rigid.
+  /// ½kd² of the points that overlap by d and are springs which steps follow. One with k dt² above the
+  /// lighter body's mass is found overlapped by far more than any motion could press it, and counts as rigid.
   double elastic_energy(const std::vector<ContactPoint>& points) const;
   void add_forces(const std::vector<ContactPoint>& points);
   void add_counts(const std::vector<Ends>& ends);

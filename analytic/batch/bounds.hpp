@@ -22,18 +22,13 @@ struct PartialSums {
   }
 };
 
-/// Whether an opening angle or a margin neither crosses zero nor grazes it, as stays_clear(); a start at zero
-/// is none of both.
+/// Whether an opening angle or a margin neither crosses nor grazes zero but at its start, as stays_clear().
 template <class Real>
 class Clearance {
  public:
   using Mask = typename Real::Mask;
 
-  explicit Clearance(const Real& start)
-      : start_(start),
-        touching_(start == Real(0)),
-        sum_(start),
-        least_(select(touching_, Real(std::numeric_limits<double>::infinity()), start)) {}
+  explicit Clearance(const Real& start) : start_(start) {}
 
   void add(const Real& coefficient) {
     reach_ += abs(coefficient);
@@ -48,8 +43,9 @@ class Clearance {
 
  private:
   Real start_;
-  Mask touching_;
-  Real sum_, least_;
+  Mask touching_ = start_ == Real(0);
+  Real sum_ = start_;
+  Real least_ = select(touching_, Real(std::numeric_limits<double>::infinity()), start_);
   Real reach_ = 0;
 };
 
@@ -99,8 +95,7 @@ struct Roots {
   typename Real::Mask found;
 };
 
-/// As bracketed_root() over (0, 1) from s, in the lanes that are asked for. Not found where Newton's method
-/// creeps.
+/// As bracketed_root() over (0, 1) from s, in the lanes asked for; not found where Newton's method creeps.
 template <class Real>
 Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, Real s, const typename Real::Mask& asked) {
   constexpr int most_points = 64;

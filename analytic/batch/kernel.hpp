@@ -2,10 +2,7 @@
 
 #include "analytic/batch/bounds.hpp"
 #include "analytic/batch/foresight.hpp"
-#include "analytic/batch/load.hpp"
 #include "analytic/batch/record_walk.hpp"
-#include "analytic/batch/step_rows.hpp"
-#include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/taylor_step.hpp"
 
 namespace rockstack {
@@ -120,8 +117,7 @@ class StepKernel {
     series.shorten(share);
   }
 
-  /// Computes orders until the last coefficients of all lanes are below the tolerance; each lane has its own
-  /// number.
+  /// Computes orders, of each lane its own number, until their last coefficients are below the tolerance.
   void converge(Chain& series, const Real& busy) {
     const Real body_force_terms = load(rows_.body_force_terms);
     Mask open = busy > Real(0);
@@ -179,8 +175,7 @@ class StepKernel {
     }
   }
 
-  /// Where the step leads, in which the block leans by `most` at most. Its peak is to be known, or at an end
-  /// of the step.
+  /// Where the step leads, in which the block leans by `most` at most, its peak known or at an end.
   void end(const Coefficients& absolute, const Real& most, std::size_t k) {
     Real angle = 0;
     Real height = 0;

@@ -15,8 +15,7 @@ class Lane {
   /// Keeps references to `scene` and `options`. @throws as Solver().
   Lane(const Scene& scene, const SolveOptions& options) : solver_(scene, options) {}
 
-  /// Goes on up to the first step of moving blocks, and asks for it. False where there is none: the history
-  /// is complete. @throws as Solver::run().
+  /// Goes on to the first step of moving blocks and asks for it; false at the end. @throws as Solver::run().
   bool start(StepRows<N>& rows, std::size_t lane) {
     solver_.start();
     describe_scene(rows, lane);
@@ -155,8 +154,7 @@ class Lane {
     return output;
   }
 
-  /// What the kernel has told of a step whose series stays as it is; what holds over all of a step holds over
-  /// the part that fit() leaves of it.
+  /// What the kernel has told of a step. What holds over all of it holds over the part that fit() leaves.
   Cleared cleared_by_bounds(const StepRows<N>& rows, std::size_t lane) const {
     Cleared cleared;
     if (!clear_) return cleared;
@@ -173,7 +171,6 @@ class Lane {
     if (!solver_.seek_motion()) return false;
     if (changed) {
       arrive(rows, lane);
-      describe_pattern(rows, lane);
       describe_state(rows, lane);
       clear_ = solver_.ties().all_clear();
       rows.clear[lane] = clear_ ? 1 : 0;
@@ -212,19 +209,13 @@ class Lane {
     }
   }
 
-  void describe_pattern(StepRows<N>& rows, std::size_t lane) {
-    const Pattern& pattern = solver_.state().pattern;
-    const Interfaces watched = solver_.ties().may_open(solver_.state());
-    for (std::size_t k = 0; k < N; ++k) {
-      rows.side[k][lane] = sign(pattern[k]);
-      rows.watched[k][lane] = watched.test(k) ? 1 : 0;
-    }
-  }
-
   void describe_state(StepRows<N>& rows, std::size_t lane) const {
     const State<double, blocks>& state = solver_.state();
+    const Interfaces watched = solver_.ties().may_open(state);
     const History& known = solver_.recorder().so_far();
     for (std::size_t k = 0; k < N; ++k) {
+      rows.side[k][lane] = sign(state.pattern[k]);
+      rows.watched[k][lane] = watched.test(k) ? 1 : 0;
       rows.angle[k][lane] = state.angles[k];
       rows.velocity[k][lane] = state.velocities[k];
       rows.peak[k][lane] = known.peaks.empty() ? std::numeric_limits<double>::infinity() : known.peaks[k];

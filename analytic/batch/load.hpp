@@ -2,7 +2,6 @@
 
 #include "analytic/batch/pack.hpp"
 #include "analytic/batch/step_rows.hpp"
-#include "analytic/scene/direction.hpp"
 
 namespace rockstack {
 

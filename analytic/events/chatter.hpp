@@ -24,7 +24,6 @@ class EndOfChatter {
  public:
   /// Keeps a reference to `model`. `resolution` in rad, > 0.
   EndOfChatter(const Model<Real, N>& model, const Real& resolution) : model_(model), resolution_(resolution) {
-    using std::sqrt;
     rate_ = model.gravity / (2 * model.stack.half_height.sum());
     slow_speed_ = 500 * std::min(resolution, Real(std::numeric_limits<double>::epsilon())) * sqrt(rate_);
     acceleration_gain_ = 2 * sqrt(model.stack.mass.sum() / model.stack.inertia.minCoeff());
@@ -43,7 +42,6 @@ class EndOfChatter {
   /// Open by what rounding makes of angles and speeds: such interfaces close with the next that does, or two
   /// of them would push each other open for ever.
   bool negligibly_open(const State<Real, N>& state, int k) const {
-    using std::abs;
     return state.pattern[k] != Contact::closed && abs(state.velocities[k]) <= slow_speed_ &&
            abs(state.angles[k]) * rate_ <= slow_speed_ * slow_speed_;
   }
@@ -52,7 +50,6 @@ class EndOfChatter {
   /// are directions_at() the state, `ground` is (ẍg, ÿg) in m/s².
   Pattern without_slow(const State<Real, N>& after, const Interfaces& touching,
                        const Directions<Real, N>& directions, const Point<Real>& ground) const {
-    using std::abs;
     Pattern pattern = after.pattern;
     const Real fastest = fastest_return(after, ground);
     for (int k = 0; k < after.size(); ++k) {

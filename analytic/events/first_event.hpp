@@ -36,22 +36,13 @@ struct FirstEvent {
 
   bool happens() const { return closing.any() || opening.any() || toppling >= 0; }
 
-  /// Makes room for an event at `crossing`: earlier than all so far, or at the same time. False where it is
-  /// later.
+  /// Makes room for an event at `crossing`, earlier than all so far or with them; false where it is later.
   bool admit(const std::optional<Real>& crossing) {
     if (!crossing || *crossing > s) return false;
     if (*crossing < s) *this = FirstEvent{*crossing, {}, {}, opened, -1, std::move(grazes), {}};
     return true;
   }
 };
-
-/// The angle by which an interface is open, as a polynomial.
-template <class Real, int N>
-Polynomial<Real> opening_angle(const DenseOutput<Real, N>& output, int interface) {
-  Polynomial<Real> polynomial = output.angles[interface];
-  for (Real& coefficient : polynomial) coefficient *= Real(sign(output.start.pattern[interface]));
-  return polynomial;
-}
 
 /// The hulls of relative angles beyond zero; of closed interfaces nothing.
 template <class Real, int N>
@@ -61,11 +52,12 @@ template <class Real, int N>
 void find_closing(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>& hulls,
                   const Interfaces& cleared, FirstEvent<Real>& event) {
   const Pattern& pattern = output.start.pattern;
-  std::array<Polynomial<Real>, capacity(N)> angles;  // of interfaces that may close
+  std::array<Polynomial<Real>, capacity(N)> angles;  // opening angles of interfaces that may close
   for (int k = 0; k < output.start.size(); ++k) {
     if (pattern[k] == Contact::closed || cleared.test(k)) continue;
     if (stays_clear(output.angles[k], hulls[k], sign(pattern[k]))) continue;
-    const Polynomial<Real>& guard = angles[k] = opening_angle(output, k);
+    Polynomial<Real>& guard = angles[k] = output.angles[k];
+    for (Real& coefficient : guard) coefficient *= Real(sign(pattern[k]));
     const auto crossing = first_crossing(guard);
     if (event.admit(crossing)) event.closing.set(k);
     if (const auto s = grazing(guard, crossing)) event.grazes.push_back({*s, EventKind::impact, k + 1});
@@ -90,7 +82,6 @@ void find_opening(const DenseOutput<Real, N>& output, FirstEvent<Real>& event) {
       event.opened[k] = side;
       // The margins' sum is the normal force times the width.
       const Polynomial<Real>& other = side == Contact::right ? margin.left : margin.right;
-      using std::abs;
       const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (abs(other[0]) + reach(other));
       if (value(other, event.s) <= rounding) event.either.set(k);
     }
@@ -114,7 +105,6 @@ void find_toppling(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>
   }
 }
 
-/// Finds the first event in a step.
 template <class Real, int N>
 FirstEvent<Real> first_event(const DenseOutput<Real, N>& output,
                              const std::array<Real, max_blocks>& toppling_angles,

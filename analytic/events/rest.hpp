@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/mechanics/dynamics.hpp"
-#include "analytic/mechanics/linkage.hpp"
 #include "analytic/steps/ground_pieces.hpp"
 
 namespace rockstack {
@@ -16,14 +15,12 @@ namespace rockstack {
 template <class Real, int N>
 struct RestingStack {
   PerBlock<Real, N> mass;  ///< kg, of all above an interface
-  Real gravity;            ///< m/s²
   Real critical_tilt;      ///< λ, less what rounding may make of it; negative where it falls by itself
 
-  explicit RestingStack(const Model<Real, N>& model) : gravity(model.gravity) {
+  explicit RestingStack(const Model<Real, N>& model) {
     const Linkage<Real, N> linkage = make_linkage(model.stack, closed_pattern(model.stack.size()));
     mass = linkage.mass;
     critical_tilt = std::numeric_limits<Real>::infinity();
-    using std::abs;
     Real moment = 0;
     Real aside = 0;
     for (std::size_t k = linkage.size(); k-- > 0;) {
@@ -50,10 +47,7 @@ Bearing<Real> bearing(const Real& gravity, const GroundPiece<Real>& piece, const
   Bearing<Real> result{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
   if (!piece.straight()) return result;
   const auto gravity_at = [&](const Real& time) { return gravity + piece.vertical.line_at(time); };
-  const auto push_at = [&](const Real& time) {
-    using std::abs;
-    return abs(piece.horizontal.line_at(time));
-  };
+  const auto push_at = [&](const Real& time) { return abs(piece.horizontal.line_at(time)); };
   const Real first = gravity_at(offset);
   const Real last = gravity_at(piece.length);
   result.least_gravity = std::min(first, last);

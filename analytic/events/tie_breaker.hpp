@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/events/first_event.hpp"
-#include "analytic/mechanics/dynamics.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {
@@ -36,7 +35,6 @@ class TieBreaker {
   /// moved by a sixth of 10⁻¹² rad.
   template <int N>
   explicit TieBreaker(const Model<Real, N>& model) : few_(4 * (model.stack.size() + 1)) {
-    using std::sqrt;
     const Real rate = model.gravity / (2 * model.stack.half_height.sum());
     slack_ = 500 * std::numeric_limits<Real>::epsilon() * rate;
     brief_ = Real(1e-4) / sqrt(rate);
@@ -133,7 +131,6 @@ class EventLimit {
 
   template <int N>
   explicit EventLimit(const Model<Real, N>& model) : most_(most_of_block * model.stack.size()) {
-    using std::sqrt;
     window_ = sqrt(2 * model.stack.half_height.sum() / model.gravity) / 1000;
   }
 

@@ -34,12 +34,7 @@ class ZenoSummation {
  public:
   /// Keeps a reference to `model`. `resolution` is of angles in rad, and of velocities in √(g/H), > 0.
   ZenoSummation(const Model<Real, N>& model, const Real& resolution)
-      : model_(model),
-        resolution_(resolution),
-        short_steps_(model, {.step = std::numeric_limits<double>::max()}) {
-    using std::sqrt;
-    rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
-  }
+      : model_(model), resolution_(resolution) {}
 
   /// Whether chatter has to be followed further than it counts: flights are below a coarse resolution sooner.
   bool pays() const { return resolution_ < coarse; }
@@ -56,7 +51,6 @@ class ZenoSummation {
 
   /// Goes on watching; whether from here on chatter moves the motion by less than the resolution.
   bool harmless(const Landing& landing) {
-    using std::abs;
     const int interface = thrown_alone(landing);
     const Real speed = interface < 0 ? Real(0) : abs(landing.after.relative[interface]);
     const bool follows = interface >= 0 && interface == interface_ && landing.number == number_ + 1 &&
@@ -76,11 +70,11 @@ class ZenoSummation {
   /// What is left of chatter that is harmless; nothing where it may have company. `fastest` bounds relative
   /// angular accelerations, rad/s² (EndOfChatter).
   std::optional<RestOfChatter<Real, N>> rest(const Landing& landing, const Real& fastest) const {
-    using std::abs;
     const Real speed = abs(landing.after.relative[interface_]);
     const Real duration = duration_ * (speed / speed_) / (1 - ratio_);
     if (duration > landing.piece.length - landing.offset) return std::nullopt;
-    const auto closure = velocities_after(model_, landing.before, closed(landing.after.pattern, interface_));
+    const auto closure = velocities_after(model_, landing.before,
+                                          with_closed(landing.after.pattern, Interfaces().set(interface_)));
     RestOfChatter<Real, N> rest{interface_, duration, landing.after, closure, landing.impact.before.angles,
                                 fastest};
     if (!others_stay_open(rest)) return std::nullopt;
@@ -122,13 +116,8 @@ class ZenoSummation {
     return thrown;
   }
 
-  static Pattern closed(Pattern pattern, int interface) {
-    pattern[interface] = Contact::closed;
-    return pattern;
-  }
-
   State<Real, N> closed_at(const Landing& landing, int interface) const {
-    const Pattern pattern = closed(landing.after.pattern, interface);
+    const Pattern pattern = with_closed(landing.after.pattern, Interfaces().set(interface));
     const Chain<Real, N> chain = make_chain(model_.stack, pattern, landing.before.directions);
     return {pattern, landing.impact.before.angles,
             nearest_allowed(model_.stack, pattern, chain, landing.before.motion)};
@@ -146,8 +135,6 @@ class ZenoSummation {
 
   /// From which speed on closing is harmless; false where chatter falls too slowly to tell.
   bool measure(const Landing& landing, const Real& speed) {
-    using std::abs;
-    using std::cbrt;
     duration_ = landing.offset - offset_;
     ratio_ = speed / speed_;
     if (!(ratio_ < brisk) || duration_ * rate_ > brief) return false;
@@ -166,7 +153,6 @@ class ZenoSummation {
 
   /// Whether two more flights were as long as the first two, for their speed.
   bool goes_on_alike(const Landing& landing, const Real& speed) {
-    using std::abs;
     const Real expected = duration_ * (last_speed_ / speed_);
     const bool alike = abs(landing.offset - last_offset_ - expected) <= alikeness * expected;
     last_offset_ = landing.offset;
@@ -175,7 +161,6 @@ class ZenoSummation {
   }
 
   bool others_stay_open(const RestOfChatter<Real, N>& rest) const {
-    using std::abs;
     const Vector<Real, N> thrown = rest.thrown();
     for (int k = 0; k < thrown.size(); ++k) {
       if (k == rest.interface || rest.closure.pattern[k] == Contact::closed) continue;
@@ -214,8 +199,8 @@ class ZenoSummation {
 
   const Model<Real, N>& model_;
   Real resolution_;
-  Rk4Steps<Real, N> short_steps_;
-  Real rate_{};  ///< √(g/H), 1/s
+  Rk4Steps<Real, N> short_steps_{model_, {.step = std::numeric_limits<double>::max()}};
+  Real rate_ = sqrt(model_.gravity / (2 * model_.stack.half_height.sum()));  ///< √(g/H), 1/s
   // since the impact from which on chatter has been watched
   int interface_ = -1;
   int flights_ = 0;

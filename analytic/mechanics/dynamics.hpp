@@ -34,7 +34,6 @@ struct Model {
 
 template <class Real, int N = Eigen::Dynamic>
 Model<Real, N> make_model(const Scene& scene) {
-  using std::cos;
   Stack<Real, N> stack = make_stack<Real, N>(scene);
   if (scene.equations == Equations::small_angle) stack = small_angle_stack(std::move(stack));
   return {std::move(stack), Real(scene.gravity) * cos(Real(scene.inclination)), scene.equations};
@@ -57,8 +56,7 @@ struct State {
   }
 };
 
-/// The directions of the blocks at a state; upright for the linear equations, (1, θ) for those of small
-/// angles.
+/// Directions of blocks at a state: upright for the linear equations, (1, θ) for those of small angles.
 template <class Real, int N>
 Directions<Real, N> directions_at(const Model<Real, N>& model, const Vector<Real, N>& relative_angles) {
   const auto size = relative_angles.size();
@@ -68,15 +66,7 @@ Directions<Real, N> directions_at(const Model<Real, N>& model, const Vector<Real
   return directions<Real, N>(absolute(relative_angles));
 }
 
-/// The chain at a state.
-template <class Real, int N>
-Chain<Real, N> chain_at(const Model<Real, N>& model, const Pattern& pattern,
-                        const Vector<Real, N>& relative_angles) {
-  return make_chain(model.stack, pattern, directions_at(model, relative_angles));
-}
-
-/// Sums from the top down: turns what belongs to the absolute angles of blocks into what belongs to relative
-/// angles.
+/// Sums from the top down: of what belongs to absolute angles of blocks, what belongs to relative angles.
 template <class Derived>
 void sum_from_top(Eigen::MatrixBase<Derived>& rows) {
   for (Eigen::Index k = rows.rows() - 2; k >= 0; --k) rows.row(k) += rows.row(k + 1);
@@ -132,8 +122,7 @@ class IllConditioned : public std::domain_error {
 template <class Real>
 inline const Real least_diagonal_share = (1 << 30) * std::numeric_limits<Real>::epsilon();
 
-/// The allowed motion nearest to `free` (with any bias already taken off), as relative motions of the
-/// interfaces; zero where they are closed.
+/// The allowed motion nearest to `free`, with any bias taken off: relative motions, zero where closed.
 template <class Real, int N>
 struct NearestMotion {
   PerBlock<Real, N> relative;
@@ -213,9 +202,8 @@ Vector<Real, N> small_angle_levers(const Stack<Real, N>& stack, const Pattern& p
   return levers;
 }
 
-/// What the blocks would do if nothing held them, less the centripetal bias, in the frame of the ground. Of a
-/// small-angle stack, whose arms have no width, weight turns blocks by its levers. `ground` is (ẍg, ÿg) in
-/// m/s².
+/// What the blocks would do if nothing held them, less the centripetal bias, in the frame of the ground. A
+/// small-angle stack has arms without width: weight has levers. `ground` is (ẍg, ÿg) in m/s².
 template <class Real, int N>
 Motion<Real, N> free_acceleration(const Model<Real, N>& model, const State<Real, N>& state,
                                   const Directions<Real, N>& directions, const Chain<Real, N>& chain,
@@ -236,9 +224,8 @@ Motion<Real, N> free_acceleration(const Model<Real, N>& model, const State<Real,
   return free;
 }
 
-/// Relative angular accelerations φ̈ₖ, rad/s²; zero where closed. Spanos et al. 2001, Eqs. (8)–(18), and
-/// (19)–(28) for the linear equations, are the values for two blocks. `directions` are directions_at() the
-/// state.
+/// Relative angular accelerations φ̈ₖ, rad/s²; zero where closed. For two blocks these are Spanos et al. 2001,
+/// Eqs. (8)–(18), and (19)–(28) of the linear equations. `directions` are directions_at() the state.
 template <class Real, int N>
 Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
                               const Directions<Real, N>& directions, const Point<Real>& ground) {
@@ -256,7 +243,7 @@ Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>&
 /// Kinetic energy and height of the centres times weight, J, from the ground.
 template <class Real, int N>
 Real energy(const Model<Real, N>& model, const State<Real, N>& state) {
-  const Chain<Real, N> chain = chain_at(model, state.pattern, state.angles);
+  const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions_at(model, state.angles));
   const Vector<Real, N> rates = absolute(state.velocities);
   const Points<Real, N> speeds = centre_velocities(chain, rates);
   const Points<Real, N> places = centres(chain);

@@ -126,12 +126,6 @@ std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>
   return solution;
 }
 
-template <class Real, int N>
-std::optional<PatternSolution<Real, N>> consistent_solution(const Model<Real, N>& model,
-                                                            const Impact<Real, N>& impact) {
-  return consistent_solution(model, impact, before_impact(model, impact.before));
-}
-
 /// The paper's order: open, joined, closed. `evaluate` maps a pattern to its solution.
 template <class Real, int N, class Evaluate>
 PatternSolution<Real, N> paper_solution(const Impact<Real, N>& impact, const Evaluate& evaluate) {
@@ -154,13 +148,6 @@ PatternSolution<Real, N> paper_solution(const Impact<Real, N>& impact, const Eva
   return evaluate(closed);
 }
 
-template <class Real, int N>
-PatternSolution<Real, N> paper_solution(const Model<Real, N>& model, const Impact<Real, N>& impact) {
-  const BeforeImpact<Real, N> before = before_impact(model, impact.before);
-  return paper_solution<Real, N>(
-      impact, [&](const Pattern& pattern) { return velocities_after(model, before, pattern); });
-}
-
 /// What follows an impact under a law, and whether it is the consistent pattern.
 template <class Real, int N = Eigen::Dynamic>
 struct Resolution {
@@ -180,11 +167,6 @@ Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& 
   });
   if (!consistent) return {chosen, Consistency::none};
   return {chosen, chosen.pattern == consistent->pattern ? Consistency::consistent : Consistency::other};
-}
-
-template <class Real, int N>
-Resolution<Real, N> resolve(const Model<Real, N>& model, const Impact<Real, N>& impact, Law law) {
-  return resolve(model, impact, before_impact(model, impact.before), law);
 }
 
 }  // namespace rockstack

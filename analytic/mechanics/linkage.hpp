@@ -7,8 +7,7 @@ namespace rockstack {
 template <class Real, int N>
 using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
 
-/// The mass matrix of relative angles, kg·m², with closed interfaces held: their rows and columns are those
-/// of the identity. As factors L D Lᵀ.
+/// The mass matrix of relative angles, kg·m², as factors L D Lᵀ; closed interfaces have the identity's rows.
 template <class Real, int N>
 class ConstrainedMass {
  public:
@@ -121,8 +120,7 @@ struct PlaneVector {
   }
 };
 
-/// (x, y) of a block's frame as it stands, from the cosine and the sine of its angle; or a derivative of it,
-/// from theirs.
+/// (x, y) of a block's frame as it stands, by the cosine and sine of its angle; or a derivative, by theirs.
 template <class Real>
 PlaneVector<Real> turned(const PlaneVector<Real>& direction, const Real& x, const Real& y) {
   return {x * direction.x + y * direction.y, y * direction.x - x * direction.y};
@@ -142,17 +140,9 @@ struct ChainMass {
   std::array<PerBlock<Real, N>, capacity(N)> matrix;
   ConstrainedMass<Real, N> constrained;
 
-  /// From the cosine and the sine of each block's angle.
+  /// From the cosine and the sine of each block's angle: the matrix of absolute angles, then sums over all
+  /// blocks from either index up, those that turn with a relative angle.
   void factorise(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
-    fill(linkage, directions);
-    constrained.factorise(linkage.size(), linkage.free,
-                          [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
-  }
-
- private:
-  /// The matrix of absolute angles, then sums over all blocks from either index up: those that turn with a
-  /// relative angle.
-  void fill(const Linkage<Real, N>& linkage, const PerBlock<Point2, N>& directions) {
     const std::size_t size = linkage.size();
     for (std::size_t j = 0; j < size; ++j) {
       links[j] = turned(directions[j], linkage.link_x[j], linkage.link_y[j]);
@@ -165,6 +155,7 @@ struct ChainMass {
       for (std::size_t j = 0; j < size; ++j) matrix[i][j] += matrix[i + 1][j];
     for (std::size_t j = size - 1; j-- > 0;)
       for (std::size_t i = 0; i < size; ++i) matrix[i][j] += matrix[i][j + 1];
+    constrained.factorise(size, linkage.free, [&](std::size_t i, std::size_t j) { return matrix[i][j]; });
   }
 };
 

@@ -47,8 +47,7 @@ template <class Real, int N>
 }
 
 /// How far the centre of pressure of a closed interface is from either end, times the normal force: N (w − x)
-/// and N (w + x), N·m. The interface opens about an end where the value for that end turns negative; so it
-/// does where it would have to pull.
+/// and N (w + x), N·m. It opens about an end where that is negative, as where it would have to pull.
 template <class Real>
 struct Margins {
   Real right;
@@ -72,8 +71,7 @@ struct PatternSolution {
   int size() const { return N == Eigen::Dynamic ? pattern.size : N; }
 };
 
-/// A motion that the pattern allows, and what brings it about in place of `free` (with any bias already taken
-/// off).
+/// A motion that the pattern allows, and what brings it about in place of `free`, with any bias taken off.
 template <class Real, int N>
 [[gnu::always_inline]] inline PatternSolution<Real, N> solution_for(
     const Model<Real, N>& model, const Pattern& pattern, const Directions<Real, N>& directions,
@@ -152,7 +150,6 @@ Interfaces pulled_apart(const Stack<Real, N>& stack, const PatternSolution<Real,
   return result;
 }
 
-/// A pattern with some of its interfaces closed.
 inline Pattern with_closed(Pattern pattern, const Interfaces& closed) {
   for (int k = 0; k < pattern.size; ++k)
     if (closed.test(k)) pattern[k] = Contact::closed;
@@ -188,8 +185,7 @@ std::optional<PatternSolution<Real, N>> mend_violations(const Stack<Real, N>& st
   return std::nullopt;
 }
 
-/// Every pattern that differs at most in touching interfaces, which stay closed or pivot either way; the
-/// lowest changes fastest.
+/// Every pattern in which touching interfaces stay closed or pivot either way; the lowest changes fastest.
 inline std::vector<Pattern> candidates(const Pattern& pattern, const Interfaces& touching) {
   std::vector<Pattern> list{pattern};
   for (int k = 0; k < pattern.size; ++k) {

@@ -12,7 +12,6 @@ namespace rockstack {
 /// ends: a bracket cannot be halved more often than a number has exponents and digits.
 template <class Real>
 Real bracketed_root(const Polynomial<Real>& polynomial, Real low, Real high, Real s) {
-  using std::abs;
   const Real rounding = std::numeric_limits<Real>::epsilon();
   for (int points = 1;; ++points) {
     const auto [height, slope] = tangent(polynomial, s);
@@ -59,7 +58,6 @@ bool falls(const Polynomial<Real>& polynomial) {
 /// The first zero of a falling polynomial's first three terms, or 1/2 where it is not in (0, 1).
 template <class Real>
 Real quadratic_root(const Polynomial<Real>& polynomial) {
-  using std::sqrt;
   const Real square = polynomial.terms > 2 ? polynomial[2] : Real(0);
   const Real radicand = polynomial[1] * polynomial[1] - 4 * square * polynomial[0];
   const Real root = 2 * polynomial[0] / (sqrt(radicand) - polynomial[1]);
@@ -126,9 +124,8 @@ struct Maximum {
   }
 };
 
-/// The maximum to within `slack`, or what rounding makes of it; nothing where the polynomial stays at or
-/// below `least`. It is at an end or at the zero of a slope that falls; else it is searched for where
-/// Bernstein coefficients may pass it.
+/// The maximum to within `slack` or rounding; nothing where the polynomial does not pass `least`. It is at an
+/// end or at the zero of a slope that falls, or is searched for where Bernstein coefficients may pass it.
 template <class Real>
 std::optional<Maximum<Real>> maximum(const Polynomial<Real>& polynomial, const Real& least,
                                      const Real& slack = 0) {
@@ -146,7 +143,6 @@ std::optional<Maximum<Real>> maximum(const Polynomial<Real>& polynomial, const R
     }
   };
   if (polynomial.terms == 0 || hull(polynomial).greatest <= least) return std::nullopt;
-  using std::abs;
   const Real rounding = 4 * std::numeric_limits<Real>::epsilon() * (abs(polynomial[0]) + reach(polynomial));
   Search search{{0, polynomial[0]}, std::max(slack, rounding)};
   search.best.raise({1, value(polynomial, Real(1))});

@@ -10,9 +10,18 @@
 
 namespace rockstack {
 
+// Of the processor's numbers; those of other types come with them.
+using std::abs;
+using std::cbrt;
+using std::ceil;
+using std::exp;
+using std::max;
+using std::min;
+using std::pow;
+using std::sqrt;
+
 /// The most terms of a series in a number type. A Taylor series to d digits costs least at an order of about
-/// d ln 2 / 2 (Jorba & Zou 2005, Experimental Mathematics 14, 99–117); a little above it the steps between
-/// events are longest.
+/// d ln 2 / 2 (Jorba & Zou 2005, Experimental Mathematics 14, 99–117); steps are longest a little above it.
 template <class Real>
 inline constexpr std::size_t max_terms = std::numeric_limits<Real>::digits * 2 / 5 + 1;
 
@@ -62,8 +71,7 @@ inline const std::array<Real, max_terms<Real> + 1> counting = [] {
   return result;
 }();
 
-/// c₀ + c₁s + … over one step, s in [0, 1]: numbers, or vectors of them. Coefficients from `terms` on have no
-/// value.
+/// c₀ + c₁s + … over one step, s in [0, 1], of numbers or vectors. Coefficients beyond `terms` have no value.
 template <class Real, class Coefficient = Real>
 struct Polynomial {
   std::size_t terms = 0;
@@ -76,7 +84,6 @@ struct Polynomial {
     std::copy_n(other.begin(), terms, begin());
     return *this;
   }
-  ~Polynomial() = default;
   Polynomial(std::initializer_list<Coefficient> values) {
     for (const Coefficient& coefficient : values) coefficients[terms++] = coefficient;
   }
@@ -127,7 +134,6 @@ Polynomial<Real> derivative(const Polynomial<Real>& polynomial) {
 /// Sum of the sizes of all coefficients but the first: how far the polynomial gets from its start, at most.
 template <class Real>
 Real reach(const Polynomial<Real>& polynomial) {
-  using std::abs;
   Real sum = 0;
   for (std::size_t i = 1; i < polynomial.terms; ++i) sum += abs(polynomial[i]);
   return sum;
@@ -183,7 +189,6 @@ void rescale(Polynomial<Real, Coefficient>& polynomial, const Real& ratio) {
   }
 }
 
-/// Adds a multiple of a polynomial.
 template <class Real>
 void add(const Polynomial<Real>& summand, const Real& factor, Polynomial<Real>& sum) {
   while (sum.terms < summand.terms) sum[sum.terms++] = 0;

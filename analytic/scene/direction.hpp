@@ -3,9 +3,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace rockstack {
+
+// Of the processor's numbers; those of other types come with them.
+using std::abs;
+using std::atan2;
+using std::cos;
+using std::hypot;
+using std::sin;
+using std::sqrt;
 
 // Cosine and sine of an angle in double precision, by one rule for a number and for numbers side by side, so
 // that both have the same bits: what a library has for each parts in the last one. Up to one radian, which
@@ -29,7 +36,6 @@ constexpr std::array<double, Terms> alternating_reciprocal_factorials(int first)
 /// Whether an angle is within reach of near_upright().
 template <class Real>
 auto is_near_upright(const Real& angle) {
-  using std::abs;
   return abs(angle) <= Real(1);
 }
 
@@ -52,8 +58,7 @@ Real sum_by_turns(const std::array<double, Terms>& coefficients, const Real& x) 
   return before + last * x;
 }
 
-/// Precondition: is_near_upright(angle). The first two terms of the cosine are 1 − h; what rounding takes of
-/// that is added again.
+/// Precondition: is_near_upright(angle). What rounding takes of the cosine's 1 − h is added again.
 template <class Real>
 PlaneDirection<Real> near_upright(const Real& angle) {
   constexpr auto even = alternating_reciprocal_factorials<10>(0);
@@ -76,8 +81,6 @@ inline PlaneDirection<double> direction_of(double angle) {
 /// In number types that are not computed side by side.
 template <class Real>
 PlaneDirection<Real> direction_of(const Real& angle) {
-  using std::cos;
-  using std::sin;
   return {cos(angle), sin(angle)};
 }
 

@@ -38,8 +38,7 @@ inline bool ends_motion(EventKind kind) {
   return kind == EventKind::topple || kind == EventKind::fall || kind == EventKind::strike;
 }
 
-/// Whether the pattern that was chosen after an event is one that the laws of contact allow, and the only
-/// one.
+/// Whether the pattern chosen after an event is one that the laws of contact allow, and the only one.
 enum class Consistency {
   consistent,  ///< the chosen pattern is the consistent one (or no impact took place)
   other,       ///< another pattern would have been consistent
@@ -117,8 +116,7 @@ struct BasicHistory {
   std::vector<Pattern> patterns;  ///< times.size(), or empty
   std::vector<BasicEvent<Real>> events;
   std::vector<BasicGraze<Real>> grazes;  ///< events in doubt
-  /// Openings under tension: either side would do as well, and the one that was taken is as good as the
-  /// other.
+  /// Openings under tension: either side would do as well as the one that was taken.
   std::vector<BasicGraze<Real>> choices;
   // Of laws that leave pivots, where angles do not tell where blocks are; else empty. Row by row as angles.
   std::vector<Real> slips;  ///< how far each block's middle is to the right of that of what is below,
@@ -129,8 +127,7 @@ struct BasicHistory {
   std::vector<BasicReaction<Real>> reactions;            ///< times.size() × blocks
   std::vector<BasicSpringEnergy<Real>> spring_energies;  ///< likewise, of law `compliant`; else empty
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
-  /// Of laws that leave pivots, with peaks: how far each block has slipped in the end, and how far it was
-  /// from what is below it at most, m.
+  /// Of laws that leave pivots, with peaks: how far blocks slipped in the end, and were apart at most, m.
   std::vector<Real> slips_left, lifts;
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts
@@ -138,9 +135,9 @@ struct BasicHistory {
   std::size_t size() const { return times.size(); }
   std::span<const Real> angles_at(std::size_t sample) const { return row(angles, sample); }
   std::span<const Real> velocities_at(std::size_t sample) const { return row(velocities, sample); }
-
- private:
-  std::span<const Real> row(const std::vector<Real>& values, std::size_t sample) const {
+  /// Of values that are stored row by row.
+  template <class Value>
+  std::span<const Value> row(const std::vector<Value>& values, std::size_t sample) const {
     const auto width = static_cast<std::size_t>(blocks);
     return {values.data() + sample * width, width};
   }

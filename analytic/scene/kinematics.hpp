@@ -89,8 +89,6 @@ Stack<Real, N> make_stack(const Scene& scene) {
 /// (Housner 1963; Yim, Chopra & Penzien 1980; Makris & Roussos 2000). It rests up to |ẍg| = α (g + ÿg).
 template <class Real, int N>
 Stack<Real, N> small_angle_stack(Stack<Real, N> stack) {
-  using std::atan2;
-  using std::hypot;
   for (int k = 0; k < stack.size(); ++k) {
     const Real radius = hypot(stack.half_width[k], stack.half_height[k]);
     stack.half_width[k] = radius * atan2(stack.half_width[k], stack.half_height[k]);
@@ -157,8 +155,8 @@ Directions<Real, N> directions(const Vector<Real, N>& angles) {
 }
 
 /// Arms rₖ = (−σₖwₖ, hₖ), plus the centre's offset, and links Lₖ = (σₖ₊₁wₖ₊₁ − σₖwₖ, 2hₖ), both turned by θₖ;
-/// of a small-angle stack upright and without widths. `pattern` as side() takes it. Asked for so
-/// often that calls count.
+/// of a small-angle stack upright and without widths. `pattern` as side() takes it. Asked for so often that
+/// calls count.
 template <class Real, int N, class Sides>
 [[gnu::always_inline]] inline Chain<Real, N> make_chain(const Stack<Real, N>& stack, const Sides& pattern,
                                                         const Directions<Real, N>& directions) {

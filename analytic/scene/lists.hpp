@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -28,11 +29,24 @@ std::string text_of_each(const List& list, Text text, const std::string& between
   return all;
 }
 
+/// The part of that name. Precondition: it is there.
+template <class List>
+const auto& part_named(const List& list, const std::string& name) {
+  return *std::find_if(list.begin(), list.end(), [&](const auto& part) { return part.name == name; });
+}
+
 /// The first part that is so, or where there is none, a new one at the end.
 template <class Part, class Is>
 Part& found_or_added(std::vector<Part>& list, const Is& is, Part added) {
   const auto found = std::find_if(list.begin(), list.end(), is);
   return found == list.end() ? list.emplace_back(std::move(added)) : *found;
+}
+
+/// The largest absolute value; 0 where there is none.
+inline double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
 }
 
 }  // namespace rockstack

@@ -6,7 +6,9 @@
 namespace rockstack {
 namespace {
 
-/// A pattern by its letters.
+/// Of two blocks, in threes of the lower interface left, closed and right: the upper one left, closed, right.
+constexpr std::array<std::string_view, 9> paper_names{"1b", "4b", "2a", "3b", "rest", "3a", "2b", "4a", "1a"};
+
 std::optional<Pattern> spelt_pattern(std::string_view text, int size) {
   constexpr std::string_view letters = "LCR-";  // in the order of Contact, from −1 on
   Pattern pattern;
@@ -24,46 +26,27 @@ std::optional<Pattern> spelt_pattern(std::string_view text, int size) {
   return pattern.size == size ? std::optional(pattern) : std::nullopt;
 }
 
-/// A pattern of two blocks by the paper's name.
 std::optional<Pattern> paper_pattern(std::string_view text) {
+  const auto found = std::find(paper_names.begin(), paper_names.end(), text) - paper_names.begin();
+  if (found == std::ssize(paper_names)) return {};
   Pattern pattern = closed_pattern(2);
-  for (const int lower : {-1, 0, 1})
-    for (const int upper : {-1, 0, 1}) {
-      pattern[0] = contact_of(lower);
-      pattern[1] = contact_of(upper);
-      if (name(pattern) == text) return pattern;
-    }
-  return {};
+  pattern[0] = contact_of(static_cast<int>(found % 3) - 1);
+  pattern[1] = contact_of(static_cast<int>(found / 3) - 1);
+  return pattern;
 }
 
 }  // namespace
 
-Pattern closed_pattern(int size) {
-  Pattern pattern;
-  pattern.size = size;
-  return pattern;
-}
-
 std::string name(const Pattern& pattern) {
-  const bool pivots = std::all_of(pattern.contacts.begin(), pattern.contacts.begin() + pattern.size,
-                                  [](Contact contact) { return contact != Contact::apart; }) &&
-                      std::all_of(pattern.slides.begin(), pattern.slides.begin() + pattern.size,
-                                  [](int slide) { return slide == 0; });
-  if (pattern.size == 2 && pivots) {
-    // Rows: upper interface left, closed, right; columns: lower interface left, closed, right.
-    static constexpr std::array<std::array<const char*, 3>, 3> names{
-        {{"1b", "4b", "2a"}, {"3b", "rest", "3a"}, {"2b", "4a", "1a"}}};
-    const int row = sign(pattern[1]) + 1;
-    const int column = sign(pattern[0]) + 1;
-    return names[row][column];
-  }
   std::string word;
   for (int k = 0; k < pattern.size; ++k) {
     word += "LCR-"[static_cast<int>(pattern[k]) + 1];
     const std::int8_t slide = pattern.slides[k];
     if (slide != 0) word += slide > 0 ? '>' : '<';
   }
-  return word;
+  if (pattern.size != 2 || word.find_first_of("-<>") != std::string::npos) return word;
+  const int number = 3 * sign(pattern[1]) + sign(pattern[0]) + 4;
+  return std::string(paper_names[static_cast<std::size_t>(number)]);
 }
 
 std::string shown_pattern(const Pattern& pattern) {

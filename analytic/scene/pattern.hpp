@@ -43,7 +43,9 @@ struct Pattern {
 };
 
 /// A pattern of `size` closed interfaces: the stack at rest.
-Pattern closed_pattern(int size);
+inline Pattern closed_pattern(int size) {
+  return {.size = size};
+}
 
 /// True where every interface is closed.
 inline bool is_closed(const Pattern& pattern) {

@@ -11,22 +11,9 @@ const char* name(Law law) {
   return names[static_cast<std::size_t>(law)];
 }
 
-double rectangle_inertia(double mass, double half_width, double half_height) {
-  return mass * (half_width * half_width + half_height * half_height) / 3;
-}
-
 Block make_block(double width, double height, double density) {
   const double mass = density * width * height;
   return {width / 2, height / 2, mass, rectangle_inertia(mass, width / 2, height / 2)};
-}
-
-std::vector<double> friction_of(const Scene& scene) {
-  return scene.friction.empty() ? std::vector<double>(scene.blocks.size(), scene.engine.friction)
-                                : scene.friction;
-}
-
-Gravity gravity_of(const Scene& scene) {
-  return {scene.gravity * std::sin(scene.inclination), scene.gravity * std::cos(scene.inclination)};
 }
 
 double interface_half_width(const Scene& scene, int interface) {

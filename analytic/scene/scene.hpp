@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 
@@ -32,7 +34,9 @@ struct Block {
 };
 
 /// Moment of inertia of a uniform rectangle about its centre, m (b² + h²)/3, kg·m².
-double rectangle_inertia(double mass, double half_width, double half_height);
+inline double rectangle_inertia(double mass, double half_width, double half_height) {
+  return mass * (half_width * half_width + half_height * half_height) / 3;
+}
 
 /// A uniform block of the given width and height in m and density in kg/m³ per metre of depth.
 Block make_block(double width, double height, double density);
@@ -54,8 +58,7 @@ enum class RestitutionLaw {
   poisson,  ///< impulses: expansion gives back e of what compression took, or more where points would meet
 };
 
-/// The equations of motion between events. Impacts are the same in all, but that geometry is upright in the
-/// last two.
+/// The equations of motion between events. Impacts are the same, but that the last two have upright geometry.
 enum class Equations {
   nonlinear,  ///< in full
   linear,  ///< geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28), where weight has a constant lever
@@ -111,9 +114,8 @@ struct Scene {
   std::string title;
   double duration = 0;    ///< s, > 0, at most 10⁷ √(R/a), see validate()
   double gravity = 9.81;  ///< m/s², > 0
-  /// By which the ground is turned from the level, rad, clockwise positive: it falls to the right. Angles, x
-  /// and y are the ground's, and so are both components of its motion. At most π/4, which is
-  /// 45 degrees.
+  /// By which the ground is turned from the level, rad, clockwise positive, at most π/4: it falls to the
+  /// right. Angles, x and y are the ground's, and so are both components of its motion.
   double inclination = 0;
   Law law = Law::consistent;  ///< engines follow it; `paper` is that of Spanos et al. 2001
   Equations equations = Equations::nonlinear;
@@ -122,8 +124,7 @@ struct Scene {
   /// impacts, and all without it, have the ratio of the law.
   std::vector<double> restitution = {};
   std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
-  /// Coulomb's coefficient of each interface, from the ground up, 0 … largest_friction; none:
-  /// engine.friction.
+  /// Coulomb's coefficient of each interface, upwards, 0 … largest_friction; none: engine.friction.
   std::vector<double> friction = {};
   double point_restitution = 0;  ///< coefficient e of all contact points, 0 … 1; law `unilateral` alone
   RestitutionLaw restitution_law = RestitutionLaw::newton;  ///< of that coefficient
@@ -143,16 +144,21 @@ inline bool leaves_pivots(Law law) {
 }
 
 /// Coulomb's coefficient of each interface, from the ground up.
-std::vector<double> friction_of(const Scene& scene);
+inline std::vector<double> friction_of(const Scene& scene) {
+  return scene.friction.empty() ? std::vector<double>(scene.blocks.size(), scene.engine.friction)
+                                : scene.friction;
+}
 
 /// Gravity in the ground's axes, along it to the right and across it downwards, m/s².
 struct Gravity {
   double along, across;
 };
-Gravity gravity_of(const Scene& scene);
 
-/// Half-width of interface k (index from 0): the narrower of the two blocks that meet there; the ground is
-/// endless.
+inline Gravity gravity_of(const Scene& scene) {
+  return {scene.gravity * std::sin(scene.inclination), scene.gravity * std::cos(scene.inclination)};
+}
+
+/// Half-width of interface k, from 0: that of the narrower block that meets there; the ground is endless.
 double interface_half_width(const Scene& scene, int interface);
 
 /// The angle of a block's unstable balance over its pivot on level ground, atan(w/h) with w that of its lower
@@ -167,10 +173,9 @@ double toppling_angle(const Scene& scene, int block);
 /// Checks a motion's numbers; `key` is the motion's own. @throws FieldError.
 void validate(const GroundMotion& motion, const std::string& key);
 
-/// Checks every number of a scene against its range; scene files go through the same check. The duration is
-/// at most 10⁷ √(R/a), with R the least half diagonal of a block and a the largest acceleration that gravity,
-/// ground and the turning at the start may add up to: blocks that do not come to rest would be followed for
-/// ever.
+/// Checks every number of a scene, from a file or not, against its range. The duration is at most 10⁷ √(R/a),
+/// with R the least half diagonal of a block and a the largest acceleration that gravity, ground and
+/// the turning at the start may add up to: blocks that do not come to rest would be followed for ever.
 /// @throws FieldError whose text is "key = value: must be …".
 void validate(const Scene& scene);
 

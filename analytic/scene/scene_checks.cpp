@@ -1,6 +1,5 @@
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
@@ -26,10 +25,6 @@ void validate_block(const Block& block, const std::string& key) {
   require_inside("2", block.offset_y, block.half_height);
 }
 
-bool is_off_middle(const Block& block) {
-  return block.offset_x != 0 || block.offset_y != 0;
-}
-
 /// What an angle beyond its limit would be in rad, if it were meant in degrees; nothing where that is beyond.
 std::string in_degrees(double given, double limit) {
   const double angle = given * std::numbers::pi / 180;
@@ -44,17 +39,10 @@ void validate_inclination(const Scene& scene) {
                    "between ±" + number_text(most, 4) + " rad" + in_degrees(given, most));
 }
 
-constexpr const char* as_long = "as long as there are blocks, ";
-
-void validate_restitution(const Scene& scene) {
-  if (scene.restitution.empty()) return;
-  require_one_each("restitution", scene.restitution, scene.blocks.size(), as_long);
-  require_each_between("restitution", scene.restitution, 0, 1);
-}
-
 /// Of what only some equations and impacts are made for.
 void validate_off_middle(const Scene& scene) {
-  const auto off = std::find_if(scene.blocks.begin(), scene.blocks.end(), is_off_middle);
+  const auto off = std::ranges::find_if(
+      scene.blocks, [](const Block& block) { return block.offset_x != 0 || block.offset_y != 0; });
   if (off == scene.blocks.end()) return;
   const std::string key = entry_key("blocks", off - scene.blocks.begin()) + ".center_of_mass";
   const std::string value = "[" + number_text(off->offset_x) + ", " + number_text(off->offset_y) + "]";
@@ -90,10 +78,11 @@ void validate_offsets(const Scene& scene) {
   }
 }
 
+constexpr const char* as_long = "as long as there are blocks, ";
+
 void validate_initial(const Scene& scene) {
   const auto check = [&](const std::string& key, const std::vector<double>& values) {
-    require_one_each(key, values, scene.blocks.size(), as_long);
-    require_each_between(key, values, -largest_number);
+    require_one_each(key, values, scene.blocks.size(), -largest_number, largest_number, as_long);
   };
   validate_gaps(scene);
   check("initial.angles", scene.initial.angles);
@@ -108,12 +97,6 @@ void validate_initial(const Scene& scene) {
                        "between ±" + number_text(limit) + " for block " + std::to_string(k + 1) +
                            ", its toppling angle" + in_degrees(given, limit));
   }
-}
-
-void validate_friction(const std::vector<double>& friction, std::size_t blocks) {
-  if (friction.empty()) return;
-  require_one_each("contact.friction", friction, blocks);
-  require_each_between("contact.friction", friction, 0, largest_friction);
 }
 
 void validate_point_restitution(const Scene& scene) {
@@ -147,13 +130,13 @@ void validate_law(const Scene& scene) {
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
-  require_signed(key + ".amplitude", pulse.amplitude);
+  require_between(key + ".amplitude", pulse.amplitude, -largest_number);
   require_positive(key + ".period", pulse.period);
   require_between(key + ".start", pulse.start, 0);
   if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou)
     throw FieldError(key + ".cycles", pulse.cycles, "a number > 1, up to 1e+06");
   if (!(pulse.cycles > 0)) throw FieldError(key + ".cycles", pulse.cycles, "a number > 0, or inf");
-  require_signed(key + ".phase", pulse.phase);
+  require_between(key + ".phase", pulse.phase, -largest_number);
 }
 
 void validate_duration(const Scene& scene) {
@@ -194,10 +177,12 @@ void validate(const Scene& scene) {
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     validate_block(scene.blocks[k], entry_key("blocks", k));
   validate_off_middle(scene);
-  validate_restitution(scene);
+  if (!scene.restitution.empty())
+    require_one_each("restitution", scene.restitution, scene.blocks.size(), 0, 1, as_long);
   validate_law(scene);
   validate_initial(scene);
-  validate_friction(scene.friction, scene.blocks.size());
+  if (!scene.friction.empty())
+    require_one_each("contact.friction", scene.friction, scene.blocks.size(), 0, largest_friction);
   validate_point_restitution(scene);
   validate_springs(scene);
   validate_inclination(scene);

@@ -55,8 +55,7 @@ inline void stop_if_cancelled(const std::function<bool()>* cancelled) {
   if (cancelled != nullptr && (*cancelled)()) throw Stopped();
 }
 
-/// @throws std::invalid_argument for what is out of range, with its name, value and range; times must be
-/// finite, ≥ 0 and ascending.
+/// @throws std::invalid_argument with name, value and range; times must be finite, ≥ 0 and ascending.
 void validate(const SolveOptions& options);
 
 }  // namespace rockstack

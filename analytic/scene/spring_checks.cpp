@@ -86,10 +86,9 @@ void require_effect(const CornerSprings& springs) {
 
 /// Stiffnesses, which are above zero or infinite, or dampings.
 void validate_each(const Scene& scene, const char* key, const std::vector<double>& values, bool stiffness) {
-  if (!values.empty()) require_one_each(key, values, scene.blocks.size());
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (!stiffness || values[k] != rigid)
-      require_between(entry_key(key, k), values[k], stiffness ? 1 / largest_number : 0);
+  std::vector<double> finite = values;
+  if (stiffness) std::replace(finite.begin(), finite.end(), rigid, 1.0);
+  if (!values.empty()) require_one_each(key, finite, scene.blocks.size(), stiffness ? 1 / largest_number : 0);
 }
 
 /// `per_stiffness` is what an interface bears for a depth of a metre, of a unit of the key's stiffness.
@@ -109,15 +108,6 @@ void validate_depth(const Scene& scene, std::size_t interface, const char* key, 
                        ": under the weight above it the interface would give way by " +
                        number_text(depth, 3) + " m, at most a tenth of a block's height, " +
                        number_text(height, 3) + " m, is a contact");
-}
-
-void validate_depths(const Scene& scene) {
-  const CornerSprings& springs = scene.springs;
-  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
-    validate_depth(scene, k, "contact.stiffness", springs.stiffness[k], 2);
-  for (std::size_t k = 0; k < springs.bed_stiffness.size(); ++k)
-    validate_depth(scene, k, "contact.bed_stiffness", springs.bed_stiffness[k],
-                   2 * interface_half_width(scene, k));
 }
 
 /// Bounds on how fast the springs of a stack may be, 1/s, as it stands upright: nothing swings faster than
@@ -195,9 +185,10 @@ double spring_compliance(const Block& block, double half_width, double tangentia
 }
 
 void require_one_each(const std::string& key, const std::vector<double>& values, std::size_t blocks,
-                      const std::string& allowed) {
+                      double least, double most, const std::string& allowed) {
   if (values.size() != blocks)
     throw FieldError(key, "an array of " + std::to_string(values.size()), allowed + std::to_string(blocks));
+  require_each_between(key, values, least, most);
 }
 
 void validate_springs(const Scene& scene) {
@@ -213,7 +204,11 @@ void validate_springs(const Scene& scene) {
                        "inf where contact.stiffness is not: an interface has springs at corners or a bed");
   require_positive("contact.tangential", springs.tangential);
   require_effect(springs);
-  validate_depths(scene);
+  for (std::size_t k = 0; k < springs.stiffness.size(); ++k)
+    validate_depth(scene, k, "contact.stiffness", springs.stiffness[k], 2);
+  for (std::size_t k = 0; k < springs.bed_stiffness.size(); ++k)
+    validate_depth(scene, k, "contact.bed_stiffness", springs.bed_stiffness[k],
+                   2 * interface_half_width(scene, k));
   validate_steps(scene);
   if (!scene.initial.preloaded) validate_unloaded(scene);
 }

@@ -4,8 +4,9 @@
 
 namespace rockstack {
 
-/// Values of all interfaces, one a block; `allowed` goes on with their number. @throws FieldError.
+/// Values in a range, one of each interface; `allowed` goes on with their number. @throws FieldError.
 void require_one_each(const std::string& key, const std::vector<double>& values, std::size_t blocks,
+                      double least, double most = largest_number,
                       const std::string& allowed = "a number, or as many as there are blocks, ");
 
 /// Steps on springs are no longer than this over their fastest rate, so that series of any order that double

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/events/chatter.hpp"
-#include "analytic/mechanics/impact.hpp"
 #include "analytic/solver/recorder.hpp"
 
 namespace rockstack {
@@ -14,7 +13,6 @@ class Collisions {
   Collisions(const Scene& scene, const Model<Real, N>& model, const SolveOptions& options)
       : scene_(scene),
         model_(model),
-        upright_(upright_model(scene)),
         end_of_chatter_(model, resolution_of(options)),
         zeno_(model, resolution_of(options)),
         sums_chatter_(options.events == EventsKept::summed && zeno_.pays() && !upright_) {}
@@ -82,7 +80,7 @@ class Collisions {
 
   const Scene& scene_;
   const Model<Real, N>& model_;
-  std::optional<Model<Real, N>> upright_;  ///< of impacts, where they need one of their own
+  std::optional<Model<Real, N>> upright_ = upright_model(scene_);  ///< of impacts, where they need their own
   EndOfChatter<Real, N> end_of_chatter_;
   ZenoSummation<Real, N> zeno_;
   bool sums_chatter_;

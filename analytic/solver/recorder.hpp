@@ -3,10 +3,7 @@
 #include "analytic/events/rest.hpp"
 #include "analytic/events/tie_breaker.hpp"
 #include "analytic/events/zeno_summation.hpp"
-#include "analytic/polynomials/crossing.hpp"
-#include "analytic/scene/solve_options.hpp"
 #include "analytic/solver/validity.hpp"
-#include "analytic/steps/ground_pieces.hpp"
 
 namespace rockstack {
 
@@ -18,10 +15,6 @@ class Recorder {
   Recorder(const Model<Real, N>& model, const SolveOptions& options, const std::vector<double>& friction)
       : model_(model), options_(options), friction_(friction.begin(), friction.end()), event_limit_(model) {
     const int size = model.stack.size();
-    rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model.gravity * model.stack.mass.sum());
-    using std::sqrt;
-    negligible_impulse_ =
-        Real(1e-6) * model.stack.mass.sum() * sqrt(2 * model.gravity * model.stack.half_height.sum());
     history_.blocks = size;
     const std::size_t samples = options.sample_times.size();
     history_.times.reserve(samples);
@@ -35,8 +28,7 @@ class Recorder {
     }
   }
 
-  /// A step from `offset` into a ground piece up to the event that ends it. What ends as it starts bears
-  /// nothing.
+  /// A step from `offset` into a ground piece up to its event. What ends as it starts bears nothing.
   void note_step(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
                  const FirstEvent<Real>& event, const Cleared& cleared) {
     const Real start = piece.start + offset;
@@ -179,7 +171,6 @@ class Recorder {
 
   /// Whether a block may come to lean more within chatter than before it and after it.
   bool may_peak(const RestOfChatter<Real, N>& rest) const {
-    using std::abs;
     const Vector<Real, N> angles = absolute(rest.angles);
     const Vector<Real, N> velocities = absolute(rest.closure.relative);
     const Vector<Real, N> thrown = absolute(rest.thrown());
@@ -192,10 +183,8 @@ class Recorder {
     return false;
   }
 
-  /// Whether flights or impacts of chatter may come to ask more of an interface; they are told from what
-  /// is known by a hundredth.
+  /// Whether flights or impacts of chatter may ask more of an interface, to a hundredth of what is known.
   bool may_demand_more(const RestOfChatter<Real, N>& rest) const {
-    using std::abs;
     const Real near = Real(1) / 100;
     if (keeps(rest.closure)) return true;
     for (const PatternSolution<Real, N>& flight : rest.flights)
@@ -242,8 +231,10 @@ class Recorder {
   const Model<Real, N>& model_;
   const SolveOptions& options_;
   std::vector<Real> friction_;  ///< that each interface has
-  Real rounding_{};             ///< of forces, N
-  Real negligible_impulse_{};   ///< N·s
+  /// Of forces, N.
+  Real rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model_.gravity * model_.stack.mass.sum());
+  Real negligible_impulse_ =  ///< N·s
+      Real(1e-6) * model_.stack.mass.sum() * sqrt(2 * model_.gravity * model_.stack.half_height.sum());
   EventLimit<Real> event_limit_;
   std::size_t next_sample_ = 0;
   std::size_t events_ = 0;

@@ -1,15 +1,12 @@
 #pragma once
 
 #include "analytic/scene/branching.hpp"
-#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solver/collisions.hpp"
-#include "analytic/steps/rk4.hpp"
 #include "analytic/steps/taylor_step.hpp"
 
 namespace rockstack {
 
-/// Solves a valid scene exactly: smooth motion in a fixed pattern, interrupted by events that are located to
-/// rounding.
+/// Solves a valid scene exactly: smooth motion in a fixed pattern, up to events that are located to rounding.
 template <class Real, int N = Eigen::Dynamic, template <class, int> class Steps = TaylorSteps>
 class Solver {
  public:
@@ -17,12 +14,8 @@ class Solver {
   /// @throws std::invalid_argument for options out of range.
   Solver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
-        model_(make_model<Real, N>(scene)),
-        pieces_(scene),
         steps_(model_, options),
         recorder_(model_, options, options.validity ? friction_of(scene) : std::vector<double>()),
-        ties_(model_),
-        resting_(model_),
         cancelled_(options.cancelled),
         branching_(branching),
         collisions_(scene, model_, options) {
@@ -145,7 +138,6 @@ class Solver {
   const GroundPieces<Real>& pieces() const { return pieces_; }
   const TieBreaker<Real>& ties() const { return ties_; }
   const Model<Real, N>& model() const { return model_; }
-  Law law() const { return scene_.law; }
   const Recorder<Real, N>& recorder() const { return recorder_; }
   const std::array<Real, max_blocks>& toppling_angles() const { return toppling_angles_; }
   Steps<Real, N>& steps() { return steps_; }
@@ -293,12 +285,12 @@ class Solver {
   }
 
   const Scene& scene_;
-  Model<Real, N> model_;
-  GroundPieces<Real> pieces_;
+  Model<Real, N> model_ = make_model<Real, N>(scene_);
+  GroundPieces<Real> pieces_{scene_};
   Steps<Real, N> steps_;
   Recorder<Real, N> recorder_;
-  TieBreaker<Real> ties_;
-  RestingStack<Real, N> resting_;
+  TieBreaker<Real> ties_{model_};
+  RestingStack<Real, N> resting_{model_};
   const std::function<bool()>* cancelled_;
   Branching* branching_;
   Collisions<Real, N> collisions_;

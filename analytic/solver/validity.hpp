@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/force_extremes.hpp"
 
@@ -14,20 +13,10 @@ namespace rockstack {
 template <class Real>
 void note_demand(BasicDemand<Real>& demand, const Real& raw, const Real& tangential, const Real& rounding,
                  const Real& time) {
-  using std::abs;
   const Real normal = abs(raw) <= rounding ? Real(0) : raw;
   if (normal == 0 && abs(tangential) <= rounding) return;
   const Real ratio = normal > 0 ? abs(tangential) / normal : std::numeric_limits<Real>::infinity();
   raise_demand(demand, normal, ratio, time);
-}
-
-/// Whether an interface has come to pull, or to need more than the friction that surfaces have, and it is not
-/// known since when.
-template <class Real>
-bool first_to_note(const BasicDemand<Real>& demand, const Real& available) {
-  const Real never = std::numeric_limits<Real>::infinity();
-  return (demand.least_normal < 0 && demand.first_pull_time == never) ||
-         (demand.friction > available && demand.first_slip_time == never);
 }
 
 /// Keeps the first times of what has come to be, both no earlier than they are known.
@@ -42,15 +31,13 @@ void note_first(BasicDemand<Real>& demand, const Real& available, const Real& pu
 template <class Real, int N>
 void note_demands(std::vector<BasicDemand<Real>>& demands, const PatternSolution<Real, N>& solution,
                   const Real& negligible, const std::vector<Real>& available, const Real& time) {
-  using std::abs;
   for (int k = 0; k < solution.pattern.size; ++k) {
     const Real& normal = solution.reactions.normal[k];
     const Real& tangential = solution.reactions.tangential[k];
     if (abs(normal) <= negligible && abs(tangential) <= negligible) continue;
     BasicDemand<Real>& demand = demands[k];
     note_demand(demand, normal, tangential, solution.rounding[k], time);
-    const Real& friction = available[k];
-    if (first_to_note(demand, friction)) note_first(demand, friction, time, time);
+    note_first(demand, available[k], time, time);
   }
 }
 
@@ -70,8 +57,7 @@ void note_first_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& f
              std::min(first_below(available, 1), first_below(available, -1)));
 }
 
-/// True where sums of coefficients, which bound a polynomial (Hull), tell that a step demands
-/// no more than was known.
+/// True where sums of coefficients (Hull) tell that a step demands no more than was known.
 template <class Real>
 bool demands_no_more(const BasicDemand<Real>& demand, const ForcePolynomials<Real>& force,
                      const Real& rounding) {
@@ -91,8 +77,7 @@ bool demands_no_more(const BasicDemand<Real>& demand, const ForcePolynomials<Rea
   return true;
 }
 
-/// The greatest demands along a step up to `end` of its length; `start` and `length` are those of the step,
-/// s.
+/// The greatest demands along a step up to `end` of its length; `start` and `length` are the step's, s.
 template <class Real>
 void note_demand_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& force, const Real& end,
                        const Real& rounding, const Real& available, const Real& start, const Real& length) {
@@ -106,7 +91,11 @@ void note_demand_along(BasicDemand<Real>& demand, const ForcePolynomials<Real>& 
   note_extremes(demand, force.normal, force.tangential, end, rounding, [&](const Real& s) {
     note_demand(demand, value(force.normal, s), value(force.tangential, s), rounding, start + s * length);
   });
-  if (first_to_note(demand, available)) note_first_along(demand, force, end, available, start, length);
+  // Where it pulls, or needs more friction than surfaces have, and it is not known since when.
+  const Real never = std::numeric_limits<Real>::infinity();
+  if ((demand.least_normal < 0 && demand.first_pull_time == never) ||
+      (demand.friction > available && demand.first_slip_time == never))
+    note_first_along(demand, force, end, available, start, length);
 }
 
 }  // namespace rockstack

@@ -16,8 +16,8 @@ struct BlockSeries {
   PlaneSeries direction;  ///< cosine and sine of ψ
   PlaneSeries coupling;   ///< what they are multiplied by in the block's equation
   Series relative;        ///< φ''
-  Series reaction;
-  PlaneSeries force;  ///< on the block and all above
+  Series reaction;        ///< moment about the pivot, about the middle of a closed interface
+  PlaneSeries force;      ///< on the block and all above
 
   /// The known parts of (c'')ₙ and (s'')ₙ.
   template <class Order>
@@ -44,8 +44,7 @@ PlaneVector<Real> ahead(const PlaneVector<Real>& direction) {
   return {-direction.y, direction.x};
 }
 
-/// What the cosine and the sine of a block's angle are multiplied by to give (x, y)⊥ · push, with (x, y) in
-/// the block's frame.
+/// What the cosine and sine of a block's angle are multiplied by for (x, y)⊥ · push, (x, y) in its frame.
 template <class Real>
 PlaneVector<Real> coupling_of(const PlaneVector<Real>& push, const Real& x, const Real& y) {
   return {y * push.x - x * push.y, -(x * push.x + y * push.y)};

@@ -22,7 +22,6 @@ Real left_out() {
 /// The largest x with bound · xᵐ/m! ≤ left_out(), m = max_orders.
 template <class Real>
 Real convergent(const Real& bound) {
-  using std::pow;
   Real power = left_out<Real>() / bound;
   for (std::size_t i = 2; i <= max_orders<Real>; ++i) power *= Real(i);
   return pow(power, 1 / Real(max_orders<Real>));
@@ -33,7 +32,6 @@ template <class Real>
 inline const Real convergent_sine = convergent(Real(1));
 template <class Real>
 inline const Real convergent_ricker = [] {
-  using std::sqrt;
   Real square = 1;  // 2ⁿ n!, n = m + 2
   for (std::size_t i = 1; i <= max_orders<Real> + 2; ++i) square *= 2 * Real(i);
   return convergent<Real>(Real(1.0865) / 2 * sqrt(square));
@@ -62,8 +60,6 @@ Real longest_series(const GroundPiece<Real>& piece) {
 /// Adds amplitude · sin(phase + turn · s) to a series, from sin' = cos and cos' = −sin.
 template <class Real>
 void add_sine(Polynomial<Real>& series, const Real& amplitude, const Real& phase, const Real& turn) {
-  using std::cos;
-  using std::sin;
   Real coefficient = amplitude * sin(phase);
   Real next = amplitude * cos(phase) * turn;
   for (std::size_t i = 0; i < series.terms; ++i) {
@@ -77,7 +73,6 @@ void add_sine(Polynomial<Real>& series, const Real& amplitude, const Real& phase
 /// Adds amplitude (1 − 2z²) exp(−z²), z = start + rate · s: with e = exp(−z²), e' = −2 z z' e.
 template <class Real>
 void add_ricker(Polynomial<Real>& series, const Real& amplitude, const Real& start, const Real& rate) {
-  using std::exp;
   Polynomial<Real> bell;
   bell[0] = amplitude * exp(-start * start);
   const auto earlier = [&](std::size_t i, std::size_t by) { return i < by ? Real(0) : bell[i - by]; };
@@ -99,32 +94,22 @@ Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& 
   if (pulse.shape == PulseShape::rectangle) return {amplitude};
   series.terms = max_orders<Real>;
   std::fill(series.begin(), series.end(), Real(0));
-  switch (pulse.shape) {
-    case PulseShape::sine:
-    case PulseShape::half_sine:
-      add_sine<Real>(series, amplitude, turn * elapsed, turn * length);
-      break;
-    case PulseShape::cosine:
-      add_sine<Real>(series, amplitude, turn * elapsed + pi<Real> / 2, turn * length);
-      break;
-    case PulseShape::ricker:
-      add_ricker<Real>(series, amplitude, turn / 2 * (elapsed - 2 * Real(pulse.period)), turn / 2 * length);
-      break;
-    case PulseShape::mavroeidis_papageorgiou: {
-      // The products of its sines as sums: the carrier, and the two bands beside it.
-      const Real cycles(pulse.cycles);
-      const Real s = elapsed - cycles * Real(pulse.period) / 2;
-      for (const int band : {-1, 0, 1}) {
-        const Real share = band == 0 ? Real(-1) / 2 : -(1 + Real(band) / cycles) / 4;
-        const Real rate = turn * (1 + Real(band) / cycles);
-        add_sine<Real>(series, amplitude * share, rate * s + Real(pulse.phase), rate * length);
-      }
-      break;
+  if (pulse.shape == PulseShape::ricker) {
+    add_ricker<Real>(series, amplitude, turn / 2 * (elapsed - 2 * Real(pulse.period)), turn / 2 * length);
+  } else if (pulse.shape == PulseShape::mavroeidis_papageorgiou) {
+    // The products of its sines as sums: the carrier, and the two bands beside it.
+    const Real cycles(pulse.cycles);
+    const Real s = elapsed - cycles * Real(pulse.period) / 2;
+    for (const int band : {-1, 0, 1}) {
+      const Real share = band == 0 ? Real(-1) / 2 : -(1 + Real(band) / cycles) / 4;
+      const Real rate = turn * (1 + Real(band) / cycles);
+      add_sine<Real>(series, amplitude * share, rate * s + Real(pulse.phase), rate * length);
     }
-    case PulseShape::rectangle:
-      break;
+  } else if (pulse.shape == PulseShape::cosine) {
+    add_sine<Real>(series, amplitude, turn * elapsed + pi<Real> / 2, turn * length);
+  } else {
+    add_sine<Real>(series, amplitude, turn * elapsed, turn * length);
   }
-  using std::abs;
   const Real negligible = left_out<Real>() * abs(amplitude);
   while (series.terms > 1 && abs(series[series.terms - 1]) <= negligible) --series.terms;
   return series;
@@ -142,7 +127,6 @@ struct ScaledBodyForce {
 template <class Real>
 Polynomial<Real> body_force_along(const GroundComponent<Real>& component, const Real& at_rest,
                                   const Real& negligible, const Real& offset, const Real& length) {
-  using std::abs;
   const Real scale = -(length * length);
   if (!component.pulse) [[likely]] {
     const Real first = (component.line_at(offset) + at_rest) * scale;

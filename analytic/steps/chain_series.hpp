@@ -1,7 +1,6 @@
 #pragma once
 
-#include <utility>
-
+#include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/steps/block_series.hpp"
 #include "analytic/steps/body_force.hpp"
 
@@ -14,11 +13,9 @@ namespace rockstack {
 //
 // with the known part a sum of products of lower coefficients. So Lagrange's equations (linkage.hpp) give the
 // coefficients (ψ'')ₙ of all blocks from one linear system, whose matrix is the mass matrix at the start of
-// the step: it is factorised once. What belongs to relative angles are sums from the top down, and held
-// interfaces drop out.
+// the step, factorised once. Relative angles have sums from the top down; held interfaces drop out.
 
-/// The series of a chain's motion over one step. Real may also be a pack of numbers that are computed side by
-/// side.
+/// The series of a chain's motion over one step, of numbers or of packs of them, computed side by side.
 template <class Real, int N>
 class ChainSeries {
  public:
@@ -29,11 +26,10 @@ class ChainSeries {
   /// What a series tells besides motion. Margins are made of forces too.
   struct Asked {
     bool forces;   ///< push() and force()
-    bool margins;  ///< these, reaction() and margin()
+    bool margins;  ///< these and margin()
   };
 
-  /// From the blocks' directions and relative velocities times the step's length. Keeps a reference to
-  /// `linkage`.
+  /// From directions, and relative velocities times the step's length. Keeps a reference to `linkage`.
   ChainSeries(const Linkage<Real, N>& linkage, Equations equations, const Asked& asked,
               const Directions& directions, const PerBlock<Real, N>& advances)
       : linkage_(linkage),
@@ -46,8 +42,7 @@ class ChainSeries {
 
   std::size_t size() const { return linkage_.size(); }
 
-  /// Makes the step `ratio` times as long, where order 0 is known: its coefficients go with the length
-  /// squared.
+  /// Makes the step `ratio` times as long, where order 0 is known, which goes with the length squared.
   void shorten(const Real& ratio) {
     const Real square = ratio * ratio;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -87,8 +82,7 @@ class ChainSeries {
     return force(k, blocks_[k - 1].direction, n).normal;
   }
 
-  /// Forces at interface k along the normal and the direction of a block's face (the ground's: −1); order n,
-  /// likewise.
+  /// Forces at interface k across and along a block's face (the ground's: −1); order n, likewise.
   struct Force {
     Real normal, tangential;
   };
@@ -113,19 +107,10 @@ class ChainSeries {
   /// The cosine and the sine of a block's angle.
   const PlaneSeries& direction(std::size_t block) const { return blocks_[block].direction; }
 
-  /// Moment about the pivot of interface k, about its middle where it is closed; order n.
-  const Real& reaction(std::size_t k, std::size_t n) const { return blocks_[k].reaction[n]; }
-
-  /// How far the centre of pressure of a closed interface stays from either end, times the normal force;
-  /// order n, in kg·m² of s-time.
-  struct Margin {
-    Real right, left;
-  };
-  Margin margin(std::size_t k, std::size_t n) const { return margin(k, n, push(k, n)); }
-  /// Where the push is known.
-  Margin margin(std::size_t k, std::size_t n, const Real& push) const {
+  /// Of a closed interface, from its push(), order n, in kg·m² of s-time.
+  Margins<Real> margin(std::size_t k, std::size_t n, const Real& push) const {
     const Real half = push * linkage_.width[k];
-    return {half + reaction(k, n), half - reaction(k, n)};
+    return {half + blocks_[k].reaction[n], half - blocks_[k].reaction[n]};
   }
 
  private:

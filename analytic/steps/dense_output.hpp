@@ -1,16 +1,12 @@
 #pragma once
 
-#include "analytic/mechanics/dynamics.hpp"
-#include "analytic/polynomials/polynomial.hpp"
+#include "analytic/mechanics/pattern_solution.hpp"
 
 namespace rockstack {
 
-/// How far the centre of pressure of a closed interface stays from either end, times the normal force, as
-/// polynomials up to a positive factor: N (w − x) and N (w + x). Without terms where nobody watches.
+/// Along a step, up to a positive factor; without terms where nobody watches.
 template <class Real>
-struct MarginPolynomials {
-  Polynomial<Real> right, left;
-};
+using MarginPolynomials = Margins<Polynomial<Real>>;
 
 /// The forces on the block above an interface, N, as polynomials. Without terms where nobody asks.
 template <class Real>

@@ -28,9 +28,7 @@ void note_extremes(const BasicDemand<Real>& demand, const Polynomial<Real>& norm
                    const NoteAt& note_at) {
   // Where share · N + side · T passes `least` most.
   const auto note_maximum = [&](const Real& share, const Real& side, const Real& least, const Real& slack) {
-    Polynomial<Real> sum;
-    sum.terms = normal.terms;
-    for (std::size_t n = 0; n < sum.terms; ++n) sum[n] = share * normal[n] + side * tangential[n];
+    Polynomial<Real> sum = combined(share, normal, side, tangential);
     rescale(sum, end);
     if (const auto top = maximum<Real>(sum, least, slack)) note_at(top->s * end);
   };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <iterator>
-#include <optional>
 
 #include "analytic/scene/kinematics.hpp"
 
@@ -43,7 +42,6 @@ template <class Real>
 class GroundPieces {
  public:
   explicit GroundPieces(const Scene& scene) : scene_(scene), duration_(scene.duration) {
-    using std::sin;
     downhill_ = Real(scene.gravity) * sin(Real(scene.inclination));
     piece_.horizontal.value = 0 - downhill_;
     find_piece();
@@ -92,13 +90,11 @@ class GroundPieces {
   void advance_past(const Real& limit) {
     const auto& samples = scene_.horizontal.samples;
     if (!samples.empty() && end_ == piece_.horizontal.end && scene_.vertical.empty()) {
-      const Real interval(scene_.horizontal.interval);
-      using std::abs;
-      while (horizontal_sample_ + 2 < std::ssize(samples) &&
-             Real(horizontal_sample_ + 2) * interval < duration_ &&
-             abs(Real(samples[horizontal_sample_ + 2]) - downhill_) < limit)
-        ++horizontal_sample_;
-      end_ = piece_.horizontal.end = Real(horizontal_sample_ + 1) * interval;
+      std::ptrdiff_t next = horizontal_sample_ + 2;
+      while (next < std::ssize(samples) && Real(next) * Real(scene_.horizontal.interval) < duration_ &&
+             abs(Real(samples[next]) - downhill_) < limit)
+        ++next;
+      return advance_by(next - 1 - horizontal_sample_);
     }
     advance();
   }
@@ -111,9 +107,8 @@ class GroundPieces {
     piece_.length = end_ - piece_.start;
   }
 
-  /// A component from the start of the piece on: it goes on to the next sample, from `sample` on;
-  /// where the other component has ended the piece before, the sample is found anew. `constant` is added to
-  /// it.
+  /// A component from the start of the piece on, to the next sample after `sample`, which is found anew where
+  /// the other component has ended the piece before. `constant` is added to it.
   void follow(const GroundMotion& motion, const Real& constant, std::ptrdiff_t& sample,
               GroundComponent<Real>& component) const {
     if (motion.pulse) {

@@ -10,8 +10,6 @@ namespace rockstack {
 template <class Real>
 Real landing(const Real& angle, const Real& speed, const Real& acceleration, const Real& length,
              const Real& rate) {
-  using std::min;
-  using std::sqrt;
   const Real zero = 0, whole = 1;
   const Real radicand = speed * speed - 2 * acceleration * angle;
   const auto returns = (radicand > zero) & ((speed < zero) | (acceleration < zero));

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "analytic/mechanics/linkage.hpp"
-#include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/dense_output.hpp"
 #include "analytic/steps/ground_pieces.hpp"
@@ -23,7 +21,6 @@ class Rk4Steps {
   DenseOutput<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& directions,
                                   const Linkage<Real, N>&, const GroundPiece<Real>& piece, const Real& offset,
                                   const Real& remaining, const Interfaces& watched) const {
-    using std::ceil;
     // A stack at rest needs no steps where the ground's straight line alone decides when it opens.
     const bool whole = is_closed(state.pattern) && piece.straight();
     const Real length = whole ? remaining : remaining / ceil(remaining / step_);

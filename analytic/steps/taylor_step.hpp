@@ -27,8 +27,6 @@ struct StepStart {
   /// tell. Below a millionth of √(H/g) three orders do in any case, and a landing that rounding keeps away
   /// must not be foreseen for ever. `series` has its order 0.
   Real landing(const ChainSeries<Real, N>& series) const {
-    using std::max;
-    using std::min;
     Real first = 1;
     for (std::size_t k = 0; k < series.size(); ++k)
       first = min(first, rockstack::landing<Real>(sides[k] * angles[k], sides[k] * advances[k],
@@ -37,9 +35,8 @@ struct StepStart {
   }
 };
 
-/// Follows the orders of a series until what is left out is below a tolerance, relative to the step's motion.
-/// What is left out is estimated by the last coefficients, and at least by a 64th of those before them, which
-/// may be small by chance.
+/// Follows the orders of a series until what is left out is below a tolerance, relative to the step's motion:
+/// estimated by the last coefficients, as they may be small by chance at least by a 64th of those before.
 template <class Real>
 class Convergence {
  public:
@@ -48,8 +45,6 @@ class Convergence {
   /// An order of the series: 0, 1, … Whether what is left out from there on is below the tolerance.
   template <int N>
   auto note_order(const StepStart<Real, N>& start, const ChainSeries<Real, N>& series, std::size_t order) {
-    using std::abs;
-    using std::max;
     Real last = 0;
     for (std::size_t k = 0; k < series.size(); ++k) {
       const Real size = abs(series.relative(k, order));
@@ -85,14 +80,9 @@ class TaylorSteps {
   TaylorSteps(const Model<Real, N>& model, const SolveOptions& options)
       : model_(model),
         forces_(options.validity),
-        tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {
-    using std::sqrt;
-    rate_ = sqrt(model.gravity / (2 * model.stack.half_height.sum()));
-    longest_ = 1 / rate_;
-  }
+        tolerance_(std::max<Real>(Real(options.tolerance), 4 * std::numeric_limits<Real>::epsilon())) {}
 
-  /// A step from `offset` into a ground piece, no longer than `remaining`, with margins of `watched`
-  /// interfaces.
+  /// A step from `offset` into a ground piece, `remaining` at most, with margins of `watched` interfaces.
   DenseOutput<Real, N> operator()(const State<Real, N>& state, const Directions<Real, N>& directions,
                                   const Linkage<Real, N>& linkage, const GroundPiece<Real>& piece,
                                   const Real& offset, const Real& remaining, const Interfaces& watched) {
@@ -146,7 +136,6 @@ class TaylorSteps {
   /// least, and what is allowed with its third at most; so the second ratio is short enough. The first leaves
   /// room, and is the lesser one but for a large excess.
   void fit(const Real& excess, std::size_t orders, DenseOutput<Real, N>& output) {
-    using std::pow;
     if (excess > 1) {
       const Real ratio = std::min<Real>(pow(excess, Real(-1) / Real(orders - 1)) * Real(0.9),
                                         pow(excess, Real(-1) / Real(orders - 3)));
@@ -223,7 +212,7 @@ class TaylorSteps {
         MarginPolynomials<Real>& margin = output.margins[k];
         margin.right.terms = margin.left.terms = orders;
         for (std::size_t n = 0; n < orders; ++n) {
-          const auto coefficient = series.margin(k, n);
+          const auto coefficient = series.margin(k, n, series.push(k, n));
           margin.right[n] = coefficient.right;
           margin.left[n] = coefficient.left;
         }
@@ -248,8 +237,8 @@ class TaylorSteps {
   const Model<Real, N>& model_;
   bool forces_;  ///< whether steps tell the forces
   Real tolerance_;
-  Real rate_;     ///< √(g/H), 1/s
-  Real longest_;  ///< s, for the next step
+  Real rate_ = sqrt(model_.gravity / (2 * model_.stack.half_height.sum()));  ///< √(g/H), 1/s
+  Real longest_ = 1 / rate_;                                                 ///< s, for the next step
 };
 
 }  // namespace rockstack

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
-#include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/first_change.hpp"
 
@@ -35,7 +33,6 @@ class ContactChatter {
   /// Keeps a reference to `stack`. Resolution 0 is the rounding of 1.
   ContactChatter(const ContactModel<Real>& stack, const Real& gravity, const Real& resolution)
       : stack_(stack), resolution_(resolution > 0 ? resolution : std::numeric_limits<Real>::epsilon()) {
-    using std::sqrt;
     rate_ = gravity / stack.height();
     const Real rounding = std::min<Real>(resolution_, std::numeric_limits<double>::epsilon());
     slow_speed_ = 500 * rounding * sqrt(rate_);
@@ -48,7 +45,6 @@ class ContactChatter {
 
   /// Open by what rounding makes of angles and speeds.
   bool negligibly_open(const Joint<Real>& joint, const Real& angle, const Real& angle_rate) const {
-    using std::abs;
     return joint.pivots() && abs(angle_rate) <= slow_speed_ &&
            abs(angle) * rate_ <= slow_speed_ * slow_speed_;
   }
@@ -91,7 +87,6 @@ class ContactChatter {
   /// Whether all sticks, and interfaces that part turn so fast that no force brings them back.
   bool surely_fast(const Joints<Real>& touching, const Joints<Real>& mode, const Bodies<Real>& after,
                    const FreeVector<Real>& free) const {
-    using std::abs;
     if (!std::ranges::all_of(mode, std::mem_fn(&Joint<Real>::sticks))) return false;
     const Real most = most_turning(stack_, after.rate, free);
     for (std::size_t k = 0; k < mode.size(); ++k) {
@@ -104,7 +99,6 @@ class ContactChatter {
 
   bool parts_slowly(int interface, const Joint<Real>& touching, const Joint<Real>& mode,
                     const Bodies<Real>& after, const FreeVector<Real>& acceleration, bool alone) const {
-    using std::abs;
     const bool bounces = alone && !mode.touches() && stack_.restitution > 0 &&
                          (touching.pivots() || abs(relative_angle(after.rate, interface)) <= slow_speed_);
     const auto slow = [&](const Real& speed, const Real& back, const Real& unit) {
@@ -137,11 +131,10 @@ class ContactChatter {
 template <class Real>
 void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface, bool below,
           Joints<Real>& joints) {
-  using std::abs;
   Joint<Real>& joint = joints[interface];
   const Real angle = relative_angle(bodies.at, interface);
   joint.slip = 0;
-  if (abs(angle) <= flat_angle<Real>()) {
+  if (abs(angle) <= flat_angle<Real>) {
     joint.touch = Contact::closed;
   } else {
     joint.touch = angle > 0 ? Contact::right : Contact::left;
@@ -173,12 +166,10 @@ bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, in
 template <class Real>
 void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                      const Real& gap, Joints<Real>& joints) {
-  using std::abs;
-  const Real angle = relative_angle(bodies.at, interface);
   for (const bool below : {true, false}) {
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
-      if (side * angle < -flat_angle<Real>()) continue;
+      if (side * relative_angle(bodies.at, interface) < -flat_angle<Real>) continue;
       const CornerOnFace<Real> corner = stack.corner(interface, side, below);
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner);
       if (abs(rows.gap) <= gap && abs(rows.slip) <= stack.half_width(corner.face) + gap)
@@ -206,24 +197,13 @@ bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack, cons
   bool meets = false;
   for (const Guard<Real>& guard : found.guards) {
     Joint<Real>& joint = joints[guard.interface];
-    switch (guard.change) {
-      case Change::closing:
-        joint.touch = Contact::closed;
-        meets = true;
-        break;
-      case Change::landing:
-        if (!joint.touches()) land(stack, bodies, guard.interface, guard.below, joints);
-        meets = true;
-        break;
-      case Change::corner:
-        if (pass_corner(stack, bodies, guard.interface, joints)) meets = true;
-        break;
-      case Change::halt:
-        joint.slip = 0;
-        break;
-      default:
-        break;
-    }
+    if (guard.change == Change::closing) joint.touch = Contact::closed;
+    if (guard.change == Change::halt) joint.slip = 0;
+    const bool lands = guard.change == Change::landing;
+    if (lands && !joint.touches()) land(stack, bodies, guard.interface, guard.below, joints);
+    if (lands || guard.change == Change::closing ||
+        (guard.change == Change::corner && pass_corner(stack, bodies, guard.interface, joints)))
+      meets = true;
   }
   return meets;
 }

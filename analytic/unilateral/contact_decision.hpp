@@ -1,14 +1,12 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <functional>
 
 #include "analytic/scene/branching.hpp"
 #include "analytic/unilateral/contact/expansion.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
 #include "analytic/unilateral/springs/spring_contacts.hpp"
-#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack {
 
@@ -28,8 +26,7 @@ bool same_modes(const Joints<Real>& first, const Joints<Real>& second) {
   return std::equal(first.begin(), first.end(), second.begin(), std::mem_fn(&Joint<Real>::same_mode));
 }
 
-/// The velocities that joints leave, by impulses of a stack without friction: a projection in the metric of
-/// kinetic energy, which never gains any.
+/// The velocities that joints leave without friction: a projection in the metric of kinetic energy.
 template <class Real>
 Poses<Real> held_rates(const ContactModel<Real>& smooth, const Joints<Real>& joints,
                        const Bodies<Real>& bodies) {
@@ -141,8 +138,7 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
   return impact;
 }
 
-/// What a change at a soft interface is called; nothing where histories do not tell it. `passes`: a slider
-/// has come to the end of a face.
+/// What a change at a soft interface is called, if histories tell it. `passes`: a slider is at a face's end.
 template <class Real>
 std::optional<EventKind> change_of(const Joint<Real>& before, const Joint<Real>& after, bool passes) {
   const auto ends = [](const Joint<Real>& joint) {
@@ -177,11 +173,9 @@ EventKind kind_of(const Joints<Real>& from, const Joints<Real>& to) {
                  : EventKind::stick;
 }
 
-/// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|. Of one interface alone, one mode
-/// obeys without that.
+/// Whether friction at a point may turn it onto its face: G_NN ≤ μ |G_NT|; else one interface has one mode.
 template <class Real>
 bool couples(const TouchingContacts<Real>& contacts, const TouchingInterface<Real>& contact) {
-  using std::abs;
   for (std::size_t i = 0; i < contact.points(); ++i) {
     const std::size_t row = contact.point(i);
     if (contacts.effect(row, row) <= contact.friction * abs(contacts.effect(row, contact.slip())))
@@ -236,10 +230,8 @@ std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, co
                                              [&](const auto& contact) { return couples(contacts, contact); });
   const std::size_t most_tried = most > 1 ? 10'000 : 200;
   if (!sought) return std::move(others).take();
-  // Of each force as large as it is: obeys() asks the largest one, which may be that of a block a million
-  // times as heavy.
+  // Each force by its own size: obeys() takes the largest, which may be that of a much heavier block.
   const auto in_cones = [&](const Joints<Real>& other) {
-    using std::abs;
     const ShortVector<ContactForce<Real>> forces = respond(contacts, other).forces;
     return std::all_of(interfaces.begin(), interfaces.end(), [&](const auto& contact) {
       const ContactForce<Real>& force = forces[contact.interface];

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analytic/scene/history.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
-#include "analytic/unilateral/springs/spring_energy.hpp"
+#include "analytic/scene/lists.hpp"
+#include "analytic/unilateral/contact/contact_problem.hpp"
+#include "analytic/unilateral/springs/spring_series.hpp"
 
 namespace rockstack {
 
@@ -25,8 +25,7 @@ struct ContactSample {
   Real time = 0;  ///< s
   Bodies<Real> bodies;
   Joints<Real> joints;
-  std::vector<Real> slips = {},
-                    gaps = {};  ///< of each interface, m; where apart, the slip that it parted with
+  std::vector<Real> slips = {}, gaps = {};  ///< of interfaces, m; where apart, the slip that they parted with
   // Of stacks with springs, else empty.
   std::vector<SpringState<Real>> springs = {};  ///< of each interface
   FreeVector<Real> spring_accelerations = {};   ///< what all springs make of the motion
@@ -48,5 +47,93 @@ struct ContactHistory {
   Bodies<Real> last;  ///< at the end
   Real end_time{};    ///< s
 };
+
+template <class Real>
+Pattern pattern_of(const Joints<Real>& joints) {
+  Pattern pattern = closed_pattern(static_cast<int>(joints.size()));
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    pattern.contacts[k] = joints[k].touch;
+    if (joints[k].touches()) pattern.slides[k] = static_cast<std::int8_t>(joints[k].slip);
+  }
+  return pattern;
+}
+
+template <class Real>
+std::vector<Real> angles_of(const Poses<Real>& poses) {
+  return each_of(poses, &Pose<Real>::angle);
+}
+
+/// What the joints of a sample carry.
+template <class Real>
+std::vector<BasicReaction<Real>> reactions_of(const Scene& scene, const ContactModel<Real>& stack,
+                                              const ContactSample<Real>& sample) {
+  const Gravity gravity = gravity_of(scene);
+  const auto time = static_cast<double>(sample.time);
+  FreeVector<Real> free =
+      uniform<Real>(stack.size(), Real(gravity.along - acceleration(scene.horizontal, time)),
+                    Real(-gravity.across - acceleration(scene.vertical, time)));
+  Joints<Real> rigid = sample.joints;
+  for (std::size_t k = 0; k < rigid.size(); ++k)
+    if (stack.soft(k)) rigid[k].touch = Contact::apart;
+  if (!sample.springs.empty()) free += sample.spring_accelerations;
+  const ModeResponse<Real> response =
+      respond<Real>({stack, sample.bodies, free, ContactLevel::accelerations}, rigid);
+  std::vector<BasicReaction<Real>> reactions;
+  reactions.reserve(sample.joints.size());
+  for (int k = 0; k < stack.size(); ++k) {
+    if (stack.soft(static_cast<std::size_t>(k))) {
+      reactions.push_back(sample.springs[k].reaction);
+      continue;
+    }
+    const Joint<Real>& joint = sample.joints[k];
+    const ContactForce<Real>& force = response.forces[k];
+    const int corner = joint.corner_below ? k - 1 : k;
+    const Real pivot =
+        joint.side() * stack.half_width(corner) - (joint.corner_below ? joint.offset : Real(0));
+    const Real centre = joint.touch == Contact::closed ? Real(-force.moment / force.normal) : pivot;
+    reactions.push_back(
+        {force.normal, force.tangential, force.normal > 0 ? centre : std::numeric_limits<Real>::quiet_NaN()});
+  }
+  return reactions;
+}
+
+template <class Real>
+void add_sample(const Scene& scene, const ContactModel<Real>& stack, const ContactSample<Real>& sample,
+                BasicHistory<Real>& history) {
+  history.times.push_back(sample.time);
+  history.patterns.push_back(pattern_of(sample.joints));
+  history.slips.insert(history.slips.end(), sample.slips.begin(), sample.slips.end());
+  history.gaps.insert(history.gaps.end(), sample.gaps.begin(), sample.gaps.end());
+  for (std::size_t k = 0; k < sample.joints.size(); ++k) {
+    const Pose<Real>& at = sample.bodies.at[k];
+    const Pose<Real>& rate = sample.bodies.rate[k];
+    history.angles.push_back(at.angle);
+    history.velocities.push_back(rate.angle);
+    history.centres.insert(history.centres.end(), {at.x, at.y});
+    history.centre_velocities.insert(history.centre_velocities.end(), {rate.x, rate.y});
+  }
+  const std::vector<BasicReaction<Real>> reactions = reactions_of(scene, stack, sample);
+  history.reactions.insert(history.reactions.end(), reactions.begin(), reactions.end());
+  for (const SpringState<Real>& springs : sample.springs) history.spring_energies.push_back(springs.energy);
+}
+
+/// The motion as other laws tell theirs, with slips, gaps, places, and reactions to the rounding of double.
+template <class Real>
+BasicHistory<Real> history_of(const Scene& scene, const ContactHistory<Real>& motion) {
+  const ContactModel<Real> stack = contact_model_of<Real>(scene);
+  BasicHistory<Real> history;
+  history.blocks = stack.size();
+  for (const ContactSample<Real>& sample : motion.samples) add_sample(scene, stack, sample, history);
+  for (const ContactEvent<Real>& event : motion.events)
+    history.events.push_back({event.time, event.kind, event.interface, pattern_of(event.from),
+                              pattern_of(event.to), angles_of(event.at), angles_of(event.before),
+                              angles_of(event.after), event.consistency});
+  history.peaks = motion.peaks;
+  history.slips_left = motion.slips_left;
+  history.lifts = motion.lifts;
+  history.forces = motion.forces;
+  history.impulses = motion.impulses;
+  return history;
+}
 
 }  // namespace rockstack

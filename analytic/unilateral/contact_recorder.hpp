@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/scene/ground/pulse.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/force_extremes.hpp"
 #include "analytic/unilateral/contact_history.hpp"
@@ -8,12 +7,10 @@
 
 namespace rockstack {
 
-/// Takes what one interface bears at one time into account. Where the normal force is `rounding` or less, it
-/// is zero, and nothing rubs.
+/// Takes what an interface bears into account. A normal force up to `rounding` is zero, and nothing rubs.
 template <class Real>
 void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tangential, const Real& rounding,
                   const Real& time) {
-  using std::abs;
   const bool bears = normal > rounding;
   raise_demand(demand, bears ? normal : Real(0), bears ? Real(abs(tangential) / normal) : Real(0), time);
 }
@@ -22,7 +19,6 @@ void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tan
 /// none, or where one block has turned past a right angle to the other, so that their faces no longer meet.
 template <class Real>
 Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface) {
-  using std::abs;
   Real gap = std::numeric_limits<Real>::infinity();
   if (abs(relative_angle(bodies.at, interface)) >= pi<Real> / 2) return gap;
   for (const bool below : {false, true})
@@ -43,7 +39,6 @@ class ContactRecorder {
   /// Keeps references to `stack` and `options`.
   ContactRecorder(const Scene& scene, const ContactModel<Real>& stack, const SolveOptions& options)
       : stack_(stack), options_(options), offsets_(scene.initial.offsets) {
-    using std::sqrt;
     Real mass = 0;
     for (const Block& block : stack.blocks) mass += block.mass;
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * mass * scene.gravity;
@@ -60,8 +55,15 @@ class ContactRecorder {
     while (sample_due()) {
       const Real s = (Real(options_.sample_times[next_sample_]) - start) / series.length;
       if (s >= end_s) break;
-      note_sample({series.at(std::max(s, Real(0))), rigid}, springs, spring_series, std::max(s, Real(0)),
-                  series);
+      const Real at = std::max(s, Real(0));
+      ContactState<Real> state{series.at(at), rigid};
+      if (springs.empty()) {
+        note_sample(std::move(state), springs);
+        continue;
+      }
+      SpringContacts<Real> then = springs;
+      then.go(spring_series, at, series.at(0), state.bodies);
+      note_sample(std::move(state), then);
     }
     if (!options_.validity && !options_.peaks) return;
     const Joints<Real> joints = springs.shown(rigid);
@@ -106,8 +108,7 @@ class ContactRecorder {
   }
 
   /// What acts over a step up to `end` of its length: the least normal force, which is zero where blocks
-  /// part, and the largest ratio of tangential to normal force. No interface pulls or bears more than its
-  /// friction. `start` in s.
+  /// part, and the largest ratio of tangential to normal force, no more than the friction. `start` in s.
   void note_forces(const Joints<Real>& joints, const ModeSeries<Real>& series, const Real& end,
                    const Real& start) {
     for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -124,8 +125,7 @@ class ContactRecorder {
       });
     }
   }
-  /// Of one impact. Of less than a millionth of the momentum that the stack has after falling its own size,
-  /// those of chatter, nothing is told.
+  /// Of one impact. Impulses below a millionth of that of the stack's fall by its own size are chatter.
   void note_impulses(const ShortVector<ContactForce<Real>>& impulses, const Real& time) {
     for (std::size_t k = 0; k < impulses.size(); ++k)
       if (impulses[k].normal > negligible_impulse_)
@@ -144,15 +144,6 @@ class ContactRecorder {
   }
 
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
-
-  /// At s of a step.
-  void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs,
-                   const SpringSeries<Real>& series, const Real& s, const ModeSeries<Real>& motion) {
-    if (springs.empty()) return note_sample(std::move(state), springs);
-    SpringContacts<Real> then = springs;
-    then.go(series, s, motion.at(0), state.bodies);
-    note_sample(std::move(state), then);
-  }
 
   void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {
     place(stack_, state.joints, state.bodies);
@@ -181,8 +172,7 @@ class ContactRecorder {
     }
   }
 
-  /// The gap is greatest at the end, where a corner is highest over its face, or where the faces are
-  /// parallel.
+  /// The gap is greatest at the end, where a corner is highest over its face, or where faces are parallel.
   void note_lift(int interface, const ModeSeries<Real>& series, const Real& end_s) {
     Real& lift = history_.lifts[interface];
     const auto note_at = [&](const Real& s) {

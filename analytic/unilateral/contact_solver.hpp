@@ -1,9 +1,6 @@
 #pragma once
 
-#include "analytic/scene/solve_options.hpp"
-#include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/contact/initial_contacts.hpp"
-#include "analytic/unilateral/contact_changes.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"
 #include "analytic/unilateral/series/mode_step.hpp"
@@ -14,13 +11,12 @@ namespace rockstack {
 ///
 /// An event leaves a force, a gap or a speed at zero to rounding, so that what follows is decided by how it
 /// goes on: by the laws of contact as they stand a look-ahead time later (6.7 √ε √(H/g), 10⁻⁷ √(H/g) in
-/// double) on the motion that just ended. Of what starts at zero by such a decision, guards are looked at
-/// from then on.
+/// double) on the motion that just ended. Guards that such a decision starts at zero are watched from then.
 template <class Real>
 class ContactSolver {
  public:
   /// Keeps references to all. Of double, double_does() asks for more than other number types need.
-  /// @throws std::domain_error as require_digits().
+  /// @throws std::domain_error where contact forces or sizes keep fewer than six digits.
   ContactSolver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
         stack_(contact_model_of<Real>(scene)),
@@ -35,8 +31,9 @@ class ContactSolver {
         recorder_(scene, stack_, options),
         cancelled_(options.cancelled),
         branching_(branching) {
-    using std::cos;
-    if constexpr (!std::is_same_v<Real, double>) require_digits(stack_);
+    if (!std::is_same_v<Real, double> && !keeps_digits(stack_, 6))
+      throw std::domain_error(
+          "block masses or sizes are too far apart: rounding would leave contact forces fewer than six digits");
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
   }
@@ -90,8 +87,7 @@ class ContactSolver {
     }
   }
 
-  /// Forces are singular, as where one grows without bound. The motion passes that time, rounding, by a
-  /// vanishing step of Moreau's.
+  /// Forces are singular, as where one grows without bound. A vanishing step of Moreau's passes that time.
   void jam() {
     note_stall();
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.remaining());
@@ -123,7 +119,7 @@ class ContactSolver {
       const int interface = springs_.points()[guard.point].interface;
       if (guard.change == SpringChange::fall) {
         ended_ = true;
-        return note_shown(EventKind::fall, interface + 1, before, state_.bodies.rate);
+        return note(EventKind::fall, interface + 1, before, state_.bodies.rate);
       }
       if (guard.change == SpringChange::pass) passes[interface] = true;
       springs_.apply(guard, state_.bodies);
@@ -132,7 +128,7 @@ class ContactSolver {
     const Joints<Real> after = springs_.shown(state_.joints);
     for (std::size_t k = 0; k < before.size(); ++k)
       if (const auto kind = change_of(before[k], after[k], passes[k]))
-        note_shown(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
+        note(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
     if (std::any_of(state_.joints.begin(), state_.joints.end(), std::mem_fn(&Joint<Real>::touches)))
       decide(Joints<Real>(state_.joints), state_.bodies, 0);
   }
@@ -144,7 +140,7 @@ class ContactSolver {
       const auto end = ending(guard.change);
       if (!end) continue;
       ended_ = true;
-      return note(*end, guard.interface + 1, before, state_.bodies.rate);
+      return note(*end, guard.interface + 1, springs_.shown(before), state_.bodies.rate);
     }
     Joints<Real> touching = state_.joints;
     const int interface = found.guards.front().interface + 1;
@@ -153,7 +149,7 @@ class ContactSolver {
     state_.joints = std::move(touching);
     hold();
     if (std::ranges::find(found.guards, Change::corner, &Guard<Real>::change) != found.guards.end())
-      note(EventKind::corner, interface, before, state_.bodies.rate);
+      note(EventKind::corner, interface, springs_.shown(before), state_.bodies.rate);
     decide(before, series.at(found.s + look_ahead_.time / series.length), look_ahead_.time);
   }
 
@@ -180,12 +176,11 @@ class ContactSolver {
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
     if (stack_.restitution > 0) fresh_.mark_bounces(touching, impact->mode, time());
-    note(impact->kind, interface, before, rates, impact->consistency);
+    note(impact->kind, interface, springs_.shown(before), rates, impact->consistency);
     decide(impact->mode, state_.bodies, 0, true);
   }
 
-  /// Decides by the laws of contact as they stand `later`, s, where bodies will be by then. `placed`: they
-  /// are exactly on their joints now.
+  /// Decides by the laws of contact as they stand `later`, s, at `bodies`. `placed`: on their joints.
   void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& later, bool placed = false) {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
@@ -219,8 +214,8 @@ class ContactSolver {
       hold();
     }
     if (!same_modes(before, state_.joints))
-      note(kind_of(before, state_.joints), lowest_change(before, state_.joints), before, rates,
-           others ? Consistency::several : Consistency::consistent);
+      note(kind_of(before, state_.joints), lowest_change(before, state_.joints), springs_.shown(before),
+           rates, others ? Consistency::several : Consistency::consistent);
   }
 
   /// As turn() of contact_decision.hpp, which chatter does not come to.
@@ -246,7 +241,8 @@ class ContactSolver {
                              : held_rates(smooth_, *mode, state_.bodies);
     state_.joints = *mode;
     if (!same_modes(joints, state_.joints))
-      note(EventKind::impact, lowest_change(joints, state_.joints), joints, rates, Consistency::none);
+      note(EventKind::impact, lowest_change(joints, state_.joints), springs_.shown(joints), rates,
+           Consistency::none);
     return state_.joints;
   }
 
@@ -258,14 +254,9 @@ class ContactSolver {
     return result;
   }
 
-  /// An event of rigid contacts.
+  /// An event between joints as they are shown.
   void note(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
             Consistency consistency = Consistency::consistent) {
-    note_shown(kind, interface, springs_.shown(from), before, consistency);
-  }
-
-  void note_shown(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
-                  Consistency consistency = Consistency::consistent) {
     recorder_.note_event({time(), kind, interface, from, springs_.shown(state_.joints), state_.bodies.at,
                           before, state_.bodies.rate, consistency});
   }

@@ -1,19 +1,16 @@
 #pragma once
 
-#include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/series/guards.hpp"
 
 namespace rockstack {
 
-/// Which joints have just parted, or started to slide, from rest by a decision: their guards start at zero
-/// to rounding.
+/// Which joints have just parted or started to slide from rest by a decision: their guards start at zero.
 template <class Real>
 class FreshJoints {
  public:
   explicit FreshJoints(std::size_t size) : joints_(size) {}
 
-  /// A decision from `joined` joints, which were `before` it. What only comes back to what it was joined to
-  /// has not parted.
+  /// A decision from `joined` joints, `before` before it. What returns to its joint has not parted.
   void mark(const Joints<Real>& before, const Joints<Real>& joined, const Joints<Real>& after,
             const Real& time) {
     for (std::size_t k = 0; k < after.size(); ++k) {
@@ -42,27 +39,16 @@ class FreshJoints {
     return guard.change == Change::landing && fresh.bounced == time && may_be(guard, fresh.bounced_from);
   }
 
-  /// Whether a guard may start at zero because of what was decided at this time; `decided` tells whether the
-  /// last event was there.
+  /// Whether a guard may start at zero by a decision at this time; `decided`: the last event was there.
   bool starts(const Guard<Real>& guard, const Real& time, bool decided) const {
     const Fresh& fresh = joints_[guard.interface];
-    switch (guard.change) {
-      case Change::force:
-      case Change::corner:
-        return decided;
-      case Change::halt:
-        return fresh.slid == time;
-      case Change::closing:
-        return fresh.parted == time;
-      case Change::landing:
-        return fresh.parted == time && may_be(guard, fresh.parted_from);
-      default:
-        return false;
-    }
+    if (guard.change == Change::force || guard.change == Change::corner) return decided;
+    if (guard.change == Change::halt) return fresh.slid == time;
+    if (guard.change == Change::closing) return fresh.parted == time;
+    return guard.change == Change::landing && fresh.parted == time && may_be(guard, fresh.parted_from);
   }
 
-  /// Joints as they were before they parted, where that was `window` s ago or less and they have not met
-  /// since.
+  /// Joints as before they parted, where that was at most `window` s ago and they have not met since.
   Joints<Real> joined(Joints<Real> joints, const Real& time, const Real& window) const {
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const Fresh& fresh = joints_[k];
@@ -89,9 +75,7 @@ class FreshJoints {
 
 /// Angles below it are flat, rad.
 template <class Real>
-Real flat_angle() {
-  return tolerance<Real>(1e-14);
-}
+inline const Real flat_angle = tolerance<Real>(1e-14);
 
 /// The first changes of a step, at s of its length.
 template <class Real>
@@ -110,48 +94,32 @@ Polynomial<Real> from(const Polynomial<Real>& polynomial, const Real& first) {
   return shifted;
 }
 
-/// Whether a corner is on its face, to rounding, and not about to pass its end.
-template <class Real>
-bool is_inside(const Polynomial<Real>& within, const Real& s, const Real& rounding) {
-  const auto [distance, slope] = tangent(within, s);
-  return distance > rounding || (distance >= -rounding && slope >= 0);
-}
-
-/// Whether that holds of both ends; those of the ground are nowhere.
+/// Whether a corner is on its face, to rounding, and not about to pass an end; the ground has none.
 template <class Real>
 bool is_over_face(const Guard<Real>& guard, const Real& s) {
-  return guard.within.terms == 0 ||
-         (is_inside(guard.within, s, guard.rounding) && is_inside(guard.within_other, s, guard.rounding));
+  const auto is_inside = [&](const Polynomial<Real>& within) {
+    const auto [distance, slope] = tangent(within, s);
+    return distance > guard.rounding || (distance >= -guard.rounding && slope >= 0);
+  };
+  return guard.within.terms == 0 || (is_inside(guard.within) && is_inside(guard.within_other));
 }
 
-/// Whether a corner that meets a face is the one that the block above leans to, and on the face.
-template <class Real>
-bool lands(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
-  const int k = guard.interface;
-  const Real angle =
-      value(series.bodies[k].angle, s) - (k > 0 ? value(series.bodies[k - 1].angle, s) : Real(0));
-  if (guard.side * angle < -flat_angle<Real>()) return false;
-  return is_over_face(guard, s);
-}
-
-/// Whether a guard that is negative from s on ends its step: a corner may meet the plane of a face beside it,
-/// and what flies may be beyond a face and come back.
+/// Whether a guard that is negative from s on ends its step: corners may be beside a face, and come back.
 template <class Real>
 bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const Real& s) {
-  switch (guard.change) {
-    case Change::landing:
-      return lands(series, guard, s);
-    case Change::fall:
-      return guard.other.terms == 0 || value(guard.other, s) < 0;
-    case Change::strike:
-      return is_over_face(guard, s);
-    default:
-      return true;
+  if (guard.change == Change::landing) {
+    // The block above leans to the corner.
+    const int k = guard.interface;
+    const Real angle =
+        value(series.bodies[k].angle, s) - (k > 0 ? value(series.bodies[k - 1].angle, s) : Real(0));
+    if (guard.side * angle < -flat_angle<Real>) return false;
+    return is_over_face(guard, s);
   }
+  if (guard.change == Change::strike) return is_over_face(guard, s);
+  return guard.change != Change::fall || guard.other.terms == 0 || value(guard.other, s) < 0;
 }
 
-/// The changes that end a step. Guards that start at zero by a decision at `time` are looked at from
-/// `skipped` of the step on.
+/// The changes that end a step. Guards that a decision at `time` starts at zero are seen from `skipped` on.
 template <class Real>
 FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries<Real>& series,
                                const FreshJoints<Real>& fresh, const Real& time, bool decided,

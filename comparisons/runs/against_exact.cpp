@@ -48,7 +48,6 @@ std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
   return {};
 }
 
-/// Counts of an alignment as three columns.
 void set_counts(const std::vector<AlignedImpact>& alignment, std::optional<int>& matched,
                 std::optional<int>& missed, std::optional<int>& extra) {
   const AlignmentCounts counts = count(alignment);
@@ -75,9 +74,9 @@ void add_impacts(const Scene& scene, const History& exact, const CandidateMotion
   set_counts(compared, row.impacts_matched, row.impacts_missed, row.impacts_extra);
   row.first_impact_time_difference = first_difference(expected, candidate.impacts, horizon);
   if (*row.impacts_matched > 0) {
-    const TimeDifferences times = time_differences(compared);
-    row.rms_impact_time_difference = times.root_mean_square;
-    row.largest_impact_time_difference = times.largest;
+    const AlignmentCounts counts = count(compared);
+    row.rms_impact_time_difference = counts.rms_apart;
+    row.largest_impact_time_difference = counts.largest_apart;
   }
   // What the exact motion itself scores when it is read from samples as an engine's is.
   const auto sampled = observed_impacts(exact, chatter_speed(scene));
@@ -134,7 +133,10 @@ void add_positions(const Scene& scene, const History& exact, const std::vector<d
   row.motion = extent_of_motion(scene, exact, centres);
   row.error = row.rms_angle_difference;
   if (!bodies) return;
-  const Difference apart = position_difference(times, centres, bodies->centres, scene.blocks.size());
+  Difference apart{scene.blocks.size(), times, {}};
+  for (std::size_t i = 0; i < 2 * times.size() * scene.blocks.size(); i += 2)
+    apart.values.push_back(
+        std::hypot(bodies->centres[i] - centres[i], bodies->centres[i + 1] - centres[i + 1]));
   const double height = least_height(scene.blocks);
   row.largest_position_difference = largest(apart);
   row.rms_position_difference = root_mean_square(apart);
@@ -144,21 +146,16 @@ void add_positions(const Scene& scene, const History& exact, const std::vector<d
   row.sinking = support_of(bodies->penetration, bodies->unsupported_since).sinking;
 }
 
-std::vector<ImpactTime> told_impacts(const std::vector<ContactImpact>& impacts, double slowest) {
-  std::vector<ImpactTime> list;
-  for (const ContactImpact& impact : impacts)
-    if (impact.speed >= slowest)
-      list.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
-  std::ranges::stable_sort(list, [](const ImpactTime& a, const ImpactTime& b) { return a.time < b.time; });
-  return list;
-}
-
 /// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its angles.
 void add_contact_impacts(const Scene& scene, const History& exact, const CandidateMotion& candidate,
                          const Difference& apart, double horizon, RunMetrics& row, RunFiles& files) {
   if (!candidate.bodies->contacts) return;
   const double slowest = chatter_speed(scene);
-  const auto told = told_impacts(candidate.bodies->contacts->impacts, slowest);
+  std::vector<ImpactTime> told;
+  for (const ContactImpact& impact : candidate.bodies->contacts->impacts)
+    if (impact.speed >= slowest)
+      told.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
+  std::ranges::stable_sort(told, {}, &ImpactTime::time);
   const auto expected = reported_impacts(exact, slowest);
   const auto alignment = align(expected, told, matching_windows(expected, apart, candidate.interval));
   set_counts(up_to(alignment, horizon), row.contact_impacts_matched, row.contact_impacts_missed,
@@ -179,32 +176,14 @@ History exact_motion(const Scene& scene, const std::vector<double>& times) {
   }
 }
 
-/// Of angles that are linear in the factor by which springs are softer, those for factor 1.
-History extrapolated(const History& stiffer, const History& softer, double factor) {
-  History result;
-  result.blocks = stiffer.blocks;
-  const std::size_t samples = std::min(stiffer.size(), softer.size());
-  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
-  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
-    result.angles.push_back(stiffer.angles[i] -
-                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
-  return result;
-}
-
-/// Nothing where there is no difference.
-std::optional<double> share(const Difference& part, const Difference& whole) {
-  const double value = share_of(part, whole);
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 void add_sizes(const DifferenceParts& parts, RunMetrics& row) {
   const Difference whole = whole_of(parts);
   row.model_difference = root_mean_square(parts.model);
   row.softness_difference = root_mean_square(parts.softness);
   row.step_difference = root_mean_square(parts.step);
-  row.model_share = share(parts.model, whole);
-  row.softness_share = share(parts.softness, whole);
-  row.step_share = share(parts.step, whole);
+  row.model_share = share_of(parts.model, whole);
+  row.softness_share = share_of(parts.softness, whole);
+  row.step_share = share_of(parts.step, whole);
   if (row.model_share)
     row.parts_over_whole = std::hypot(*row.model_difference, *row.softness_difference, *row.step_difference) /
                            root_mean_square(whole);
@@ -220,7 +199,16 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
     return solve(with_springs(scene, friction, one), {.sample_times = times});
   };
   if (factor == 1) return {solved(1), 1};
-  return {extrapolated(solved(factor), solved(2 * factor), factor), factor};
+  // Of angles that are linear in the factor, those for factor 1.
+  const History stiffer = solved(factor), softer = solved(2 * factor);
+  const std::size_t samples = std::min(stiffer.size(), softer.size());
+  History result;
+  result.blocks = stiffer.blocks;
+  result.times.assign(stiffer.times.begin(), stiffer.times.begin() + static_cast<std::ptrdiff_t>(samples));
+  for (std::size_t i = 0; i < samples * static_cast<std::size_t>(stiffer.blocks); ++i)
+    result.angles.push_back(stiffer.angles[i] -
+                            (softer.angles[i] - stiffer.angles[i]) * (factor - 1) / factor);
+  return {std::move(result), factor};
 }
 
 void add_parts(const Scene& scene, const History& exact, const CandidateMotion& candidate, double horizon,

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "analytic/scene/input/page_scene.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
@@ -21,21 +22,11 @@ void add_evidence(const RunMetrics& run, ReplicatedRow& row) {
   row.exact_peaks.push_back(*run.exact_peak_angle);
 }
 
-/// Ranks of the rows of one scene and step, given to them.
-void rank(const std::vector<ReplicatedRow*>& rows) {
-  for (const RankedSet& set : rank_all(each_of(rows, [](const ReplicatedRow* row) { return *row; })))
-    for (ReplicatedRow* one : rows)
-      if (one->row.engine == set.engine && one->row.solver == set.solver &&
-          one->row.settings == set.settings && one->row.status == RunStatus::done)
-        one->row.rank = set.rank;
-}
-
-/// The scenes of suites, with what their rows are held against.
 std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
   std::vector<JudgedScene> scenes;
   for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes)
-      scenes.push_back({scene.name, scale_of(scene.scene, suite.tolerance)});
+      scenes.push_back({scene.name, least_height(scene.scene.blocks), scene.scene.duration, suite.tolerance});
   return scenes;
 }
 
@@ -43,8 +34,6 @@ std::vector<JudgedScene> judged_scenes(const std::vector<Suite>& suites) {
 /// words, and their ranks among those of their scene and step.
 std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& rows,
                                          const std::vector<JudgedScene>& scenes) {
-  std::map<std::string, SceneScale> scales;
-  for (const JudgedScene& scene : scenes) scales[scene.name] = scene.scale;
   std::vector<ReplicatedRow> reported;
   reported.reserve(rows.size());
   std::map<std::pair<std::string, double>, std::vector<ReplicatedRow*>> cells;
@@ -52,51 +41,43 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     ReplicatedRow& one = reported.emplace_back(ReplicatedRow{nominal, {}});
     add_evidence(nominal, one);
     for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
-    if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one.row);
-    if (!is_engine(one.row)) continue;
-    one.row.outcome = outcome(one.row, scales.at(nominal.scene));
+    if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one);
+    if (!is_engine(one)) continue;
+    one.outcome = outcome(one, part_named(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
-  for (const auto& [cell, own] : cells) rank(own);
+  for (const auto& [cell, own] : cells)
+    for (const RankedSet& set : rank_all(each_of(own, [](const ReplicatedRow* row) { return *row; })))
+      for (ReplicatedRow* one : own)
+        if (set_name(*one) == set_name(set) && one->status == RunStatus::done) one->rank = set.rank;
   return reported;
 }
 
 /// Tells rows as CompareOptions has them, those that are told together the nearest first. Keeps references.
-class RowTeller {
- public:
-  RowTeller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
-            const CompareOptions& options)
-      : scenes_(scenes), options_(options) {
-    for (const Job& job : jobs) ++left_[cell_of(job)];
-  }
-
-  void add(const Job& job, const RunWithReplicates& row) {
-    const Cell cell = cell_of(job);
-    std::vector<RunWithReplicates>& own = rows_[cell];
-    own.push_back(row);
-    if (job.series != nullptr) options_.row(reported_rows({row}, scenes_).front().row);
-    if (--left_[cell] > 0) return;
-    std::vector<RunMetrics> rows;
-    for (ReplicatedRow& one : reported_rows(own, scenes_)) rows.push_back(std::move(one.row));
+auto row_teller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
+                const CompareOptions& options) {
+  struct Cell {
+    std::size_t left = 0;  ///< rows that are still to come
+    std::vector<RunWithReplicates> rows = {};
+  };
+  std::map<std::pair<std::string, double>, Cell> cells;  // by scene and step, 0 of the exact solutions
+  const auto key_of = [](const Job& job) {
+    return std::pair(job.scene.name, job.series == nullptr ? 0 : job.dt);
+  };
+  for (const Job& job : jobs) ++cells[key_of(job)].left;
+  return [&, key_of, cells](std::size_t job, const RunWithReplicates& row) mutable {
+    Cell& cell = cells[key_of(jobs[job])];
+    cell.rows.push_back(row);
+    if (jobs[job].series != nullptr) options.row(reported_rows({row}, scenes).front());
+    if (--cell.left > 0) return;
+    std::vector<ReplicatedRow> rows = reported_rows(std::exchange(cell.rows, {}), scenes);
     const auto place = [](const RunMetrics& one) {
       return std::tuple(one.status != RunStatus::done, one.rank.value_or(0), one.error.value_or(0));
     };
-    std::ranges::stable_sort(rows,
-                             [&](const RunMetrics& a, const RunMetrics& b) { return place(a) < place(b); });
-    options_.rows(rows);
-    rows_.erase(cell);
-  }
-
- private:
-  using Cell = std::pair<std::string, double>;  ///< scene and step, 0 of the exact solutions
-
-  static Cell cell_of(const Job& job) { return {job.scene.name, job.series == nullptr ? 0 : job.dt}; }
-
-  const std::vector<JudgedScene>& scenes_;
-  const CompareOptions& options_;
-  std::map<Cell, std::size_t> left_;
-  std::map<Cell, std::vector<RunWithReplicates>> rows_;
-};
+    std::ranges::stable_sort(rows, {}, place);
+    options.rows({rows.begin(), rows.end()});
+  };
+}
 
 /// Empty where the scene cannot be solved.
 Json predictable_json(const std::string& scene, const std::vector<RunMetrics>& rows) {
@@ -130,10 +111,8 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                      const ComparisonEvidence& evidence, const std::string& command) {
   const std::vector<RunMetrics>& rows = result.rows;
   Json json;
-  std::vector<std::string> titles;
   json["scenes"] = Json::array();
-  for (const Suite& suite : suites) {
-    titles.push_back(suite.title);
+  for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
       Json entry{{"name", scene.name}};
       entry.update(scene_json(scene.scene));
@@ -156,8 +135,7 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                     {"page", page_text(scene.document, scene.scene)}});
       json["scenes"].push_back(std::move(entry));
     }
-  }
-  json["title"] = fmt::format("{}", fmt::join(titles, "; "));
+  json["title"] = fmt::format("{}", fmt::join(each_of(suites, &Suite::title), "; "));
   json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
@@ -165,22 +143,21 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   json["environment"] = environment(engines_of(suites));
   json["command"] = command;
   json["statements"] = statements_json(suites);
-  json["fit_definition"] = fit_definition();
+  json["fit_definition"] = fit_definition;
   json["fits"] = evidence.fits;
-  json["distribution_definition"] = distribution_definition();
+  json["distribution_definition"] = distribution_definition;
   json["distributions"] = evidence.distances;
   json["rows"] = rows;
   return json;
 }
 
 void write_ground(const std::vector<Suite>& suites, const std::filesystem::path& folder) {
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
       if (scene.scene.horizontal.empty() && scene.scene.vertical.empty()) continue;
       std::filesystem::create_directories(folder / "ground");
       write_file(folder / "ground" / (scene.name + ".csv"), ground_csv(scene.scene));
     }
-  }
 }
 
 /// A step that is longer than one scene costs its rows there, one that is longer than all is a mistake.
@@ -205,11 +182,10 @@ void require_comparable(const std::vector<Suite>& suites) {
     std::set<std::tuple<std::string, std::string, double>> runs;
     for (const EngineSeries& series : suite.series) {
       const std::string engine = series.engine->full_name();
-      for (const double dt : series.steps) {
+      for (const double dt : series.steps)
         if (!runs.emplace(engine, series.settings, dt).second)
           throw InputError(fmt::format(
               "engine {}: must be in a comparison once; its results would share a folder", engine));
-      }
     }
     require_short_steps(suite);
     for (const NamedScene& scene : suite.scenes) {
@@ -218,30 +194,11 @@ void require_comparable(const std::vector<Suite>& suites) {
         throw InputError(
             fmt::format("{}: duration = {}: must be at most {} s in a comparison, which samples every {} s",
                         scene.duration_place, scene.scene.duration, longest, sample_interval));
-      if (!names.insert(scene.name).second) {
+      if (!names.insert(scene.name).second)
         throw InputError(fmt::format(
             "scene {}: must be in a comparison once; its results would share a folder", scene.name));
-      }
     }
   }
-}
-
-void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
-                      const std::string& command) {
-  std::vector<Suite> read;
-  std::vector<Job> jobs;
-  executor.serve([&](std::size_t task) {
-    if (jobs.empty()) {
-      read = suites();
-      jobs = jobs_of(read);
-    }
-    return compute_task(jobs, task, command, executor.count());
-  });
-}
-
-CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
-                      const CompareOptions& options) {
-  return compare(suites, folder, *make_threads(options.jobs), options);
 }
 
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
@@ -249,23 +206,19 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
-  RowTeller teller(jobs, scenes, options);
-  const DoneTasks made = carry_out(
-      jobs, folder, executor, options.command,
-      {options.progress, [&](std::size_t job, const RunWithReplicates& row) { teller.add(jobs[job], row); }});
-  ComparisonEvidence evidence{reported_rows(made.rows, scenes), {}, {}};
-  CompareResult result{{}, made.reused, {}};
-  for (const ReplicatedRow& one : evidence.rows) result.rows.push_back(one.row);
+  const auto [made, reused] = carry_out(jobs, folder, executor, options, row_teller(jobs, scenes, options));
+  ComparisonEvidence evidence{reported_rows(made, scenes), {}, {}};
+  CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, reused, {}};
   evidence.fits = fit_runs(result.rows);
   evidence.distances = distances(result.rows, folder);
   result.verdict = verdict_of(evidence, scenes);
   write_ground(suites, folder);
-  if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(Json(evidence.distances)));
-  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(Json(evidence.fits)));
-  if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made.rows));
+  if (!evidence.distances.empty()) write_file(folder / "distributions.csv", csv_of(evidence.distances));
+  if (!evidence.fits.empty()) write_file(folder / "fits.csv", csv_of(evidence.fits));
+  if (std::ranges::any_of(jobs, is_replicated)) write_file(folder / "spread.csv", spread_csv(made));
   if (const auto ranking = rank_sets(evidence.rows); !ranking.empty())
     write_file(folder / "ranking.csv", ranking_csv(ranking));
-  write_file(folder / "comparison.csv", comparison_csv(result.rows));
+  write_file(folder / "comparison.csv", csv_of(result.rows));
   write_file(folder / "comparison.json",
              comparison_json(suites, result, evidence, options.command).dump(2) + "\n");
   return result;

@@ -1,16 +1,8 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/job.hpp"
-#include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
 
@@ -26,33 +18,9 @@ struct Progress {
   std::optional<double> remaining;
 };
 
-/// The text of a task, to be delivered. Tasks are numbered: the nominal runs of all jobs, then their
-/// replicates.
-std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
-                         std::size_t at_a_time);
-
-struct DoneTasks {
-  std::vector<RunWithReplicates> rows;  ///< one a job
-  std::size_t reused = 0;               ///< nominal runs that were there already
-};
-
-/// What is told of tasks as they are made, from one thread at a time.
-struct Listener {
-  std::function<void(const Progress&)> progress;
-  std::function<void(std::size_t job, const RunWithReplicates&)> row;  ///< of a job whose tasks are all there
-};
-
-/// Makes the tasks that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
-/// before its replicates, and tells how far it has come. Replicates of a run that has failed are not made.
-/// Precondition: executor.leads().
-DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                    const std::string& command, const Listener& listener);
-
-/// How runs are made, which changes no result but times.
+/// What results name as their command, and what is told while they are made.
 struct CompareOptions {
-  std::string command = {};  ///< written into the results
-  std::size_t jobs =
-      1;  ///< runs at a time, ≥ 1; with more than one, times are those of runs that share the machine
+  std::string command = {};                                                ///< written into the results
   std::function<void(const Progress&)> progress = [](const Progress&) {};  ///< from one thread at a time
   /// Likewise of an engine's row as soon as it is done, without its rank.
   std::function<void(const RunMetrics&)> row = [](const RunMetrics&) {};
@@ -60,6 +28,14 @@ struct CompareOptions {
   /// scene and step together, ranked.
   std::function<void(const std::vector<RunMetrics>&)> rows = [](const std::vector<RunMetrics>&) {};
 };
+
+/// Makes the tasks that FOLDER/runs does not have, scene by scene from coarse steps to fine ones, a run
+/// before its replicates, and tells how far it has come, and of each job whose tasks are all there its row,
+/// from one thread at a time. Replicates of a run that has failed are not made. Returns a row a job, and how
+/// many nominal runs were there already. Precondition: executor.leads().
+std::pair<std::vector<RunWithReplicates>, std::size_t> carry_out(
+    const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+    const CompareOptions& options, const std::function<void(std::size_t job, const RunWithReplicates&)>& row);
 
 struct CompareResult {
   std::vector<RunMetrics> rows;
@@ -77,17 +53,13 @@ void serve_comparison(Executor& executor, const std::function<std::vector<Suite>
                       const std::string& command);
 
 /// Runs suites and writes DIR/runs/, DIR/ground/ (where it moves), DIR/comparison.csv, DIR/comparison.json;
-/// where time steps were swept, DIR/fits.csv, where perturbed scenes are asked for,
-/// DIR/distributions.csv, where replicates are, DIR/spread.csv, and where a
-/// solver has several parameter sets, DIR/ranking.csv. Runs that are timed share the machine with as
-/// many others as the executor has at a time; replicates are not timed and use all of it. A run that fails
-/// costs its own row. A run that is in the folder, done and of the same identity, is not made again, nor are
-/// its replicates. The folder must be there (files.hpp).
+/// where time steps were swept, DIR/fits.csv, where perturbed scenes are asked for, DIR/distributions.csv,
+/// where replicates are, DIR/spread.csv, and where a solver has several parameter sets, DIR/ranking.csv. Runs
+/// that are timed share the machine with as many others as the executor has at a time; replicates are not
+/// timed and use all of it. A run that fails costs its own row. A run that is in the folder, done and of the
+/// same identity, is not made again, nor are its replicates. The folder must be there (files.hpp).
 /// @throws InputError as require_comparable(); std::runtime_error where a file cannot be written.
-CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
-                      const CompareOptions& options);
-
-/// The same by an executor of any kind, whatever options.jobs. Precondition: executor.leads().
+/// Precondition: executor.leads().
 CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::path& folder,
                       Executor& executor, const CompareOptions& options);
 

@@ -9,6 +9,19 @@
 namespace rockstack {
 namespace {
 
+/// Found where it is first asked for. Keeps references to the suite and the scene.
+std::shared_future<double> horizon_of(const Suite& suite, const NamedScene& scene) {
+  return std::async(std::launch::deferred, [&suite, &scene] {
+    Replicates replicates = suite.replicates;
+    replicates.runs = horizon_scenes;
+    try {
+      return predictable_time(scene.scene, replicates, suite.tolerance);
+    } catch (const std::exception&) {
+      return scene.scene.duration;
+    }
+  });
+}
+
 /// How many samples files keep: of those that lie between, none.
 double samples_of(const Job& job) {
   const double interval = job.series != nullptr ? job.dt : sample_interval;
@@ -47,12 +60,8 @@ double record_bytes(const Job& job) {
 
 }  // namespace
 
-bool is_baseline(const Job& job) {
-  return job.variant != nullptr && job.variant->choice == Variant::Choice::rk4;
-}
-
-bool is_measured(const Job& job) {
-  return job.variant != nullptr && job.variant->choice == Variant::Choice::measured;
+bool has_choice(const Job& job, Variant::Choice choice) {
+  return job.variant != nullptr && job.variant->choice == choice;
 }
 
 double horizon_of(const Job& job) {
@@ -78,7 +87,7 @@ RunMetrics describe(const Job& job) {
     row.settings = job.series->settings;
     row.run =
         folder_name(fmt::format("{}.{}-{}-{}-{}", row.scene, row.engine, row.solver, row.settings, job.dt));
-  } else if (is_baseline(job)) {
+  } else if (has_choice(job, Variant::Choice::rk4)) {
     row.dt = job.dt;
     row.engine = job.variant->name();
     row.solver = "runge-kutta";
@@ -86,7 +95,7 @@ RunMetrics describe(const Job& job) {
     row.run = fmt::format("{}.{}-{}", row.scene, row.engine, job.dt);
   } else {
     row.engine = job.variant != nullptr ? job.variant->name() : "exact";
-    row.solver = is_measured(job) ? "" : "taylor";
+    row.solver = has_choice(job, Variant::Choice::measured) ? "" : "taylor";
     row.run = row.scene + "." + row.engine;
   }
   return row;
@@ -103,22 +112,10 @@ double predictable_time(const Scene& scene, const Replicates& replicates, double
   return time;
 }
 
-std::shared_future<double> horizon_of(const Suite& suite, const NamedScene& scene) {
-  return std::async(std::launch::deferred, [&suite, &scene] {
-    Replicates replicates = suite.replicates;
-    replicates.runs = horizon_scenes;
-    try {
-      return predictable_time(scene.scene, replicates, suite.tolerance);
-    } catch (const std::exception&) {
-      return scene.scene.duration;
-    }
-  });
-}
-
 std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
   static const Variant measured{Variant::Choice::measured};
   std::vector<Job> jobs;
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
       const auto horizon = horizon_of(suite, scene);
       jobs.push_back({suite, scene, {}, nullptr, nullptr, horizon});
@@ -129,7 +126,6 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
       for (const EngineSeries& series : suite.series)
         for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series, nullptr, horizon});
     }
-  }
   return jobs;
 }
 

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <future>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"
 
@@ -26,11 +20,6 @@ double predictable_time(const Scene& scene, const Replicates& replicates, double
 /// but as many whatever its number of replicates, so that a scene has one horizon.
 inline constexpr int horizon_scenes = 21;
 
-/// Up to when histories of a suite's scene can be compared, s: predictable_time(), found where it is first
-/// asked for; the duration where the exact motion cannot be found. Keeps references to the suite and the
-/// scene.
-std::shared_future<double> horizon_of(const Suite& suite, const NamedScene& scene);
-
 /// One run to be made: of a series at one step, of a variant, or with neither the exact one that all others
 /// are compared with.
 struct Job {
@@ -39,16 +28,14 @@ struct Job {
   double dt;  ///< of a series or of the variant rk4, s
   const EngineSeries* series = nullptr;
   const Variant* variant = nullptr;
-  std::shared_future<double> horizon = {};  ///< of the scene, one for all its jobs; none: its duration
+  std::shared_future<double> horizon =
+      {};  ///< predictable_time(), one for all jobs of a scene; none: its duration
 };
 
-/// True for the variant with Runge–Kutta steps, the one that has a time step.
-bool is_baseline(const Job& job);
+/// True for the variant of that choice: of rk4, which has a time step, or of what a test has measured.
+bool has_choice(const Job& job, Variant::Choice choice);
 
-/// True for the variant that a test has measured.
-bool is_measured(const Job& job);
-
-/// Up to when the job's histories are compared, s.
+/// Up to when the job's histories are compared, s; the duration where the exact motion cannot be found.
 double horizon_of(const Job& job);
 
 /// The replicates behind the job's numbers: as many of its suite's as may be made at its step.
@@ -94,11 +81,8 @@ std::string identity(const Job& job);
 /// The same of a run's replicates.
 std::string replicates_identity(const Job& job);
 
-/// Names and checksums of files, in hexadecimal.
-using Checksums = std::map<std::string, std::string>;
-
-/// Of all files of a run but its summary, which keeps them.
-Checksums checksums(const RunFiles& files);
+/// Checksums, in hexadecimal, of all files of a run by their names, but of its summary, which keeps them.
+std::map<std::string, std::string> checksums(const RunFiles& files);
 
 /// The row of a run that is done, of that identity, and whose files are all there as they were written; or
 /// nothing. Files beside those, such as its replicates, do not count.

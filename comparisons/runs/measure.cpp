@@ -6,7 +6,6 @@
 #include "analytic/scene/input/page_scene.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/histories.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
@@ -121,8 +120,7 @@ void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)
     }
   }
   if (tallies.empty()) return;
-  const auto blocks = static_cast<int>(job.scene.scene.blocks.size());
-  files["perturbed.csv"] = tallies_csv(tallies, blocks);
+  files["perturbed.csv"] = tallies_csv(tallies, static_cast<int>(job.scene.scene.blocks.size()));
 }
 
 /// The exact solver's run, or that of a variant of it, which is compared with it.
@@ -132,7 +130,7 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
   };
   const Scene scene = as_run(job.scene.scene);
   SolveOptions timed;
-  if (is_baseline(job)) timed = {.integrator = Integrator::rk4, .step = job.dt};
+  if (has_choice(job, Variant::Choice::rk4)) timed = {.integrator = Integrator::rk4, .step = job.dt};
   SolveOptions options = timed;
   options.sample_times = regular_times(sample_interval, scene.duration);
   options.validity = true;
@@ -218,7 +216,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene, history);
-  if (bodies) row.fallen = fallen_block(bodies->unsupported_since);
+  if (bodies) row.fallen = support_of(bodies->penetration, bodies->unsupported_since).fallen;
   compare_with_exact(scene, job.suite,
                      {history, dt, observed_impacts(history, chatter_speed(scene)),
                       !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
@@ -233,7 +231,9 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time) {
   RunMetrics row = describe(job);
   row.runs_at_a_time = static_cast<int>(runs_at_a_time);
-  const auto make = job.series != nullptr ? run_engine : is_measured(job) ? run_measured : run_solver;
+  const auto make = job.series != nullptr                        ? run_engine
+                    : has_choice(job, Variant::Choice::measured) ? run_measured
+                                                                 : run_solver;
   RunFiles files;
   Json json;
   try {
@@ -274,8 +274,8 @@ BranchTree solve_branches_into(const SolveJob& job, std::size_t most) {
   return tree;
 }
 
-SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                              const std::filesystem::path& folder, const std::string& command) {
+std::pair<History, Support> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                                          const std::filesystem::path& folder, const std::string& command) {
   auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters, {}, true);
   const Support support = support_of(bodies->penetration, bodies->unsupported_since);
   RunMetrics row = describe({{}, scene, dt, &series});

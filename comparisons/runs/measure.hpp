@@ -1,20 +1,9 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "analytic/branches.hpp"
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/solve_options.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/metrics/motion_verdict.hpp"
-#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/runs/job.hpp"
-#include "comparisons/suites/suite.hpp"
-#include "engines/body_record.hpp"
 
 namespace rockstack {
 
@@ -42,21 +31,18 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
 void compare_with_test(const Job& job, const Scene& scene, const History& history,
                        const std::optional<BodyRecord>& bodies, RunMetrics& row, RunFiles& files);
 
-/// The most steps that a compliant motion beside an engine's run takes, about.
-inline constexpr double most_spring_steps = 1e5;
-
 /// The scene's exact motion on springs.
 struct SoftMotion {
   History history;    ///< of an extrapolation angles alone
   double factor = 1;  ///< by which springs are softer than asked for, spring_factor()
 };
 
-/// Where that motion would take more steps, angles are extrapolated from springs softer by that factor and by
-/// twice as much, as if in proportion to it. What that leaves is a tenth to a fifth of what softer springs
-/// are off, measured in one scene (comparisons/README.md).
+/// Where that motion would take more than about `most_steps`, angles are extrapolated from springs softer by
+/// that factor and by twice as much, as if in proportion to it. What that leaves is a tenth to a fifth of
+/// what softer springs are off, measured in one scene (comparisons/README.md).
 /// @throws as solve().
 SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, CornerSpring spring,
-                       const std::vector<double>& times, double most_steps = most_spring_steps);
+                       const std::vector<double>& times, double most_steps = 1e5);
 
 /// Splits the difference of an engine's motion from the exact one, at its own times, into contact model,
 /// softness and step: solves the scene on rigid contacts and on springs as well. Fills in the columns of the
@@ -81,7 +67,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
 struct SolveJob {
   const NamedScene& scene;
   const SolveOptions& options;
-  const std::vector<std::string>& histories;  ///< kinds to be kept (results/histories.hpp)
+  const std::vector<std::string>& histories;  ///< kinds to be kept (results/tables.hpp)
   const std::filesystem::path& folder;
   const std::string& command;
 };
@@ -95,15 +81,10 @@ History solve_into(const SolveJob& job);
 /// branches.csv, branches_json() as a table. @throws as solve_branches().
 BranchTree solve_branches_into(const SolveJob& job, std::size_t most);
 
-/// An engine's motion, and how its blocks end on what they stand on.
-struct SimulatedMotion {
-  History history;
-  Support support;
-};
-
 /// Runs one engine and writes the same files, with patterns as its angles tell them (sampled_patterns());
-/// an engine reports no events, so events.csv has its header alone.
-SimulatedMotion simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                              const std::filesystem::path& folder, const std::string& command);
+/// an engine reports no events, so events.csv has its header alone. Returns how its blocks end on what they
+/// stand on as well.
+std::pair<History, Support> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                                          const std::filesystem::path& folder, const std::string& command);
 
 }  // namespace rockstack

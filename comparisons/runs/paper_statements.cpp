@@ -8,7 +8,6 @@
 namespace rockstack {
 namespace {
 
-constexpr double usual_step = 1e-3;  ///< near which engines are asked, s
 constexpr std::size_t base = 0;
 constexpr std::size_t top = 1;
 
@@ -16,18 +15,11 @@ Verdict verdict(bool holds) {
   return holds ? Verdict::holds : Verdict::fails;
 }
 
-/// "exact 1.0, bullet 1.1, ode 1.2" for a number, or a text, of each answer.
-template <class Value>
-std::string each(const std::vector<Answer>& answers, const Value& value) {
-  std::string list;
-  for (const auto& [name, history] : answers) {
-    list += fmt::format("{}{} ", list.empty() ? "" : ", ", name);
-    if constexpr (std::is_arithmetic_v<decltype(value(history))>)
-      list += fmt::format("{:.4g}", static_cast<double>(value(history)));
-    else
-      list += value(history);
-  }
-  return list;
+/// "exact 1.0, bullet 1.1, ode 1.2" for a number of each answer.
+std::string each(const std::vector<Answer>& answers, const std::function<double(const History&)>& value) {
+  return text_of_each(
+      answers, [&](const Answer& one) { return fmt::format("{} {:.4g}", one.name, value(one.history)); },
+      ", ");
 }
 
 bool lands(const Event& event) {
@@ -117,16 +109,15 @@ Statement amplitudes(const Evidence& evidence) {
   const auto list = swings(evidence.free_exact(), top);
   bool falls = list.size() > 4 && list[1].peak > list[0].peak;
   for (std::size_t i = 2; i < 5 && falls; ++i) falls = list[i].peak < list[i - 1].peak;
-  const auto first_four = [](const History& history) {
-    std::vector<double> peaks;
-    for (const Swing& swing : swings(history, top))
-      if (peaks.size() < 4) peaks.push_back(swing.peak);
-    return fmt::format("{:.4f}", fmt::join(peaks, " "));
+  const auto first_four = [](const Answer& answer) {
+    std::vector<double> peaks = each_of(swings(answer.history, top), &Swing::peak);
+    peaks.resize(std::min<std::size_t>(peaks.size(), 4));
+    return fmt::format("{} {:.4f}", answer.name, fmt::join(peaks, " "));
   };
   return {
       "Fig. 18", "The top block's swings get smaller, except the second.", verdict(falls),
       "the second peak is larger than the first, each later one (to the fifth) smaller than the one before",
-      fmt::format("first four peaks, rad: {}", each(evidence.free_answers, first_four))};
+      fmt::format("first four peaks, rad: {}", text_of_each(evidence.free_answers, first_four, ", "))};
 }
 
 Statement angle_at_one_second(const Evidence& evidence) {
@@ -224,6 +215,7 @@ Statement ends_before_the_record(const Evidence& evidence) {
 }
 
 std::vector<Answer> answers(const Suite& suite, const Scene& scene) {
+  constexpr double usual_step = 1e-3;  // near which engines are asked, s
   std::vector<Answer> list{{"exact", solve(scene, {.sample_times = regular_times(1e-4, scene.duration)})}};
   for (const EngineSeries& series : suite.series) {
     if (series.settings != "tuned") continue;
@@ -263,8 +255,8 @@ std::string name(Verdict verdict) {
 
 Evidence gather(const Suite& suite) {
   Evidence evidence;
-  evidence.free = find_scene(suite.scenes, suite.statements->free).scene;
-  evidence.shaken = find_scene(suite.scenes, suite.statements->shaken).scene;
+  evidence.free = part_named(suite.scenes, suite.statements->free).scene;
+  evidence.shaken = part_named(suite.scenes, suite.statements->shaken).scene;
   evidence.shaken.duration = std::max(evidence.shaken.duration, evidence.shaken.horizontal.end());
   evidence.free_answers = answers(suite, evidence.free);
   evidence.shaken_answers = answers(suite, evidence.shaken);

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {

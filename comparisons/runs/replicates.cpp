@@ -14,31 +14,19 @@
 namespace rockstack {
 namespace {
 
-/// What replicates are asked for of a suite: no sample is kept.
-Suite without_histories(const Suite& suite) {
+/// What replicates are asked for of a job's suite: no sample is kept.
+Suite without_histories(const Job& job) {
   Suite lean;
-  lean.tolerance = suite.tolerance;
-  lean.wanted = suite.wanted;
+  lean.tolerance = job.suite.tolerance;
+  lean.wanted = job.suite.wanted;
   lean.wanted.histories = false;
-  lean.softness = suite.softness;
-  lean.limits = suite.limits;
-  lean.replicates = suite.replicates;
+  lean.softness = job.suite.softness;
+  lean.limits = job.suite.limits;
+  lean.replicates = replicates_of(job);
   return lean;
 }
 
-/// The angles of a motion at rising times, row by row, up to where it ends.
-std::vector<double> angles_at_times(const History& motion, const std::vector<double>& times) {
-  std::vector<double> angles;
-  if (motion.size() < 2) return angles;
-  for (const double time : times) {
-    if (time > motion.times.back()) break;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(motion.blocks); ++k)
-      angles.push_back(angle_at(motion, k, time));
-  }
-  return angles;
-}
-
-/// One replicate; `angles` are those of angles_at_times().
+/// One replicate; `angles` are those at rising times, row by row, up to where its motion ends.
 RunMetrics make_replicate(const Job& job, int number, const std::vector<double>& times,
                           std::vector<double>& angles) {
   const Replicates& replicates = job.suite.replicates;
@@ -48,7 +36,9 @@ RunMetrics make_replicate(const Job& job, int number, const std::vector<double>&
     History motion;
     row = engine_metrics(job, replicate_scene(job.scene.scene, replicates, number),
                          replicate_step(job.dt, replicates, number), 0, files, &motion);
-    angles = angles_at_times(motion, times);
+    for (std::size_t i = 0; motion.size() > 1 && i < times.size() && times[i] <= motion.times.back(); ++i)
+      for (std::size_t k = 0; k < job.scene.scene.blocks.size(); ++k)
+        angles.push_back(angle_at(motion, k, times[i]));
   } catch (const std::exception& failure) {
     row = describe(job);
     row.status = RunStatus::failed;
@@ -58,16 +48,22 @@ RunMetrics make_replicate(const Job& job, int number, const std::vector<double>&
   return row;
 }
 
-std::vector<double> values_of(const Column& column, const RunMetrics& nominal,
-                              const std::vector<RunMetrics>& replicates) {
-  std::vector<double> values;
-  const auto add = [&](const RunMetrics& row) {
-    if (row.status != RunStatus::done) return;
-    if (const Json cell = column.cell(row); cell.is_number()) values.push_back(cell.get<double>());
-  };
-  add(nominal);
-  std::ranges::for_each(replicates, add);
-  return values;
+/// The numbers of each column that is a median over replicates, where there are some.
+std::vector<std::pair<const Column&, std::vector<double>>> values_of(
+    const RunMetrics& nominal, const std::vector<RunMetrics>& replicates) {
+  std::vector<std::pair<const Column&, std::vector<double>>> list;
+  for (const Column& column : columns()) {
+    if (!column.replicated) continue;
+    std::vector<double> values;
+    const auto add = [&](const RunMetrics& row) {
+      if (row.status != RunStatus::done) return;
+      if (const Json cell = column.cell(row); cell.is_number()) values.push_back(cell.get<double>());
+    };
+    add(nominal);
+    std::ranges::for_each(replicates, add);
+    if (!values.empty()) list.emplace_back(column, std::move(values));
+  }
+  return list;
 }
 
 constexpr double lower = 0.25, upper = 0.75;
@@ -78,9 +74,7 @@ std::string band_csv(const std::vector<double>& times, std::size_t blocks,
   std::erase_if(motions, [](const auto& angles) { return angles.empty(); });
   if (motions.empty()) return "";
   CsvWriter csv;
-  csv.add("time");
-  for (std::size_t k = 1; k <= blocks; ++k) csv.add(fmt::format("lower_{}", k), fmt::format("upper_{}", k));
-  csv.end_line();
+  csv.line("time", numbered_in_turn({"lower_", "upper_"}, static_cast<int>(blocks)));
   const auto shortest = std::ranges::min_element(motions, {}, &std::vector<double>::size);
   for (std::size_t i = 0; i < shortest->size() / blocks; ++i) {
     csv.add(fmt::format("{:.7g}", times[i]));
@@ -100,8 +94,7 @@ bool is_replicated(const Job& job) {
 }
 
 MadeReplicates make_replicates(const Job& job, std::size_t threads) {
-  Suite suite = without_histories(job.suite);
-  suite.replicates = replicates_of(job);
+  const Suite suite = without_histories(job);
   const Job lean{suite, job.scene, job.dt, job.series, nullptr, job.horizon};
   std::vector<RunMetrics> rows(static_cast<std::size_t>(suite.replicates.runs) - 1);
   std::vector<std::size_t> parts(rows.size());
@@ -136,9 +129,7 @@ std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text
     const Json json = parse_json(text, "draws: ");
     if (json.at("identity") != identity) return {};
     return json.at("draws").get<std::vector<RunMetrics>>();
-  } catch (const InputError&) {
-    return {};
-  } catch (const Json::exception&) {
+  } catch (const std::exception&) {
     return {};
   }
 }
@@ -148,28 +139,26 @@ void write_replicates(const std::string& packed, const RunMetrics& nominal,
   Json json = parse_json(packed, "draws: ");
   auto rows = json.at("draws").get<std::vector<RunMetrics>>();
   rows.insert(rows.begin(), nominal);
-  write_file(folder / "draws.csv", comparison_csv(rows));
+  write_file(folder / "draws.csv", csv_of(rows));
   if (const std::string band = json.at("band"); !band.empty()) write_file(folder / "band.csv", band);
   json.erase("band");
   write_file(folder / "draws.json", json.dump() + "\n");
 }
 
 void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
-  const RunMetrics first = nominal;
   const auto count = [&](const auto& counts) {
     return static_cast<int>(std::ranges::count_if(replicates, counts));
   };
   nominal.draws = static_cast<int>(replicates.size()) + 1;
   nominal.draws_failed = count([](const RunMetrics& row) { return row.status != RunStatus::done; });
-  nominal.draws_other_verdict = (differ(first.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
+  nominal.draws_other_verdict = (differ(nominal.toppling_verdict) ? 1 : 0) + count([](const RunMetrics& row) {
                                   return row.status == RunStatus::done && differ(row.toppling_verdict);
                                 });
-  for (const Column& column : columns()) {
-    if (!column.replicated) continue;
-    const std::vector<double> values = values_of(column, first, replicates);
-    if (values.empty()) continue;
+  for (const auto& [column, values] : values_of(nominal, replicates)) {
     column.set(nominal, median(values));
-    column.set_quartiles(nominal, quantile(values, lower), quantile(values, upper));
+    if (!column.quartiles) continue;
+    column_named(column.name + "_lower").set(nominal, quantile(values, lower));
+    column_named(column.name + "_upper").set(nominal, quantile(values, upper));
   }
 }
 
@@ -178,13 +167,9 @@ std::string spread_csv(const std::vector<RunWithReplicates>& rows) {
   csv.line("run", "quantity", "draws", "least", "lower_quartile", "median", "upper_quartile", "greatest");
   for (const auto& [nominal, replicates] : rows) {
     if (replicates.empty()) continue;
-    for (const Column& column : columns()) {
-      if (!column.replicated) continue;
-      const std::vector<double> values = values_of(column, nominal, replicates);
-      if (values.empty()) continue;
+    for (const auto& [column, values] : values_of(nominal, replicates))
       csv.line(nominal.run, column.name, values.size(), quantile(values, 0), quantile(values, lower),
                median(values), quantile(values, upper), quantile(values, 1));
-    }
   }
   return csv.text();
 }

@@ -45,46 +45,29 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
 
 // All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit. Members
 // are bound by their number, so that a struct with another one does not compile until it counts here.
-template <class... Fields>
-Json list_of(const Fields&... fields) {
-  Json list = Json::array();
-  (list.push_back(fields), ...);
-  return list;
-}
-
-Json fields_of(const Block& block) {
-  const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
-  return list_of(half_width, half_height, mass, inertia, offset_x, offset_y);
-}
-
-Json fields_of(const Pulse& pulse) {
-  const auto& [shape, amplitude, period, start, cycles, phase] = pulse;
-  return list_of(shape, amplitude, period, start, cycles, phase);
-}
-
-Json fields_of(const InitialState& initial) {
-  const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
-  return list_of(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities);
-}
-
-Json fields_of(const CornerSprings& springs) {
-  const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
-  return list_of(stiffness, damping, bed_stiffness, bed_damping, tangential);
-}
-
 Json fields_of(const GroundMotion& motion) {
   const auto& [interval, samples, source, made_up, pulse] = motion;
-  return list_of(interval, samples, source, made_up, pulse ? fields_of(*pulse) : Json());
+  if (!pulse) return std::tuple(interval, samples, source, made_up, Json());
+  const auto& [shape, amplitude, period, start, cycles, phase] = *pulse;
+  return std::tuple(interval, samples, source, made_up,
+                    std::tuple(shape, amplitude, period, start, cycles, phase));
 }
 
 Json fields_of(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
                point_restitution, restitution_law, springs, initial, horizontal, vertical, engine] = scene;
+  const Json each = each_of(blocks, [](const Block& block) -> Json {
+    const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
+    return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
+  });
+  const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
+  const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
   const auto& [engine_friction, depth] = engine;
-  const Json each = each_of(blocks, [](const Block& block) { return fields_of(block); });
-  return list_of(title, duration, gravity, inclination, law, equations, restitution, each, friction,
-                 point_restitution, restitution_law, fields_of(springs), fields_of(initial),
-                 fields_of(horizontal), fields_of(vertical), engine_friction, depth);
+  return std::tuple(title, duration, gravity, inclination, law, equations, restitution, each, friction,
+                    point_restitution, restitution_law,
+                    std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential),
+                    std::tuple(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities),
+                    fields_of(horizontal), fields_of(vertical), engine_friction, depth);
 }
 
 /// Infinity has no form in JSON.
@@ -104,10 +87,9 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 void thin_histories(RunFiles& files, double interval) {
   if (interval == 0) return;
-  for (const char* name : {"history.csv", "difference.csv", "energy.csv", "reactions.csv", "parts.csv"}) {
+  for (const char* name : {"history.csv", "difference.csv", "energy.csv", "reactions.csv", "parts.csv"})
     if (const auto file = files.find(name); file != files.end())
       file->second = thinned(file->second, interval);
-  }
 }
 
 void write_files(const RunFiles& files, const std::filesystem::path& folder) {
@@ -155,8 +137,8 @@ std::string replicates_identity(const Job& job) {
                                                      replicates.steps, replicates.scene, replicates.seed)));
 }
 
-Checksums checksums(const RunFiles& files) {
-  Checksums sums;
+std::map<std::string, std::string> checksums(const RunFiles& files) {
+  std::map<std::string, std::string> sums;
   for (const auto& [name, text] : files)
     if (name != summary_name) sums[name] = fmt::format("{:016x}", checksum(text));
   return sums;
@@ -166,7 +148,7 @@ std::optional<RunMetrics> finished_run(const std::filesystem::path& run_folder, 
   const auto whole = [&](const Json& summary) -> std::optional<RunMetrics> {
     const auto row = summary.get<RunMetrics>();
     if (row.status != RunStatus::done || summary.at("identity") != identity) return {};
-    for (const auto& [name, sum] : summary.at("files").get<Checksums>())
+    for (const auto& [name, sum] : summary.at("files").get<std::map<std::string, std::string>>())
       if (fmt::format("{:016x}", checksum(bytes_of(run_folder / name))) != sum) return {};
     return row;
   };

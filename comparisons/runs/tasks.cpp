@@ -8,7 +8,8 @@
 namespace rockstack {
 namespace {
 
-/// What is computed in one go: the nominal run of a job, or all its replicates.
+/// What is computed in one go: the nominal run of a job, or all its replicates. Tasks are numbered: the
+/// nominal runs of all jobs, then their replicates.
 struct Task {
   std::size_t job;
   bool replicates;
@@ -41,7 +42,7 @@ std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
     return std::pair(scenes.at(job.scene.name),
                      job.series == nullptr ? -std::numeric_limits<double>::infinity() : -job.dt);
   };
-  std::ranges::stable_sort(sorted, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::ranges::stable_sort(sorted, {}, key);
   std::vector<std::size_t> tasks;
   for (const std::size_t job : sorted) {
     tasks.push_back(job);
@@ -50,7 +51,6 @@ std::vector<std::size_t> order_of(const std::vector<Job>& jobs) {
   return tasks;
 }
 
-/// Counts tasks, and the work that is left.
 class ProgressCounter {
  public:
   ProgressCounter(std::size_t tasks, double work, const std::function<void(const Progress&)>& tell)
@@ -153,8 +153,7 @@ class Runs {
   std::map<std::size_t, std::string> texts_;  ///< replicates that came before their nominal run
 };
 
-}  // namespace
-
+/// The text of a task, to be delivered.
 std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const std::string& command,
                          std::size_t at_a_time) {
   const Task task = task_of(number, jobs.size());
@@ -164,17 +163,34 @@ std::string compute_task(const std::vector<Job>& jobs, std::size_t number, const
   return pack_replicates(make_replicates(job, threads), replicates_identity(job));
 }
 
-DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
-                    const std::string& command, const Listener& listener) {
+}  // namespace
+
+void serve_comparison(Executor& executor, const std::function<std::vector<Suite>()>& suites,
+                      const std::string& command) {
+  std::vector<Suite> read;
+  std::vector<Job> jobs;
+  executor.serve([&](std::size_t task) {
+    if (jobs.empty()) {
+      read = suites();
+      jobs = jobs_of(read);
+    }
+    return compute_task(jobs, task, command, executor.count());
+  });
+}
+
+std::pair<std::vector<RunWithReplicates>, std::size_t> carry_out(
+    const std::vector<Job>& jobs, const std::filesystem::path& folder, Executor& executor,
+    const CompareOptions& options,
+    const std::function<void(std::size_t job, const RunWithReplicates&)>& row) {
   Runs runs(jobs, folder);
   const std::vector<std::size_t> order = order_of(jobs);
   double work = 0;
   for (const std::size_t i : order) work += expected_work(jobs, i);
-  ProgressCounter progress(order.size(), work, listener.progress);
+  ProgressCounter progress(order.size(), work, options.progress);
   const auto finish = [&](std::size_t task, bool made) {
     progress.finish(runs.name(task), expected_work(jobs, task), made);
     const std::size_t job = task_of(task, jobs.size()).job;
-    if (runs.finish_task(job)) listener.row(job, runs.rows()[job]);
+    if (runs.finish_task(job)) row(job, runs.rows()[job]);
   };
   std::vector<std::size_t> tasks;
   std::size_t reused = 0;
@@ -186,7 +202,9 @@ DoneTasks carry_out(const std::vector<Job>& jobs, const std::filesystem::path& f
     if (i < jobs.size()) ++reused;
     finish(i, false);
   }
-  const auto compute = [&](std::size_t i) { return compute_task(jobs, i, command, executor.count()); };
+  const auto compute = [&](std::size_t i) {
+    return compute_task(jobs, i, options.command, executor.count());
+  };
   const auto deliver = [&](std::size_t i, const std::string& text) {
     runs.deliver(i, text);
     finish(i, true);

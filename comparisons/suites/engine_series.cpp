@@ -10,27 +10,19 @@
 namespace rockstack {
 namespace {
 
-bool left_out(const std::string& name) {
-  const auto missing = engines_left_out();
-  return std::ranges::any_of(
-      missing, [&](const std::string& engine) { return name == engine || name.starts_with(engine + ":"); });
-}
-
 std::vector<double> read_steps(const Node& table) {
   const Node* node = find(table, "dt");
-  if (node == nullptr) return default_steps();
-  for (const Node& child : entries(*node, "an array of at least one step > 0, s"))
-    if (!(number(child) > 0)) throw wrong_value(child, "a number > 0");
+  if (node == nullptr) return default_steps;
+  for (const Node& child : entries(*node, "an array of at least one step > 0, s")) number_above_zero(child);
   return numbers(*node);
 }
 
 std::vector<std::string> read_settings(const Node& table) {
   const Node* node = find(table, "settings");
   if (node == nullptr) return {"default", "tuned"};
-  std::vector<std::string> settings;
-  for (const Node& child : entries(*node, "an array of \"default\" and \"tuned\""))
-    settings.push_back(choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}}));
-  return settings;
+  return each_of(entries(*node, "an array of \"default\" and \"tuned\""), [](const Node& child) {
+    return choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}});
+  });
 }
 
 const WorkerEngine& read_engine(const Node& table, const std::filesystem::path& folder) {
@@ -87,8 +79,11 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
 
 std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::path& folder) {
   require_table(table, engine_keys);
-  const Node* name = find(table, "name");
-  if (find(table, "worker") == nullptr && name != nullptr && left_out(text(*name))) return {};
+  if (const Node* name = find(table, "name"); name != nullptr && find(table, "worker") == nullptr) {
+    const std::string& asked = text(*name);
+    for (const std::string& left_out : engines_left_out())
+      if (asked == left_out || asked.starts_with(left_out + ":")) return {};
+  }
   const WorkerEngine& engine = read_engine(table, folder);
   std::vector<EngineSeries> list;
   for (const std::string& settings : read_settings(table))
@@ -97,19 +92,7 @@ std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::
   return list;
 }
 
-/// A value as a suite may give it.
-std::string value_text(const WorkerEngine& engine, const std::string& name, double value) {
-  for (const Setting& setting : engine.settings)
-    if (setting.name == name && !setting.choices.empty())
-      return setting.choices[static_cast<std::size_t>(value)];
-  return fmt::format("{}", value);
-}
-
 }  // namespace
-
-std::vector<double> default_steps() {
-  return {1e-2, 1e-3, 1e-4};
-}
 
 EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
                          const Parameters& changes) {
@@ -119,7 +102,10 @@ EngineSeries make_series(const WorkerEngine& engine, const std::string& settings
   for (const auto& [name, value] : changes) {
     check_value(engine.name, engine.settings, name, value);
     series.parameters[name] = value;
-    series.settings += fmt::format("+{}={}", name, value_text(engine, name, value));
+    const std::vector<std::string>& choices = find_setting(engine.name, engine.settings, name).choices;
+    series.settings +=
+        fmt::format("+{}={}", name,
+                    choices.empty() ? fmt::format("{}", value) : choices[static_cast<std::size_t>(value)]);
   }
   return series;
 }
@@ -148,7 +134,7 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
   const Node* engines = find(root, "engines");
   if (engines == nullptr) return list;
   std::set<std::tuple<std::string, std::string, std::string, double>> runs;
-  for (const Node& table : entries(*engines, "an array of tables")) {
+  for (const Node& table : entries(*engines, "an array of tables"))
     for (EngineSeries& series : read_series(table, folder)) {
       for (const double dt : series.steps)
         if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
@@ -157,7 +143,6 @@ std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::
                                        dt));
       list.push_back(std::move(series));
     }
-  }
   return list;
 }
 

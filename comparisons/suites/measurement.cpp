@@ -3,7 +3,6 @@
 #include <numbers>
 #include <tuple>
 
-#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {

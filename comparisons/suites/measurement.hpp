@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/input/fields.hpp"

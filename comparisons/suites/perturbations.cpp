@@ -6,18 +6,6 @@
 #include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
-namespace {
-
-void scale(GroundMotion& motion, double factor) {
-  for (double& sample : motion.samples) sample *= factor;
-  if (motion.pulse) motion.pulse->amplitude *= factor;
-}
-
-void scale(std::vector<double>& values, double factor) {
-  for (double& value : values) value *= factor;
-}
-
-}  // namespace
 
 Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run) {
   std::uint32_t key = 0;
@@ -31,13 +19,15 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
     block.half_height *= next_factor();
   }
   const double start = next_factor();
-  scale(result.initial.angles, start);
-  scale(result.initial.velocities, start);
-  scale(result.initial.slip_velocities, start);
-  scale(result.initial.gaps, start);
-  scale(result.initial.gap_velocities, start);
-  scale(result.horizontal, next_factor());
-  scale(result.vertical, next_factor());
+  InitialState& initial = result.initial;
+  for (std::vector<double>* values : {&initial.angles, &initial.velocities, &initial.slip_velocities,
+                                      &initial.gaps, &initial.gap_velocities})
+    for (double& value : *values) value *= start;
+  for (GroundMotion* motion : {&result.horizontal, &result.vertical}) {
+    const double factor = next_factor();
+    for (double& sample : motion->samples) sample *= factor;
+    if (motion->pulse) motion->pulse->amplitude *= factor;
+  }
   return result;
 }
 
@@ -66,11 +56,9 @@ Perturbations read_perturbations(const Node& table) {
 Replicates read_replicates(const Node& table) {
   require_table(table, replicates_keys);
   const auto share = [&](const char* key, double& value, double most) {
-    const Node* node = find(table, key);
-    if (node == nullptr) return;
-    if (!(number(*node) >= 0 && node->number <= most))
-      throw wrong_value(*node, fmt::format("a number from 0 to {}", most));
-    value = node->number;
+    value = number_or(table, key, value);
+    if (!(value >= 0 && value <= most))
+      throw wrong_value(*find(table, key), fmt::format("a number from 0 to {}", most));
   };
   Replicates replicates;
   replicates.runs =

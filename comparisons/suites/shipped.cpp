@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <system_error>
 
 #include "analytic/scene/input/fields.hpp"
@@ -23,26 +22,16 @@ std::vector<std::string> shipped_names(const std::string& kind) {
   return names;
 }
 
-namespace {
-
-/// A file of a kind, or of a folder in it, such as scenes/canon.
-std::filesystem::path shipped_file(const std::string& kind, const std::string& name) {
-  std::error_code ignored;  // a link may lead in a circle
-  std::filesystem::path file = shipped(kind) / name;
-  if (std::filesystem::exists(file, ignored)) return file;
-  for (const auto& entry : std::filesystem::directory_iterator(shipped(kind), ignored))
-    if (std::filesystem::exists(entry.path() / name, ignored)) return entry.path() / name;
-  return file;
-}
-
-}  // namespace
-
 std::filesystem::path find_file(const std::string& input, const std::string& kind,
                                 const std::filesystem::path& folder) {
   std::error_code ignored;  // a link may lead in a circle
-  const auto own = shipped_file(kind, input + ".toml"), given = folder / input;
-  return !std::filesystem::is_regular_file(given, ignored) && std::filesystem::exists(own, ignored) ? own
-                                                                                                    : given;
+  const std::string name = input + ".toml";
+  std::filesystem::path given = folder / input, own = shipped(kind) / name;
+  if (std::filesystem::is_regular_file(given, ignored)) return given;
+  if (std::filesystem::exists(own, ignored)) return own;
+  for (const auto& entry : std::filesystem::directory_iterator(shipped(kind), ignored))  // as scenes/canon
+    if (std::filesystem::exists(entry.path() / name, ignored)) return entry.path() / name;
+  return given;
 }
 
 std::filesystem::path input_file(const std::string& input, const std::vector<std::string>& kinds) {

@@ -22,22 +22,13 @@ std::uint64_t mebibytes(const Node& node) {
 
 constexpr std::string_view friction_key = "friction=";
 
-/// Of a text that begins with friction_key.
-Variant read_friction(const Node& node) {
+Variant read_variant(const Node& node) {
+  if (node.kind != Node::Kind::text || !node.text.starts_with(friction_key))
+    return {choice<Variant::Choice>(node, {"linear", "nonlinear", "paper", "consistent", "unilateral"})};
   const auto friction = number_in(std::string_view(node.text).substr(friction_key.size()));
   if (!friction || !(*friction >= 0 && *friction <= largest_friction))
     throw wrong_value(node, fmt::format("{}MU with a number from 0 to {}", friction_key, largest_friction));
   return {Variant::Choice::friction, 0, *friction};
-}
-
-Variant read_variant(const Node& node) {
-  if (node.kind == Node::Kind::text && node.text.starts_with(friction_key)) return read_friction(node);
-  using enum Variant::Choice;
-  return {choice<Variant::Choice>(node, {{"linear", linear},
-                                         {"nonlinear", nonlinear},
-                                         {"paper", paper},
-                                         {"consistent", consistent},
-                                         {"unilateral", unilateral}})};
 }
 
 std::vector<Variant> read_variants(const Node& array) {
@@ -89,18 +80,18 @@ std::vector<const WorkerEngine*> engines_of_choice(const std::vector<std::string
 /// Changes of a scene, and what they add to its name and title.
 struct SceneChange {
   std::string name, title;
-  std::vector<std::string> overrides;
-  std::map<std::string, std::string> places = {};  ///< of those that the suite's file has
+  std::vector<std::pair<std::string, std::string>>
+      overrides;  ///< with the places of those in the suite's file
 };
 
 /// An error of one of them names where it stands in the suite.
 NamedScene read_changed_scene(const std::filesystem::path& file, const SceneChange& change) {
   try {
-    return read_named_scene(file, change.overrides);
+    return read_named_scene(file, each_of(change.overrides, [](const auto& one) { return one.first; }));
   } catch (const InputError& error) {
     const std::string message = error.what();
-    for (const auto& [text, place] : change.places)
-      if (const std::string named = "--set " + text + ": "; message.starts_with(named))
+    for (const auto& [text, place] : change.overrides)
+      if (const std::string named = "--set " + text + ": "; !place.empty() && message.starts_with(named))
         throw InputError(place + ": " + message.substr(named.size()));
     throw;
   }
@@ -121,8 +112,7 @@ std::vector<SceneChange> read_vary(const Node& root, SceneChange changes) {
         const std::string key = child.name.substr(child.name.rfind('.') + 1);
         change.name += fmt::format("-{}-{}", key, text);
         change.title += fmt::format(", {} {}", key, text);
-        change.overrides.push_back(child.name + "=" + text);
-        change.places[change.overrides.back()] = value.place;
+        change.overrides.emplace_back(child.name + "=" + text, value.place);
         extended.push_back(std::move(change));
       }
     }
@@ -174,10 +164,6 @@ std::string Variant::name() const {
   return names.at(static_cast<std::size_t>(choice));
 }
 
-const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name) {
-  return *std::ranges::find(scenes, name, &NamedScene::name);
-}
-
 std::vector<std::string> names_of(const Wanted& wanted) {
   std::vector<std::string> names;
   for (const auto& [name, field] : result_names)
@@ -211,13 +197,10 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   Suite suite;
   suite.title = text(required(root, "title", "a text"));
   SceneChange changes;
-  if (const Node* node = find(root, "set")) {
-    for (const Node& child : entries(*node, "an array of key=value texts")) {
-      changes.overrides.push_back(text(child));
-      changes.places[child.text] = child.place;
-    }
-  }
-  changes.overrides.insert(changes.overrides.end(), overrides.begin(), overrides.end());
+  if (const Node* node = find(root, "set"))
+    for (const Node& child : entries(*node, "an array of key=value texts"))
+      changes.overrides.emplace_back(text(child), child.place);
+  for (const std::string& text : overrides) changes.overrides.emplace_back(text, "");
   const std::vector<SceneChange> list = read_vary(root, std::move(changes));
   const char* scenes = "an array of at least one scene file";
   for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
@@ -249,7 +232,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
   if (largest == 0)
     throw InputError(fmt::format("--record {}: must not be zero throughout", record.string()));
   bool replaced = false;
-  for (Suite& suite : suites) {
+  for (Suite& suite : suites)
     for (NamedScene& scene : suite.scenes) {
       GroundMotion& motion = scene.scene.horizontal;
       if (motion.samples.empty()) continue;
@@ -262,7 +245,6 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
       scene.scene.duration = std::max(scene.scene.duration, motion.end());
       replaced = true;
     }
-  }
   if (!replaced)
     throw InputError(
         fmt::format("--record {}: no scene has a horizontal motion by samples to replace", record.string()));
@@ -276,7 +258,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
     suite.repeats = 1;
     suite.history_interval = scene.scene.duration / 2000;
   }
-  std::vector<double> steps = choice.steps.empty() ? default_steps() : choice.steps;
+  std::vector<double> steps = choice.steps.empty() ? default_steps : choice.steps;
   if (choice.quick && choice.steps.empty()) steps.pop_back();
   suite.scenes.push_back(std::move(scene));
   for (const WorkerEngine* engine : engines_of_choice(choice.engines))

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/document.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/suites/measurement.hpp"
 #include "engines/worker/registry.hpp"
 
@@ -32,7 +24,7 @@ EngineSeries make_series(const WorkerEngine& engine, const std::string& settings
 Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEngine& engine);
 
 /// The time steps of a series that names none, s.
-std::vector<double> default_steps();
+inline constexpr std::initializer_list<double> default_steps{1e-2, 1e-3, 1e-4};
 
 /// The tables [[engines]] of a suite or study; paths of workers start from `folder`. @throws InputError with
 /// file:line, key, value and what is allowed.
@@ -146,9 +138,6 @@ struct Suite {
   Limits limits;                   ///< of each engine run
 };
 
-/// The scene of that name. Precondition: it is there.
-const NamedScene& find_scene(const std::vector<NamedScene>& scenes, const std::string& name);
-
 /// Reads a scene and keeps its text. @throws InputError as read_scene().
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
@@ -176,7 +165,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
 /// What a comparison of a single scene runs.
 struct SceneChoice {
   std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of Bullet and ODE
-  std::vector<double> steps = {};         ///< s; none: default_steps(), or of a quick one the first two
+  std::vector<double> steps = {};         ///< s; none: default_steps, or of a quick one the first two
   bool quick = false;                     ///< one timed run, 2000 samples of each history
   bool softness = false;                  ///< as in a suite
 };

@@ -1,9 +1,4 @@
 // Box2D beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Box2D's tolerances are lengths fixed when it is compiled, in units that are meant to be metres:
-// b2_linearSlop, b2_polygonRadius, b2_maxTranslation. lengthUnit says how many metres that unit is, by which
-// no angle changes but for these lengths. polygonRadius is the skin, in that unit; the library takes it from
-// each shape.
 
 #include <box2d/box2d.h>
 
@@ -27,16 +22,6 @@ class LengthUnit {
   double metres_;
 };
 
-/// Both the same in both fixtures of a pair: the library takes the larger restitution, the lower threshold.
-struct Surface {
-  float radius, restitution, threshold;  ///< lengths in the library's unit
-};
-
-/// From 0, the ground, bottom to top.
-std::size_t number_of(b2Fixture& fixture) {
-  return fixture.GetUserData().pointer;
-}
-
 /// A contact point, and which of its pair's it is.
 struct Touch {
   ContactPoint point;
@@ -49,14 +34,14 @@ class Contacts : public b2ContactListener {
  public:
   Contacts(const std::vector<double>& friction, LengthUnit unit) : friction_(friction), unit_(unit) {}
 
-  /// A pair's friction is that of the interface under its upper body; the library would take the root of the
-  /// product.
+  /// A pair's friction is that of the interface under its upper body, not the root of the product.
   void PreSolve(b2Contact* pair, const b2Manifold* /*before*/) override {
-    const std::size_t a = number_of(*pair->GetFixtureA()), b = number_of(*pair->GetFixtureB());
-    const std::size_t interface = std::max(a, b) - 1;
+    b2Fixture *a = pair->GetFixtureA(), *b = pair->GetFixtureB();
+    // From 0, the ground, bottom to top.
+    b2Fixture& upper = *(a->GetUserData().pointer > b->GetUserData().pointer ? a : b);
+    const std::size_t interface = upper.GetUserData().pointer - 1;
     pair->SetFriction(static_cast<float>(friction_[interface]));
-    if (watched)
-      watch_points(*pair, interface, *(a > b ? pair->GetFixtureA() : pair->GetFixtureB())->GetBody());
+    if (watched) watch_points(*pair, interface, *upper.GetBody());
   }
 
   /// Called once more for each sub-step that the library takes within a step.
@@ -105,10 +90,10 @@ class Box2DSimulation final : public ShakenSimulation {
         unit_(parameters.at("lengthUnit")),
         velocity_iterations_(static_cast<int>(parameters.at("velocityIterations"))),
         position_iterations_(static_cast<int>(parameters.at("positionIterations"))),
-        surface_{static_cast<float>(parameters.at("polygonRadius")),
-                 static_cast<float>(parameters.at("restitution")),
-                 static_cast<float>(parameters.at("restitutionThreshold"))},
+        radius_(static_cast<float>(parameters.at("polygonRadius"))),
         contacts_(setup.friction, unit_) {
+    fixture_.restitution = static_cast<float>(parameters.at("restitution"));
+    fixture_.restitutionThreshold = static_cast<float>(parameters.at("restitutionThreshold"));
     world_.SetWarmStarting(parameters.at("warmStarting") != 0);
     world_.SetContinuousPhysics(parameters.at("continuousPhysics") != 0);
     world_.SetContactListener(&contacts_);
@@ -149,7 +134,6 @@ class Box2DSimulation final : public ShakenSimulation {
     add(definition, 2 * reach, 2 * reach, unit_.to(0, -reach));
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     bodies_.front()->SetTransform(unit_.to(step.x, step.y), 0);
     bodies_.front()->SetLinearVelocity(unit_.to(step.velocity_x, step.velocity_y));
@@ -175,20 +159,18 @@ class Box2DSimulation final : public ShakenSimulation {
     definition.allowSleep = false;
     b2PolygonShape box;
     box.SetAsBox(unit_.to(0.5 * width), unit_.to(0.5 * height), centre, 0);
-    box.m_radius = surface_.radius;
-    b2FixtureDef fixture;
-    fixture.shape = &box;
-    fixture.restitution = surface_.restitution;
-    fixture.restitutionThreshold = surface_.threshold;
-    fixture.userData.pointer = bodies_.size();
+    box.m_radius = radius_;
+    fixture_.shape = &box;
+    fixture_.userData.pointer = bodies_.size();
     bodies_.push_back(world_.CreateBody(&definition));
-    bodies_.back()->CreateFixture(&fixture);
+    bodies_.back()->CreateFixture(&fixture_);
     return *bodies_.back();
   }
 
   LengthUnit unit_;
   int velocity_iterations_, position_iterations_;
-  Surface surface_;
+  float radius_;          ///< of all boxes' skins, in the library's unit
+  b2FixtureDef fixture_;  ///< of all: of a pair the library takes the larger restitution, the lower threshold
   Contacts contacts_;
   b2World world_{{0, 0}};
   std::vector<b2Body*> bodies_;  ///< the world's: ground first, then bottom to top

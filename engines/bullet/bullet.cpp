@@ -1,20 +1,7 @@
 // Bullet beside the exact model; README.md says what its contacts are and why its sets are as they are.
-// `comparisons/tune` ranks sets; those here also hold the conformance tests.
-//
-// contactStiffness k in N/m and contactDamping c in N s/m make each contact point a spring and a dashpot,
-// through Bullet's own erp = h k/(h k + c) and cfm = 1/(h k + c) with the step h; where both are zero, erp2
-// and globalCfm act. Only an overlap that goes through the velocities is a spring: splitImpulse = 0, or above
-// its threshold. Bullet's erp and frictionCFM are not here: without joints they change no digit; frictionERP
-// acts with frictionAnchor = 1 alone.
 
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
-
-#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
-#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
-#include <BulletDynamics/MLCPSolvers/btLemkeSolver.h>
-#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
-#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
 
 #include "engines/bullet/simulation.hpp"
 
@@ -22,12 +9,6 @@ namespace rockstack {
 namespace {
 
 constexpr bool single_precision = sizeof(btScalar) == sizeof(float);
-
-/// SOLVER_USE_WARMSTARTING | SOLVER_SIMD
-constexpr int usual_mode = 4 | 256;
-
-/// N/m and N s/m: what the library gives a body that has no stiffness of its own.
-constexpr double stiffest = 1e18;
 
 /// What the tuned set changes.
 struct Tuned {
@@ -38,27 +19,18 @@ struct Tuned {
 
 Tuned tuned_for(BulletSolver solver) {
   const double warmstarting = single_precision ? 0 : 0.85;
-  switch (solver) {
-    case BulletSolver::sequential_impulse:
-      return {.warmstarting = warmstarting};
-    case BulletSolver::nncg:
-      return {.warmstarting = warmstarting, .unit_mass = 1e6};
-    case BulletSolver::mlcp_dantzig:
-      return single_precision ? Tuned{.erp2 = 0.01, .cfm = 1e-6, .split = false, .unit_mass = 1}
-                              : Tuned{.erp2 = 0.005, .cfm = 1e-10, .split = false, .unit_mass = 1};
-    case BulletSolver::mlcp_lemke: {
-      const double least = single_precision ? 1e-6 : 1e-5;
-      return {.erp2 = 0.01, .cfm = least, .split = false, .breaking = least, .unit_mass = 1};
-    }
-    case BulletSolver::mlcp_pgs:
-      return {.iterations = 20};
-  }
-  return {};
+  const double lemke = single_precision ? 1e-6 : 1e-5;
+  if (solver == BulletSolver::sequential_impulse) return {.warmstarting = warmstarting};
+  if (solver == BulletSolver::nncg) return {.warmstarting = warmstarting, .unit_mass = 1e6};
+  if (solver == BulletSolver::mlcp_pgs) return {.iterations = 20};
+  if (solver == BulletSolver::mlcp_lemke)
+    return {.erp2 = 0.01, .cfm = lemke, .split = false, .breaking = lemke, .unit_mass = 1};
+  return single_precision ? Tuned{.erp2 = 0.01, .cfm = 1e-6, .split = false, .unit_mass = 1}
+                          : Tuned{.erp2 = 0.005, .cfm = 1e-10, .split = false, .unit_mass = 1};
 }
 
 std::vector<Setting> settings_of(BulletSolver solver) {
   const Tuned tuned = tuned_for(solver);
-  constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{
       count_setting("numIterations", 10, tuned.iterations),
       {.name = "erp2", .standard = 0.2, .tuned = tuned.erp2, .most = 1},
@@ -69,11 +41,11 @@ std::vector<Setting> settings_of(BulletSolver solver) {
        .unit = "m",
        .standard = -0.04F,
        .tuned = 0,
-       .least = -endless},
+       .least = -std::numeric_limits<double>::infinity()},
       {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
       {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
       {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},
-      {.name = "solverMode", .standard = usual_mode, .most = 8191, .whole = true},
+      {.name = "solverMode", .standard = SOLVER_USE_WARMSTARTING | SOLVER_SIMD, .most = 8191, .whole = true},
       {.name = "leastSquaresResidualThreshold"},
       {.name = "contactBreakingThreshold", .standard = 0.02, .tuned = tuned.breaking},
       {.name = "restitution", .most = 1, .role = SettingRole::restitution},
@@ -108,39 +80,7 @@ Engine with(BulletSolver solver, const char* name) {
           std::bind_front(start_bullet, solver)};
 }
 
-std::unique_ptr<btMLCPSolverInterface> make_algorithm(BulletSolver solver, const Parameters& parameters) {
-  if (solver == BulletSolver::mlcp_dantzig) return std::make_unique<btDantzigSolver>();
-  if (solver == BulletSolver::mlcp_lemke) {
-    auto lemke = std::make_unique<btLemkeSolver>();
-    lemke->m_maxLoops = static_cast<int>(parameters.at("maxLoops"));
-    lemke->m_maxValue = static_cast<btScalar>(parameters.at("maxValue"));
-    return lemke;
-  }
-  auto projected = std::make_unique<btSolveProjectedGaussSeidel>();
-  projected->m_leastSquaresResidualThreshold =
-      static_cast<btScalar>(parameters.at("leastSquaresResidualThreshold"));
-  return projected;
-}
-
 }  // namespace
-
-ChosenSolver::ChosenSolver(BulletSolver solver, const Parameters& parameters) {
-  if (solver == BulletSolver::sequential_impulse) {
-    constraints = std::make_unique<btSequentialImpulseConstraintSolver>();
-  } else if (solver == BulletSolver::nncg) {
-    constraints = std::make_unique<btNNCGConstraintSolver>();
-  } else {
-    algorithm = make_algorithm(solver, parameters);
-    constraints = std::make_unique<btMLCPSolver>(algorithm.get());
-  }
-}
-
-ChosenSolver::~ChosenSolver() = default;
-
-std::size_t ChosenSolver::fallbacks() const {
-  if (algorithm == nullptr) return 0;
-  return static_cast<std::size_t>(static_cast<const btMLCPSolver&>(*constraints).getNumFallbacks());
-}
 
 std::vector<Engine> make_bullet() {
   using enum BulletSolver;

@@ -2,8 +2,12 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btLemkeSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <BulletDynamics/MLCPSolvers/btSolveProjectedGaussSeidel.h>
 #include <algorithm>
-#include <utility>
 
 namespace rockstack {
 namespace {
@@ -16,8 +20,7 @@ btVector3 vector(double x, double y, double z) {
   return {scalar(x), scalar(y), scalar(z)};
 }
 
-/// A shape that carries its own contact breaking threshold, so that no global of the library has to be
-/// written.
+/// A shape that carries its own contact breaking threshold: no global of the library has to be written.
 template <class Shape>
 class Threshold : public Shape {
  public:
@@ -63,64 +66,58 @@ void apply(const Parameters& parameters, btContactSolverInfo& info) {
   info.m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
 }
 
+/// What is inside a solver for complementarity problems; null in any other.
+std::unique_ptr<btMLCPSolverInterface> make_algorithm(BulletSolver solver, const Parameters& parameters) {
+  if (solver == BulletSolver::sequential_impulse || solver == BulletSolver::nncg) return nullptr;
+  if (solver == BulletSolver::mlcp_dantzig) return std::make_unique<btDantzigSolver>();
+  if (solver == BulletSolver::mlcp_lemke) {
+    auto lemke = std::make_unique<btLemkeSolver>();
+    lemke->m_maxLoops = static_cast<int>(parameters.at("maxLoops"));
+    lemke->m_maxValue = scalar(parameters.at("maxValue"));
+    return lemke;
+  }
+  auto projected = std::make_unique<btSolveProjectedGaussSeidel>();
+  projected->m_leastSquaresResidualThreshold = scalar(parameters.at("leastSquaresResidualThreshold"));
+  return projected;
+}
+
+std::unique_ptr<btSequentialImpulseConstraintSolver> make_solver(BulletSolver solver,
+                                                                 btMLCPSolverInterface* algorithm) {
+  if (algorithm != nullptr) return std::make_unique<btMLCPSolver>(algorithm);
+  if (solver == BulletSolver::nncg) return std::make_unique<btNNCGConstraintSolver>();
+  return std::make_unique<btSequentialImpulseConstraintSolver>();
+}
+
 /// A pair's coefficient, that of the interface under its upper body, which has it.
 btScalar friction_of_pair(const btCollisionObject* a, const btCollisionObject* b) {
   return (a->getUserIndex() > b->getUserIndex() ? a : b)->getFriction();
 }
 
-/// One callback for all worlds, as pairs know all that it asks for.
-void combine_friction_by_interface() {
-  static const bool combined = (gCalculateCombinedFrictionCallback = friction_of_pair) != nullptr;
-  static_cast<void>(combined);
-}
-
-/// What each body has for a pair of them to have what was asked for: Bullet multiplies restitution, takes
-/// stiffnesses in series and adds dampings.
+/// What each body of a pair has: Bullet multiplies restitution, takes stiffness in series and adds damping.
 struct Surface {
   btScalar restitution;
   btScalar stiffness, damping;  ///< N/m, N·s/m; both zero: none of its own
   int flags;
 };
 
-Surface surface_of(double mass_factor, const Parameters& parameters) {
-  return {scalar(std::sqrt(parameters.at("restitution"))),
-          scalar(2 * mass_factor * parameters.at("contactStiffness")),
-          scalar(0.5 * mass_factor * parameters.at("contactDamping")),
-          parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0};
-}
-
-btVector3 half_extents(const Placement& placement) {
-  return vector(0.5 * placement.width, 0.5 * placement.height, 0.5 * placement.depth);
-}
-
-double angle_of(const btRigidBody& body) {
-  const btMatrix3x3& turn = body.getWorldTransform().getBasis();
-  return std::atan2(-turn[1][0], turn[0][0]);
-}
-
 /// What makes a contact point a spring and a dashpot; cfm in s/kg.
 struct Softness {
   double erp, cfm;
 };
 
-/// Of each contact point, N/m in the library's own masses: a spring where overlap is corrected through
-/// velocities, and all of it.
-double stiffness_of(const btContactSolverInfo& info, const Softness& softness, double dt,
-                    double penetration) {
-  const bool split = info.m_splitImpulse != 0 && penetration <= info.m_splitImpulsePenetrationThreshold;
-  if (split || info.m_linearSlop != 0) return std::numeric_limits<double>::infinity();
-  return contact_stiffness(softness.erp, softness.cfm, dt);
-}
-
 class BulletSimulation final : public ShakenSimulation {
  public:
   BulletSimulation(BulletSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
-        surface_(surface_of(mass_factor_, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
+        surface_{scalar(std::sqrt(parameters.at("restitution"))),
+                 scalar(2 * mass_factor_ * parameters.at("contactStiffness")),
+                 scalar(0.5 * mass_factor_ * parameters.at("contactDamping")),
+                 parameters.at("frictionAnchor") != 0 ? btCollisionObject::CF_HAS_FRICTION_ANCHOR : 0},
         dispatcher_(&configuration_),
-        solver_(solver, parameters) {
-    combine_friction_by_interface();
+        algorithm_(make_algorithm(solver, parameters)),
+        solver_(make_solver(solver, algorithm_.get())) {
+    // One callback for all worlds, as pairs know all that it asks for.
+    [[maybe_unused]] static const auto friction = gCalculateCombinedFrictionCallback = friction_of_pair;
     apply(parameters, world_.getSolverInfo());
     set_gravity(setup.gravity);
     const double breaking_factor = scalar(parameters.at("contactBreakingThreshold"));
@@ -131,9 +128,11 @@ class BulletSimulation final : public ShakenSimulation {
       const double reach = ground_reach(setup.blocks);
       add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
     }
-    for (std::size_t k = 0; k < setup.blocks.size(); ++k)
-      add_block(setup.blocks[k], std::min(setup.friction[k], friction_clamp),
-                shape(half_extents(setup.blocks[k]), breaking_factor));
+    for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
+      const Placement& block = setup.blocks[k];
+      const btVector3 half = vector(0.5 * block.width, 0.5 * block.height, 0.5 * block.depth);
+      add_block(block, std::min(setup.friction[k], friction_clamp), shape(half, breaking_factor));
+    }
   }
 
   BodyState body(std::size_t k) const override {
@@ -146,7 +145,11 @@ class BulletSimulation final : public ShakenSimulation {
             place.z(),    std::hypot(turn[0][2], turn[1][2])};
   }
 
-  std::size_t warnings() const override { return solver_.fallbacks(); }
+  /// How often Bullet gave a problem up and took sequential impulse in its place.
+  std::size_t warnings() const override {
+    if (algorithm_ == nullptr) return 0;
+    return static_cast<std::size_t>(static_cast<btMLCPSolver&>(*solver_).getNumFallbacks());
+  }
 
   /// Bullet keeps a contact's impulses for a warm start alone.
   bool watch_contacts() override { return tells_impulses(); }
@@ -174,24 +177,27 @@ class BulletSimulation final : public ShakenSimulation {
     const btManifoldPoint& found = manifold.getContactPoint(i);
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const int number_a = a.getUserIndex(), number_b = b.getUserIndex();
-    ContactPoint point;
-    point.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1);
-    point.along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x();
-    point.gap_before = found.getDistance();
-    point.gap =
-        found.m_normalWorldOnB.dot(place_of(a, found.m_localPointA) - place_of(b, found.m_localPointB));
-    point.normal = found.getAppliedImpulse() / mass_factor_;
-    point.tangential =
-        std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_;
     const Softness softness = softness_of(found);
+    // A spring where all overlap is corrected, and through velocities.
     const btContactSolverInfo& info = world_.getSolverInfo();
-    point.stiffness = stiffness_of(info, softness, dt(), point.gap_before) / mass_factor_;
-    point.damping = contact_damping(softness.erp, softness.cfm) / mass_factor_;
-    return point;
+    const bool split =
+        info.m_splitImpulse != 0 && found.getDistance() <= info.m_splitImpulsePenetrationThreshold;
+    const double stiffness = split || info.m_linearSlop != 0
+                                 ? std::numeric_limits<double>::infinity()
+                                 : contact_stiffness(softness.erp, softness.cfm, dt());
+    return {.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1),
+            .along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x(),
+            .gap_before = found.getDistance(),
+            .gap = found.m_normalWorldOnB.dot(place_of(a, found.m_localPointA) -
+                                              place_of(b, found.m_localPointB)),
+            .normal = found.getAppliedImpulse() / mass_factor_,
+            .tangential =
+                std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_,
+            .stiffness = stiffness / mass_factor_,
+            .damping = contact_damping(softness.erp, softness.cfm) / mass_factor_};
   }
 
-  /// A point with a spring of its own has its own erp and cfm; solvers of complementarity problems take its
-  /// erp, and the world's cfm for all points.
+  /// A point with a spring has its own erp and cfm; complementarity problems take the world's cfm for all.
   Softness softness_of(const btManifoldPoint& point) const {
     const btContactSolverInfo& info = world_.getSolverInfo();
     Softness softness{info.m_erp2, info.m_globalCfm};
@@ -199,7 +205,7 @@ class BulletSimulation final : public ShakenSimulation {
     const double spring = dt() * point.m_combinedContactStiffness1;
     const double both = spring + point.m_combinedContactDamping1;
     softness.erp = spring / both;
-    if (solver_.algorithm == nullptr) softness.cfm = 1 / both;
+    if (algorithm_ == nullptr) softness.cfm = 1 / both;
     return softness;
   }
 
@@ -207,7 +213,10 @@ class BulletSimulation final : public ShakenSimulation {
 
   void advance() override {
     world_.stepSimulation(scalar(dt()), 0);
-    for (std::size_t k = 0; k < angles_.size(); ++k) angles_[k] = unwrap(angle_of(block(k)), angles_[k]);
+    for (std::size_t k = 0; k < angles_.size(); ++k) {
+      const btMatrix3x3& turn = block(k).getWorldTransform().getBasis();
+      angles_[k] = unwrap(std::atan2(-turn[1][0], turn[0][0]), angles_[k]);
+    }
   }
 
   void set_gravity(const BodyAcceleration& acceleration) override {
@@ -231,7 +240,6 @@ class BulletSimulation final : public ShakenSimulation {
     world_.setInternalTickCallback(give_velocity, this, true);
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     bodies_.front()->getWorldTransform().setOrigin(ground_start_ + vector(step.x, step.y, 0));
     ground_velocity_ = vector(step.velocity_x, step.velocity_y, 0);
@@ -267,19 +275,18 @@ class BulletSimulation final : public ShakenSimulation {
     return body;
   }
 
-  double mass_factor_;  ///< of every mass; no angle depends on it
   std::vector<double> angles_;
-  btVector3 ground_start_{0, 0, 0};
-  btVector3 ground_velocity_{0, 0, 0};
+  btVector3 ground_start_{0, 0, 0}, ground_velocity_{0, 0, 0};
   Surface surface_;
   // The world comes last: it is the first to go and still needs the others then.
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  ChosenSolver solver_;
+  std::unique_ptr<btMLCPSolverInterface> algorithm_;
+  std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  ///< ground first, then bottom to top
-  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_.constraints.get(), &configuration_};
+  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, solver_.get(), &configuration_};
 };
 
 }  // namespace

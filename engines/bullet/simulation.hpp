@@ -1,28 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-
 #include "engines/engine.hpp"
-
-class btMLCPSolverInterface;
-class btSequentialImpulseConstraintSolver;
 
 namespace rockstack {
 
 enum class BulletSolver { sequential_impulse, nncg, mlcp_dantzig, mlcp_lemke, mlcp_pgs };
-
-/// A constraint solver and, where it is one for complementarity problems, the algorithm inside it.
-struct ChosenSolver {
-  ChosenSolver(BulletSolver solver, const Parameters& parameters);
-  ~ChosenSolver();
-
-  /// How often Bullet gave a problem up and took sequential impulse in its place.
-  std::size_t fallbacks() const;
-
-  std::unique_ptr<btMLCPSolverInterface> algorithm;
-  std::unique_ptr<btSequentialImpulseConstraintSolver> constraints;
-};
 
 /// The library clamps a pair's coefficient of friction here (btManifoldResult.cpp).
 inline constexpr double friction_clamp = 10;

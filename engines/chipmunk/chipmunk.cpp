@@ -1,9 +1,4 @@
 // Chipmunk beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// A step moves bodies by the velocities that they have, then finds contacts, then changes velocities. So
-// smooth motion is half a step late where other engines' is half a step early, and an impact comes when the
-// overlap is found. A ground that really moves has its next step's velocity when contacts are solved, which
-// is what blocks must follow. With collisionPersistence = 0 the library frees what it is using.
 
 #include <chipmunk/chipmunk.h>
 // Of single contact points the library tells impulses here alone.
@@ -25,11 +20,9 @@ struct Destroy {
 
 /// A contact point of the step under way, where they are watched.
 struct Touch {
-  ContactPoint point;  ///< all but its impulses
+  ContactPoint point;  ///< its impulses are those that the library remembers without applying them
   const cpArbiter* pair = nullptr;
-  int number = 0;          ///< of the point among its pair's
-  cpFloat normal = 0;      ///< impulse that the library remembers without applying it, N·s
-  cpFloat tangential = 0;  ///< as above
+  int number = 0;  ///< of the point among its pair's
 };
 
 class ChipmunkSimulation final : public ShakenSimulation {
@@ -43,7 +36,11 @@ class ChipmunkSimulation final : public ShakenSimulation {
                                    static_cast<cpTimestamp>(parameters.at("collisionPersistence")));
     set_gravity(setup.gravity);
     cpCollisionHandler* handler = cpSpaceAddDefaultCollisionHandler(space_.get());
-    handler->preSolveFunc = &ChipmunkSimulation::meet;
+    // Of a pair that touches, before the solver runs.
+    handler->preSolveFunc = [](cpArbiter* pair, cpSpace*, cpDataPointer self) -> cpBool {
+      static_cast<ChipmunkSimulation*>(self)->set_contact(pair);
+      return cpTrue;
+    };
     handler->userData = this;
     add_ground(ground_reach(setup.blocks));
     for (const Placement& placement : setup.blocks) add_block(placement);
@@ -58,50 +55,37 @@ class ChipmunkSimulation final : public ShakenSimulation {
 
   std::vector<ContactPoint> contacts() const override {
     std::vector<ContactPoint> points;
-    points.reserve(touches_.size());
     for (const Touch& touch : touches_) {
       const cpContact& solved = touch.pair->contacts[touch.number];
       ContactPoint& point = points.emplace_back(touch.point);
-      point.normal = solved.jnAcc - touch.normal;
-      point.tangential = std::abs(solved.jtAcc - touch.tangential);
+      point.normal = solved.jnAcc - point.normal;
+      point.tangential = std::abs(solved.jtAcc - point.tangential);
     }
     return points;
   }
 
  private:
-  /// Counts from 0, the ground.
-  static std::size_t number_of(const cpShape* shape) { return cpShapeGetCollisionType(shape); }
-
-  /// The library's call for a pair that touches, before its solver runs.
-  static cpBool meet(cpArbiter* pair, cpSpace* /*space*/, cpDataPointer self) {
-    static_cast<ChipmunkSimulation*>(self)->set_contact(pair);
-    return cpTrue;
-  }
-
   /// A pair's friction is that of the interface under its upper body; the library would take the product.
   void set_contact(cpArbiter* pair) {
-    cpShape *a = nullptr, *b = nullptr;
-    cpArbiterGetShapes(pair, &a, &b);
-    cpArbiterSetFriction(pair, friction_[std::max(number_of(a), number_of(b)) - 1]);
+    cpShape *shape = nullptr, *other = nullptr;
+    cpArbiterGetShapes(pair, &shape, &other);
+    // Bodies count from 0, the ground.
+    const std::size_t a = cpShapeGetCollisionType(shape), b = cpShapeGetCollisionType(other);
+    cpArbiterSetFriction(pair, friction_[std::max(a, b) - 1]);
     cpArbiterSetRestitution(pair, elasticity_);
-    if (watches_contacts()) watch(pair, number_of(a), number_of(b));
-  }
-
-  void watch(const cpArbiter* pair, std::size_t a, std::size_t b) {
+    if (!watches_contacts()) return;
     const cpContactPointSet set = cpArbiterGetContactPointSet(pair);
     for (int i = 0; i < set.count; ++i) {
       const auto& found = set.points[i];
-      Touch& touch = touches_.emplace_back();
-      touch.pair = pair;
-      touch.number = i;
+      Touch& touch = touches_.emplace_back(Touch{{}, pair, i});
       touch.point.interface = std::max(a, b) - 1;
       touch.point.along = a > b ? on_body(a, found.pointA).x : on_body(b, found.pointB).x;
       touch.point.gap_before =
           cpvdot(cpvsub(at_start(b, found.pointB), at_start(a, found.pointA)), set.normal);
       touch.point.gap = found.distance;
       if (cpArbiterIsFirstContact(pair) == 0) continue;
-      touch.normal = pair->contacts[i].jnAcc;
-      touch.tangential = pair->contacts[i].jtAcc;
+      touch.point.normal = pair->contacts[i].jnAcc;
+      touch.point.tangential = pair->contacts[i].jtAcc;
     }
   }
 
@@ -114,14 +98,12 @@ class ChipmunkSimulation final : public ShakenSimulation {
     return cpTransformPoint(starts_[number], on_body(number, point));
   }
 
-  void remember_poses() {
-    touches_.clear();
-    starts_.clear();
-    for (const auto& body : bodies_) starts_.push_back(body->transform);
-  }
-
   void advance() override {
-    if (watches_contacts()) remember_poses();
+    if (watches_contacts()) {
+      touches_.clear();
+      starts_.clear();
+      for (const auto& body : bodies_) starts_.push_back(body->transform);
+    }
     cpSpaceStep(space_.get(), dt());
   }
 
@@ -135,17 +117,12 @@ class ChipmunkSimulation final : public ShakenSimulation {
     add_shape(cpSegmentShapeNew(body, cpv(-reach, 0), cpv(reach, 0), 0));
     if (!moves_ground()) return;
     cpBodySetUserData(body, this);
+    // All bodies move before contacts are found: velocities are solved for the next step.
     cpBodySetVelocityUpdateFunc(body, [](cpBody* ground, cpVect, cpFloat, cpFloat) {
       const auto& self = *static_cast<const ChipmunkSimulation*>(cpBodyGetUserData(ground));
-      self.give_velocity_of_next_step(ground);
+      if (const GroundStep* next = self.next_ground())
+        cpBodySetVelocity(ground, cpv(next->velocity_x, next->velocity_y));
     });
-  }
-
-  /// The library moves all bodies before it finds contacts; the velocities that it solves for then are those
-  /// by which blocks move in the next step.
-  void give_velocity_of_next_step(cpBody* ground) const {
-    if (const GroundStep* next = next_ground())
-      cpBodySetVelocity(ground, cpv(next->velocity_x, next->velocity_y));
   }
 
   void place_ground(const GroundStep& step) override {

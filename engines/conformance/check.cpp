@@ -21,17 +21,9 @@ bool fits(const std::string& words, const std::string& word) {
 Scene at_rest(std::vector<Block> blocks, double duration) {
   Scene scene;
   scene.duration = duration;
-  scene.initial.angles.assign(blocks.size(), 0);
-  scene.initial.velocities.assign(blocks.size(), 0);
+  scene.initial.angles = scene.initial.velocities = std::vector<double>(blocks.size());
   scene.blocks = std::move(blocks);
   return scene;
-}
-
-GroundMotion constant(double value) {
-  GroundMotion motion;
-  motion.interval = 10;
-  motion.samples = {value, value};
-  return motion;
 }
 
 Scene slender_block(double duration) {
@@ -51,60 +43,6 @@ ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt) {
   Trajectory trajectory = adapter.run(setup, adapter.parameters);
   std::vector<BodyState> bodies = trajectory.bodies;
   return {account_of(scene, setup, std::move(trajectory), false).history, std::move(bodies)};
-}
-
-Adapter by_force(Adapter adapter) {
-  if (adapter.parameters.count("shaking") != 0) adapter.parameters["shaking"] = 0;
-  return adapter;
-}
-
-double rounding(const Adapter& adapter) {
-  return adapter.single_precision ? std::numeric_limits<float>::epsilon()
-                                  : std::numeric_limits<double>::epsilon();
-}
-
-double short_step(const Adapter& adapter) {
-  return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
-}
-
-double largest(const std::vector<double>& values) {
-  double result = 0;
-  for (const double value : values) result = std::max(result, std::abs(value));
-  return result;
-}
-
-Housner::Housner() : slenderness(std::atan(0.2)), frequency(std::sqrt(3 * 9.81 / (4 * std::hypot(0.2, 1)))) {}
-
-double Housner::speed_at_ground(double angle) const {
-  return frequency * std::sqrt(2 * (std::cos(slenderness - angle) - std::cos(slenderness)));
-}
-
-double quarter_period(const Housner& block, double start) {
-  // Simpson's rule with θ = start − u², which takes the root singularity away; 200 pieces leave less than
-  // 1e-9 s.
-  const auto integrand = [&](double u) {
-    const double lean = block.slenderness - start;
-    // (cos(lean) − cos(lean + u²)) / u², by the product of sines, with its limit at u = 0
-    const double half = 0.5 * u * u;
-    const double ratio = half > 0 ? std::sin(half) / half : 1;
-    return 2 / (block.frequency * std::sqrt(2 * std::sin(lean + half) * ratio));
-  };
-  const int pieces = 200;
-  const double width = std::sqrt(start) / pieces;
-  double sum = 0;
-  for (int i = 0; i < pieces; ++i)
-    sum += integrand(i * width) + 4 * integrand((i + 0.5) * width) + integrand((i + 1) * width);
-  return sum * width / 6;
-}
-
-double first_ground_impact(const History& history) {
-  for (std::size_t i = 1; i < history.size(); ++i) {
-    const double before = history.angles_at(i - 1)[0];
-    const double after = history.angles_at(i)[0];
-    if (after > 0) continue;
-    return history.times[i - 1] + (history.times[i] - history.times[i - 1]) * before / (before - after);
-  }
-  return std::nan("");
 }
 
 const std::vector<Check>& checks() {

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
+#include "analytic/scene/lists.hpp"
 #include "engines/body_record.hpp"
-#include "engines/engine.hpp"
 #include "engines/scene_setup.hpp"
-#include "engines/trajectory.hpp"
 
 namespace rockstack {
 
@@ -22,14 +17,12 @@ struct Adapter {
 
 /// What a check found: a measured number and what it may be at most.
 struct Judgement {
-  double value = 0;
-  double limit = 0;
+  double value = 0, limit = 0;
   std::string what;  ///< of the value, with its unit
   bool holds() const { return value <= limit; }
 };
 
-/// A law that every engine must follow, as a function, so that an adapter broken on purpose can be held to it
-/// as well.
+/// A law that every engine must follow; a function, so that adapters broken on purpose can be held to it too.
 using Judge = Judgement(const Adapter& adapter);
 
 struct Check {
@@ -37,10 +30,14 @@ struct Check {
   Judge* judge;
 };
 
+inline constexpr double usual_step = 1e-3;  ///< of most checks, s
+
 Scene at_rest(std::vector<Block> blocks, double duration);
 
 /// Samples `value` from t = 0 on, m/s².
-GroundMotion constant(double value);
+inline GroundMotion constant(double value) {
+  return {.interval = 10, .samples = {value, value}};
+}
 
 /// A block of slenderness atan(0.2), released at half its slenderness.
 Scene slender_block(double duration);
@@ -58,34 +55,24 @@ struct ObservedMotion {
   }
 };
 
-ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt);
+ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt = usual_step);
 
 /// The same, shaken by a body force.
-Adapter by_force(Adapter adapter);
+inline Adapter by_force(Adapter adapter) {
+  if (adapter.parameters.count("shaking") != 0) adapter.parameters["shaking"] = 0;
+  return adapter;
+}
 
 /// Unit round-off of the engine's own numbers.
-double rounding(const Adapter& adapter);
+inline double rounding(const Adapter& adapter) {
+  return adapter.single_precision ? std::numeric_limits<float>::epsilon()
+                                  : std::numeric_limits<double>::epsilon();
+}
 
 /// The shortest step at which gravity's share of a step stands clear of rounding, s.
-double short_step(const Adapter& adapter);
-
-double largest(const std::vector<double>& values);
-
-/// The constants of Housner 1963 for slender_block().
-struct Housner {
-  Housner();
-  double slenderness;  ///< rad
-  double frequency;    ///< p, 1/s
-  /// Angular velocity at which a block released at `angle` meets the ground, rad/s.
-  double speed_at_ground(double angle) const;
-};
-
-/// Time from release at `start` to the ground: the energy integral of the full equation, s.
-double quarter_period(const Housner& block, double start);
-
-/// Time of the lowest block's first zero crossing, on the straight line between samples; not a number where
-/// it never comes.
-double first_ground_impact(const History& history);
+inline double short_step(const Adapter& adapter) {
+  return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
+}
 
 /// All of them: promises, smooth motion, contact, and planar motion of one block and of pairs.
 const std::vector<Check>& checks();

@@ -1,9 +1,4 @@
 // DART beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// The settings of contacts are static numbers of DART's class ContactConstraint; each step sets them anew.
-// ConstraintForceMixing has no unit: it is added to one on the diagonal. ErrorReductionParameter takes that
-// share of an overlap away in a step, at MaxErrorReductionVelocity at most, through the velocities. Below
-// 1e-3 DART takes a coefficient of friction for zero.
 
 #include <algorithm>
 #include <dart/collision/CollisionObject.hpp>
@@ -31,14 +26,6 @@ using dart::constraint::ContactConstraint;
 using dart::dynamics::BodyNode;
 using Solver = dart::constraint::BoxedLcpConstraintSolver;
 
-/// A contact of the step under way, where they are watched, in the axes of both bodies.
-struct Touch {
-  std::size_t interface = 0;
-  const BodyNode *upper = nullptr, *lower = nullptr;
-  Eigen::Vector3d on_upper, on_lower, normal;  ///< the normal points up
-  double depth = 0, push = 0, across = 0;      ///< m, N, N
-};
-
 std::unique_ptr<Solver> make_solver(DartSolver solver, const Parameters& parameters) {
   std::unique_ptr<Solver> made;
   if (solver == DartSolver::dantzig) {
@@ -63,9 +50,8 @@ std::unique_ptr<Solver> make_solver(DartSolver solver, const Parameters& paramet
 class DartSimulation final : public ShakenSimulation {
  public:
   DartSimulation(DartSolver solver, const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         parameters_(parameters),
-        mass_factor_(mass_factor(setup, parameters)),
         world_(dart::simulation::World::create()) {
     world_->setTimeStep(setup.dt);
     set_gravity(setup.gravity);
@@ -83,11 +69,7 @@ class DartSimulation final : public ShakenSimulation {
             block->getVelocity(1), -block->getPosition(2), -block->getVelocity(2)};
   }
 
-  std::vector<ContactPoint> contacts() const override {
-    std::vector<ContactPoint> points;
-    for (const Touch& touch : touches_) points.push_back(point_of(touch));
-    return points;
-  }
+  std::vector<ContactPoint> contacts() const override { return contacts_; }
 
  private:
   void advance() override {
@@ -146,7 +128,6 @@ class DartSimulation final : public ShakenSimulation {
     blocks_.push_back(body);
   }
 
-  /// Contacts are found where ground and blocks are at the step's start; the velocity carries both on.
   void place_ground(const GroundStep& step) override {
     const auto skeleton = ground_->getSkeleton();
     const Eigen::Vector3d velocity{step.velocity_x, step.velocity_y, 0};
@@ -174,46 +155,31 @@ class DartSimulation final : public ShakenSimulation {
   }
 
   void watch(const std::vector<Eigen::Isometry3d>& before) {
-    touches_.clear();
+    contacts_.clear();
     for (const dart::collision::Contact& contact : world_->getLastCollisionResult().getContacts()) {
       if (dart::collision::Contact::isZeroNormal(contact.normal)) continue;
       const auto [lower, upper] = std::minmax(
           {number_of(owner(contact.collisionObject1)), number_of(owner(contact.collisionObject2))});
-      Touch& touch = touches_.emplace_back();
-      touch.interface = upper - 1;
-      touch.upper = body_of(upper);
-      touch.lower = body_of(lower);
-      touch.on_upper = before[upper].inverse() * contact.point;
-      touch.on_lower = before[lower].inverse() * contact.point;
+      const Eigen::Vector3d on_upper = before[upper].inverse() * contact.point;
+      const Eigen::Vector3d on_lower = before[lower].inverse() * contact.point;
       const double side = contact.normal.dot(before[upper].translation() - contact.point);
-      touch.normal = side < 0 ? Eigen::Vector3d(-contact.normal) : contact.normal;
-      touch.depth = contact.penetrationDepth;
-      touch.push = std::abs(contact.force.dot(contact.normal));
+      const Eigen::Vector3d up = side < 0 ? Eigen::Vector3d(-contact.normal) : contact.normal;
+      const Eigen::Vector3d apart =
+          body_of(upper)->getWorldTransform() * on_upper - body_of(lower)->getWorldTransform() * on_lower;
+      const double impulse = dt() / mass_factor_;
       // Across the plane nothing moves, and DART's forces there mean nothing.
-      touch.across = std::abs(contact.force[0] * contact.normal[1] - contact.force[1] * contact.normal[0]);
+      const double across = contact.force[0] * contact.normal[1] - contact.force[1] * contact.normal[0];
+      contacts_.push_back(
+          {upper - 1, on_upper[0], -contact.penetrationDepth, -contact.penetrationDepth + up.dot(apart),
+           impulse * std::abs(contact.force.dot(contact.normal)), impulse * std::abs(across)});
     }
   }
 
-  ContactPoint point_of(const Touch& touch) const {
-    ContactPoint point;
-    point.interface = touch.interface;
-    point.along = touch.on_upper[0];
-    point.gap_before = -touch.depth;
-    const Eigen::Vector3d apart =
-        touch.upper->getWorldTransform() * touch.on_upper - touch.lower->getWorldTransform() * touch.on_lower;
-    point.gap = point.gap_before + touch.normal.dot(apart);
-    const double impulse = dt() / mass_factor_;
-    point.normal = impulse * touch.push;
-    point.tangential = impulse * touch.across;
-    return point;
-  }
-
   Parameters parameters_;
-  double mass_factor_;  ///< of every mass; no angle depends on it
   dart::simulation::WorldPtr world_;
   BodyNode* ground_ = nullptr;
   std::vector<BodyNode*> blocks_;
-  std::vector<Touch> touches_;
+  std::vector<ContactPoint> contacts_;  ///< of the last step, where they are watched
 };
 
 std::vector<Setting> settings_of(DartSolver solver) {

@@ -1,6 +1,5 @@
-// A worker in C++, as an example of engines/README.md: springs, dashpots and sliders at the corners of
-// blocks, stepped by semi-implicit Euler in 64 parts of each step. Link rockstack::engine, implement
-// Simulation, serve an Engine.
+// An example of engines/README.md in C++: springs, dashpots and sliders at corners of blocks, stepped by
+// semi-implicit Euler in 64 parts of each step. It links rockstack::engine, and serves an Engine.
 
 #include <algorithm>
 #include <array>
@@ -87,26 +86,22 @@ class Springs final : public ShakenSimulation {
   /// Corners of each body in the other's face.
   void touch(Body& lower, Body& upper, double friction) const {
     for (const double side : {-0.5, 0.5}) {
-      const auto [x, y] = upper.corner(side * upper.shape.width, -0.5 * upper.shape.height);
-      const auto [along, height] = lower.seen(x, y);
-      if (std::abs(along) <= 0.5 * lower.shape.width)
-        bear(lower, upper, {x, y}, lower.shape.angle, 0.5 * lower.shape.height - height, friction);
-      if (std::isinf(lower.shape.width)) continue;
-      const auto [u, v] = lower.corner(side * lower.shape.width, 0.5 * lower.shape.height);
-      const auto [beside, depth] = upper.seen(u, v);
-      if (std::abs(beside) <= 0.5 * upper.shape.width)
-        bear(lower, upper, {u, v}, upper.shape.angle, 0.5 * upper.shape.height + depth, friction);
+      bear(lower, upper, lower, upper.corner(side * upper.shape.width, -0.5 * upper.shape.height), friction);
+      if (!std::isinf(lower.shape.width))
+        bear(lower, upper, upper, lower.corner(side * lower.shape.width, 0.5 * lower.shape.height), friction);
     }
   }
 
-  /// A point that is `depth` deep in a face at `angle`.
-  void bear(Body& lower, Body& upper, std::pair<double, double> point, double angle, double depth,
+  /// A corner over the face of one of both bodies.
+  void bear(Body& lower, Body& upper, const Body& face, std::pair<double, double> corner,
             double friction) const {
-    if (depth <= 0) return;
-    const auto [x, y] = point;
+    const auto [x, y] = corner;
+    const auto [beside, height] = face.seen(x, y);
+    const double depth = 0.5 * face.shape.height + (&face == &lower ? -height : height);
+    if (!(std::abs(beside) <= 0.5 * face.shape.width) || depth <= 0) return;
     const auto [low_x, low_y] = lower.velocity(x, y);
     const auto [high_x, high_y] = upper.velocity(x, y);
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = std::cos(face.shape.angle), s = std::sin(face.shape.angle);
     const double up = (high_x - low_x) * s + (high_y - low_y) * c;
     const double along = (high_x - low_x) * c - (high_y - low_y) * s;
     const double normal = std::max(0.0, stiffness_ * depth - damping_ * up);

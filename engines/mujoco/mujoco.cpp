@@ -1,35 +1,22 @@
 // MuJoCo beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Contacts are soft by design. Each row pushes by f = (−b v − k d r − a)/R, where r is the gap, v and a are
-// its rate and acceleration (MuJoCo's documentation, Computation: Constraint model; XML reference: solref,
-// solimp). d is the impedance, which solimp makes of r; k = 1/(d₁ τ ζ)² and b = 2/(d₁ τ) with τ =
-// solref_timeconst, ζ = solref_dampratio and d₁ = solimp_dwidth, or their negative values over d₁² and d₁; R
-// = (1 − d)/d Â, Â = 2/3 (1/m + 1/M) with the masses of both bodies: the mean over three directions, in one
-// of which nothing moves. So a contact at rest is a spring of k d/R and a dashpot of b/R: with d = d₁ between
-// a block and the ground 1.5 m/((1 − d) τ² ζ²) N/m and 3 m/((1 − d) τ) N s/m a point, which contacts() tells.
-// With refsafe τ is at least two steps. The defaults are for blocks of 1250 kg 4.2e7 N/m and 1.8e6 N s/m.
-//
-// depth_ratio: how deep a block's box is over the one below it, out of the plane, where nothing depends on
-// it. A coefficient of friction of 0 makes a contact without friction (condim 1); below 1e-5 it is 1e-5. A
-// moving ground is a box on two slides with 1e30 kg of armature, on which gravity does not act. Where a
-// coordinate stops being finite MuJoCo begins anew from its first state; here the run ends with an error.
-// What it warns of is counted and not printed.
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <stdexcept>
 
-#include "engines/mujoco/simulation.hpp"
+#include "engines/engine.hpp"
 
 namespace rockstack {
 namespace {
 
-/// Of solref, where a negative number is a stiffness or a damping.
-constexpr double stiffest = 1e18;
+/// In the order of MuJoCo's own numbers.
+enum class MujocoSolver { pgs, cg, newton };
 
+/// A negative number of solref is a stiffness or a damping.
 std::vector<Setting> settings_of(MujocoSolver solver) {
   const bool pgs = solver == MujocoSolver::pgs;
   return {
@@ -39,13 +26,9 @@ std::vector<Setting> settings_of(MujocoSolver solver) {
        .unit = "s",
        .standard = 0.02,
        .tuned = 1e-3,
-       .least = -stiffest,
-       .most = stiffest},
-      {.name = "solref_dampratio",
-       .standard = 1,
-       .tuned = pgs ? 6.0 : 3.0,
-       .least = -stiffest,
-       .most = stiffest},
+       .least = -1e18,
+       .most = 1e18},
+      {.name = "solref_dampratio", .standard = 1, .tuned = pgs ? 6.0 : 3.0, .least = -1e18, .most = 1e18},
       {.name = "solimp_d0", .standard = 0.9, .tuned = 0.995, .most = 1},
       {.name = "solimp_dwidth", .standard = 0.95, .tuned = 0.995, .most = 1},
       {.name = "solimp_width", .unit = "m", .standard = 1e-3},
@@ -67,28 +50,6 @@ std::vector<Setting> settings_of(MujocoSolver solver) {
   };
 }
 
-Engine with(MujocoSolver solver, const char* name) {
-  return {{.name = "mujoco",
-           .solver = name,
-           .version = std::string(mj_versionString()) + ", double precision",
-           .licence = "Apache-2.0",
-           .capabilities = {.planar = true},
-           .settings = settings_of(solver)},
-          std::bind_front(start_mujoco, solver)};
-}
-
-/// kg on each of a moving ground's coordinates, on which gravity does not act: whatever presses on it, it
-/// goes on as it was told.
-constexpr double unmoved = 1e30;
-
-/// Of the blocks' coordinates, kg and kg m². Solvers measure their tolerance against it, so that with a
-/// moving ground's they would stop at once.
-double mean_inertia(const Setup& setup, double masses) {
-  double sum = 0;
-  for (const Placement& block : setup.blocks) sum += masses * (2 * block.mass + block.inertia);
-  return sum / (3 * static_cast<double>(setup.blocks.size()));
-}
-
 /// A geom meets others by `pairs` alone.
 std::string geom(std::size_t number, const std::string& shape) {
   return fmt::format("<geom name='{}' contype='0' conaffinity='0' {}/>", number, shape);
@@ -101,6 +62,8 @@ std::string ground(const Setup& setup, const Parameters& parameters) {
   std::string box =
       geom(0, fmt::format("type='box' size='{} {} {}' pos='0 {} 0'", half, half / 10, half, -half / 10));
   if (setup.ground.empty()) return box;
+  // Of so many kg, without gravity, it goes as told, whatever presses on it.
+  constexpr double unmoved = 1e30;
   return fmt::format(
       "<body><joint type='slide' axis='1 0 0' armature='{0}'/><joint type='slide' axis='0 1 0' "
       "armature='{0}'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>{1}</body>",
@@ -116,17 +79,13 @@ std::string body(const Placement& block, std::size_t number, double masses, doub
       geom(number, fmt::format("type='box' size='{} {} {}'", block.width / 2, block.height / 2, depth / 2)));
 }
 
-std::string surface(const Parameters& given) {
-  return fmt::format("solref='{} {}' solimp='{} {} {} {} {}' margin='{}' gap='{}'",
-                     given.at("solref_timeconst"), given.at("solref_dampratio"), given.at("solimp_d0"),
-                     given.at("solimp_dwidth"), given.at("solimp_width"), given.at("solimp_midpoint"),
-                     given.at("solimp_power"), given.at("margin"), given.at("gap"));
-}
-
-/// Every two bodies may touch, with the friction of the interface under the upper one; one coefficient for
-/// each of both directions in the face.
-std::string pairs(const Setup& setup, const Parameters& parameters) {
-  const std::string alike = surface(parameters);
+/// Every two bodies may touch, with the friction of the interface under the upper one in both directions.
+std::string pairs(const Setup& setup, const Parameters& given) {
+  const std::string alike =
+      fmt::format("solref='{} {}' solimp='{} {} {} {} {}' margin='{}' gap='{}'", given.at("solref_timeconst"),
+                  given.at("solref_dampratio"), given.at("solimp_d0"), given.at("solimp_dwidth"),
+                  given.at("solimp_width"), given.at("solimp_midpoint"), given.at("solimp_power"),
+                  given.at("margin"), given.at("gap"));
   std::string text;
   for (std::size_t upper = 1; upper <= setup.blocks.size(); ++upper) {
     const double friction = setup.friction[upper - 1];
@@ -137,53 +96,203 @@ std::string pairs(const Setup& setup, const Parameters& parameters) {
   return text;
 }
 
-std::string stack_text(const Setup& setup, const Parameters& parameters) {
+using MujocoModel = std::unique_ptr<mjModel, void (*)(mjModel*)>;
+
+/// A stack as MuJoCo compiles it: the ground where it really moves, with two coordinates (x, y), then the
+/// blocks, with three each (x, y, angle anticlockwise). @throws std::runtime_error with the library's error.
+MujocoModel compile_stack(const Setup& setup, const Parameters& parameters) {
   const double masses = mass_factor(setup, parameters);
   std::string blocks;
   double share = 1;
   for (std::size_t k = 0; k < setup.blocks.size(); ++k, share *= parameters.at("depth_ratio"))
     blocks += body(setup.blocks[k], k + 1, masses, share * setup.blocks[k].depth);
-  return fmt::format("<mujoco><worldbody>{}{}</worldbody><contact>{}</contact></mujoco>",
-                     ground(setup, parameters), blocks, pairs(setup, parameters));
+  const std::string text = fmt::format("<mujoco><worldbody>{}{}</worldbody><contact>{}</contact></mujoco>",
+                                       ground(setup, parameters), blocks, pairs(setup, parameters));
+  // The library reads its models from files alone: this one is in memory.
+  constexpr const char* name = "stack.xml";
+  const std::unique_ptr<mjVFS, void (*)(mjVFS*)> files(new mjVFS{}, [](mjVFS* made) {
+    mj_deleteVFS(made);
+    delete made;
+  });
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), name, static_cast<int>(text.size()));
+  std::memcpy(files->filedata[0], text.data(), text.size());
+  std::array<char, 1000> error{};
+  MujocoModel model(mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size())),
+                    mj_deleteModel);
+  mj_freeLastXML();
+  if (!model) throw std::runtime_error(fmt::format("mujoco: {}", error.data()));
+  if (!setup.ground.empty()) {  // without the ground's: tolerances are relative to it, and solvers would stop
+    double sum = 0;
+    for (const Placement& block : setup.blocks) sum += masses * (2 * block.mass + block.inertia);
+    model->stat.meaninertia = sum / (3 * static_cast<double>(setup.blocks.size()));
+  }
+  return model;
 }
 
-/// A file in memory, as the library reads its models from files alone.
-class TextFile {
- public:
-  explicit TextFile(const std::string& text) {
-    mj_defaultVFS(files_.get());
-    mj_makeEmptyFileVFS(files_.get(), name, static_cast<int>(text.size()));
-    std::memcpy(files_->filedata[0], text.data(), text.size());
-  }
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
-  ~TextFile() { mj_deleteVFS(files_.get()); }
+/// A body's coordinates, as MuJoCo has them.
+struct Pose {
+  double x = 0, y = 0, angle = 0;  ///< m, m, rad anticlockwise
+};
 
-  static constexpr const char* name = "stack.xml";
-  const mjVFS* files() const { return files_.get(); }
+/// How far a point that a body holds goes along a normal while the body goes from one pose to another, m.
+double way_along(const double* normal, const double* point, const Pose& from, const Pose& to) {
+  const double x = point[0] - from.x, y = point[1] - from.y;
+  const double cosine = std::cos(to.angle - from.angle), sine = std::sin(to.angle - from.angle);
+  return normal[0] * (to.x + cosine * x - sine * y - point[0]) +
+         normal[1] * (to.y + sine * x + cosine * y - point[1]);
+}
+
+class MujocoSimulation final : public ShakenSimulation {
+ public:
+  MujocoSimulation(MujocoSolver solver, const Setup& setup, const Parameters& parameters)
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
+        blocks_(setup.blocks.size()),
+        model_(compile_stack(setup, parameters)),
+        data_(mj_makeData(model_.get()), mj_deleteData) {
+    if (!data_) throw std::runtime_error("mujoco: no memory for a run");
+    set_options(solver, setup.dt, parameters);
+    set_gravity(setup.gravity);
+    for (std::size_t k = 0; k < blocks_; ++k) place(setup.blocks[k], k);
+  }
+
+  BodyState body(std::size_t k) const override {
+    const double *place = data_->qpos + first(k), *velocity = data_->qvel + first(k);
+    return {place[0], place[1], velocity[0], velocity[1], -place[2], -velocity[2]};
+  }
+
+  std::size_t warnings() const override {
+    std::size_t sum = 0;
+    for (const mjWarningStat& warning : data_->warning) sum += static_cast<std::size_t>(warning.number);
+    return sum;
+  }
+
+  /// What is left after a step of Runge and Kutta's method are the contacts of its last stage alone.
+  bool watch_contacts() override {
+    return model_->opt.integrator != mjINT_RK4 && ShakenSimulation::watch_contacts();
+  }
+
+  std::vector<ContactPoint> contacts() const override {
+    std::vector<ContactPoint> points;
+    if (!watches_contacts() || before_.empty()) return points;
+    const std::vector<Pose> now = poses();
+    for (int i = 0; i < data_->ncon; ++i) points.push_back(point_of(i, now));
+    return points;
+  }
 
  private:
-  std::unique_ptr<mjVFS> files_ = std::make_unique<mjVFS>();
+  /// Of a block's three coordinates.
+  std::size_t first(std::size_t block) const { return (moves_ground() ? 2 : 0) + 3 * block; }
+
+  void set_options(MujocoSolver solver, double dt, const Parameters& parameters) {
+    mjOption& option = model_->opt;
+    const auto whole = [&](const char* name) { return static_cast<int>(parameters.at(name)); };
+    option.timestep = dt;
+    option.solver = static_cast<int>(solver);
+    option.integrator = whole("integrator");
+    option.cone = whole("cone");
+    option.impratio = parameters.at("impratio");
+    option.iterations = whole("iterations");
+    option.tolerance = parameters.at("tolerance");
+    option.noslip_iterations = whole("noslip_iterations");
+    option.noslip_tolerance = parameters.at("noslip_tolerance");
+    if (whole("refsafe") == 0) option.disableflags |= mjDSBL_REFSAFE;
+    if (whole("warmstart") == 0) option.disableflags |= mjDSBL_WARMSTART;
+  }
+
+  void advance() override {
+    if (watches_contacts()) before_ = poses();
+    mj_step(model_.get(), data_.get());
+    // MuJoCo begins anew where a coordinate is not a number or above 10¹⁰: that is no motion of this stack.
+    for (const mjtWarning lost : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
+      if (data_->warning[lost].number > 0) throw std::runtime_error("mujoco: the motion is not finite");
+  }
+
+  void set_gravity(const BodyAcceleration& acceleration) override {
+    const std::array<double, 3> gravity{acceleration.x, acceleration.y, 0};
+    std::copy(gravity.begin(), gravity.end(), model_->opt.gravity);
+  }
+
+  void place(const Placement& block, std::size_t k) {
+    const std::array<double, 3> place{block.x, block.y, -block.angle};
+    const std::array<double, 3> velocity{block.velocity_x, block.velocity_y, -block.angular_velocity};
+    std::copy(place.begin(), place.end(), data_->qpos + first(k));
+    std::copy(velocity.begin(), velocity.end(), data_->qvel + first(k));
+  }
+
+  void place_ground(const GroundStep& step) override {
+    data_->qpos[0] = step.x;
+    data_->qpos[1] = step.y;
+    data_->qvel[0] = step.velocity_x;
+    data_->qvel[1] = step.velocity_y;
+  }
+
+  /// Of the ground, then the blocks.
+  std::vector<Pose> poses() const {
+    std::vector<Pose> list(1);
+    if (moves_ground()) list[0] = {data_->qpos[0], data_->qpos[1], 0};
+    for (std::size_t k = 0; k < blocks_; ++k) {
+      const double* place = data_->qpos + first(k);
+      list.push_back({place[0], place[1], place[2]});
+    }
+    return list;
+  }
+
+  /// A contact of the last step. Geoms are numbered as poses are; the normal points from first to second.
+  ContactPoint point_of(int i, const std::vector<Pose>& now) const {
+    const mjContact& contact = data_->contact[i];
+    const auto one = static_cast<std::size_t>(contact.geom1), other = static_cast<std::size_t>(contact.geom2);
+    const Pose& upper = before_[std::max(one, other)];
+    std::array<mjtNum, 6> force{};
+    mj_contactForce(model_.get(), data_.get(), i, force.data());
+    ContactPoint point;
+    point.interface = std::max(one, other) - 1;
+    point.along = std::cos(upper.angle) * (contact.pos[0] - upper.x) +
+                  std::sin(upper.angle) * (contact.pos[1] - upper.y);
+    point.gap_before = contact.dist;
+    point.gap = contact.dist + way_along(contact.frame, contact.pos, before_[other], now[other]) -
+                way_along(contact.frame, contact.pos, before_[one], now[one]);
+    point.normal = dt() * force[0] / mass_factor_;
+    point.tangential = dt() * std::hypot(force[1], force[2]) / mass_factor_;
+    if (contact.efc_address < 0) return point;
+    // Where nothing accelerates, each row of a contact is a spring of k d/R and a dashpot of b/R (README.md).
+    // A pyramidal cone has four rows that share the normal force.
+    const bool pyramid = model_->opt.cone == mjCONE_PYRAMIDAL && contact.dim > 1;
+    const double rows = pyramid ? 2 * (contact.dim - 1) : 1;
+    const double* terms = data_->efc_KBIP + std::ptrdiff_t{4} * contact.efc_address;
+    const double compliance = mass_factor_ * data_->efc_R[contact.efc_address] / rows;
+    point.stiffness = terms[0] * terms[2] / compliance;
+    point.damping = terms[1] / compliance;
+    return point;
+  }
+
+  std::size_t blocks_;
+  MujocoModel model_;
+  std::unique_ptr<mjData, void (*)(mjData*)> data_;
+  std::vector<Pose> before_;  ///< of the ground and the blocks where the last step started
 };
+
+Engine with(MujocoSolver solver, const char* name) {
+  return {{.name = "mujoco",
+           .solver = name,
+           .version = std::string(mj_versionString()) + ", double precision",
+           .licence = "Apache-2.0",
+           .capabilities = {.planar = true},
+           .settings = settings_of(solver)},
+          [solver](const Setup& setup, const Parameters& parameters) {
+            // MuJoCo would end the process, or write a file into the working folder; its data count warnings.
+            mju_user_error = [](const char* what) {
+              throw std::runtime_error("mujoco: " + std::string(what));
+            };
+            mju_user_warning = [](const char*) {};
+            return std::make_unique<MujocoSimulation>(solver, setup, parameters);
+          }};
+}
 
 }  // namespace
 
 std::vector<Engine> make_mujoco() {
   return {with(MujocoSolver::newton, "newton"), with(MujocoSolver::cg, "cg"), with(MujocoSolver::pgs, "pgs")};
-}
-
-void DeleteModel::operator()(mjModel_* model) const {
-  mj_deleteModel(model);
-}
-
-MujocoModel compile_stack(const Setup& setup, const Parameters& parameters) {
-  const TextFile file(stack_text(setup, parameters));
-  std::array<char, 1000> error{};
-  MujocoModel model(mj_loadXML(TextFile::name, file.files(), error.data(), static_cast<int>(error.size())));
-  mj_freeLastXML();
-  if (!model) throw std::runtime_error(fmt::format("mujoco: {}", error.data()));
-  if (!setup.ground.empty()) model->stat.meaninertia = mean_inertia(setup, mass_factor(setup, parameters));
-  return model;
 }
 
 }  // namespace rockstack

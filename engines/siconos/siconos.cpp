@@ -1,40 +1,34 @@
 // Siconos beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Each block is a LagrangianLinearTIDS with three coordinates, each corner over a face an Interaction with
-// NewtonImpactFrictionNSL (simulation.cpp). The scheme is Moreau and Jean's. gamma and
-// constraintActivationThreshold choose a step's contacts: those whose gap plus gamma times the step times its
-// velocity is at most the threshold. Forces and masses are constant, so that the library's Newton loop ends
-// after one turn: Jacobians are those of the step's start. A ground that really moves is the part of a gap
-// that depends on time alone (LagrangianRheonomousR), with the velocity of the step under way.
 
 #include "engines/engine.hpp"
 
 namespace rockstack {
 
-/// A scene inside Siconos (simulation.cpp, which is C++17: Siconos's headers are no C++20). Precondition:
-/// `parameters` are checked.
+/// A scene inside Siconos (simulation.cpp, C++17 as its headers are). Precondition: checked `parameters`.
 std::unique_ptr<Simulation> start_siconos(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_siconos() {
+  const std::vector<Setting> settings{
+      {.name = "theta", .standard = 0.5, .most = 1},
+      {.name = "gamma", .standard = 0.5, .most = 1},
+      {.name = "constraintActivationThreshold", .unit = "m", .tuned = 1e-9},
+      {.name = "SICONOS_DPARAM_TOL", .standard = 1e-4, .tuned = 1e-12, .most = 1},
+      {.name = "SICONOS_IPARAM_MAX_ITER",
+       .standard = 1e3,
+       .tuned = 1e4,
+       .least = 1,
+       .most = 1e9,
+       .whole = true},
+      switch_setting("keepLambdaAndYState", true, true),
+      {.name = "en", .most = 1, .role = SettingRole::restitution},
+      {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
+      shaking_setting()};
   return {{{.name = "siconos",
             .solver = "nsgs",
             .version = "4.4.0, double precision",  // of Debian 12: its headers do not tell
             .licence = "Apache-2.0",
             .capabilities = {.planar = true, .lead = 0},
-            .settings = {{.name = "theta", .standard = 0.5, .most = 1},
-                         {.name = "gamma", .standard = 0.5, .most = 1},
-                         {.name = "constraintActivationThreshold", .unit = "m", .tuned = 1e-9},
-                         {.name = "SICONOS_DPARAM_TOL", .standard = 1e-4, .tuned = 1e-12, .most = 1},
-                         {.name = "SICONOS_IPARAM_MAX_ITER",
-                          .standard = 1000,
-                          .tuned = 10000,
-                          .least = 1,
-                          .most = 1e9,
-                          .whole = true},
-                         switch_setting("keepLambdaAndYState", true, true),
-                         {.name = "en", .most = 1, .role = SettingRole::restitution},
-                         {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12},
-                         shaking_setting()}},
+            .settings = settings},
            start_siconos}};
 }
 

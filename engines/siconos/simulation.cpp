@@ -15,7 +15,6 @@
 #include <TimeDiscretisation.hpp>
 #include <TimeStepping.hpp>
 #include <Topology.hpp>
-#include <algorithm>
 #include <cstdlib>
 
 /// Null where another BLAS is in use.
@@ -36,9 +35,9 @@ struct Frame {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * own.x - s * own.y, s * own.x + c * own.y};
   }
-  Vector inward(const Vector& along) const {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * along.x + s * along.y, c * along.y - s * along.x};
+  Vector seen(const Vector& point) const {
+    const double c = std::cos(angle), s = std::sin(angle), along = point.x - x, up = point.y - y;
+    return {c * along + s * up, c * up - s * along};
   }
 };
 
@@ -62,18 +61,12 @@ class CornerOverFace : public LagrangianRheonomousR {
   }
 
   double gap(const BlockVector& q) const {
-    const Frame face = frame(q, 1 - touch_.corner_body);
-    const Vector point = corner(q);
-    const Vector on_face = face.inward({point.x - face.x, point.y - face.y});
+    const Vector on_face = frame(q, 1 - touch_.corner_body).seen(corner(q));
     return std::abs(on_face.x) <= touch_.half_width ? touch_.normal * (on_face.y - touch_.face) : apart;
   }
 
   /// Where the corner is along the lower face of the upper body, from its middle to the right, m.
-  double along(const BlockVector& q) const {
-    const Frame upper = frame(q, 0);
-    const Vector point = corner(q);
-    return upper.inward({point.x - upper.x, point.y - upper.y}).x;
-  }
+  double along(const BlockVector& q) const { return frame(q, 0).seen(corner(q)).x; }
 
   void computeh(double, const BlockVector& q, BlockVector&, SiconosVector& y) override {
     y.setValue(0, gap(q));
@@ -81,8 +74,7 @@ class CornerOverFace : public LagrangianRheonomousR {
 
   /// The normal and the direction to its right, at the corner, of both bodies.
   void computeJachq(double, const BlockVector& q, BlockVector&) override {
-    const Frame face = frame(q, 1 - touch_.corner_body);
-    const Vector normal = face.outward({0, touch_.normal});
+    const Vector normal = frame(q, 1 - touch_.corner_body).outward({0, touch_.normal});
     const Vector rows[] = {normal, {normal.y, -normal.x}};
     const Vector point = corner(q);
     for (unsigned body = 0; 3 * body < q.size(); ++body) {
@@ -140,24 +132,15 @@ std::vector<Touch> touches(const Placement& upper, const Placement* lower) {
 /// Siconos tells of its solver's failures by a function for the whole process.
 thread_local std::size_t failed_solutions = 0;
 
-void note(int info, ::Simulation*) {
-  failed_solutions += info != 0 ? 1 : 0;
-}
-
 std::shared_ptr<SiconosVector> vector_of(double x, double y, double angle) {
-  auto vector = std::make_shared<SiconosVector>(3);
-  vector->setValue(0, x);
-  vector->setValue(1, y);
-  vector->setValue(2, angle);
-  return vector;
+  return std::make_shared<SiconosVector>(std::vector<double>{x, y, angle});
 }
 
 /// Each block is a dynamical system with three coordinates, each corner over a face an interaction.
 class SiconosSimulation final : public ShakenSimulation {
  public:
   SiconosSimulation(const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         system_(std::make_shared<NonSmoothDynamicalSystem>(0, (static_cast<double>(setup.steps) + 2) * dt())),
         acceleration_(setup.gravity) {
     // OpenBLAS, where it is the BLAS, shares matrices of this size among threads that wait for each other.
@@ -232,7 +215,8 @@ class SiconosSimulation final : public ShakenSimulation {
     problem_->setKeepLambdaAndYState(parameters.at("keepLambdaAndYState") != 0);
     simulation_ = std::make_shared<TimeStepping>(system_, std::make_shared<TimeDiscretisation>(0, dt()),
                                                  integrator_, problem_);
-    simulation_->setCheckSolverFunction(&note);
+    simulation_->setCheckSolverFunction(
+        [](int info, ::Simulation*) { failed_solutions += info != 0 ? 1 : 0; });
     simulation_->setWarnOnNonConvergence(false);
   }
 
@@ -275,7 +259,6 @@ class SiconosSimulation final : public ShakenSimulation {
     }
   }
 
-  double mass_factor_;
   std::shared_ptr<NonSmoothDynamicalSystem> system_;
   std::vector<std::shared_ptr<LagrangianLinearTIDS>> bodies_;
   std::vector<Corner> corners_;

@@ -1,18 +1,11 @@
 // Simbody beside the exact model; README.md says what its contacts are and why its sets are as they are.
-//
-// Its contact is compliant: CompliantContactSubsystem between a brick and a half space. Each corner of the
-// brick that is in the half space by x is pushed out by k x (1 + c x'), never pulled, with k half of
-// `stiffness`, as both surfaces give way alike, and c = `dissipation` (Hunt and Crossley 1975). At each
-// interface the narrower block is the brick. k and k c x are told of each contact. The ground's motion is a
-// body force: a moving ground's velocity jumps from step to step, on which CPodes gives up.
 
 #include "engines/engine.hpp"
 
 namespace rockstack {
 
-/// A stack inside Simbody (simulation.cpp, which is C++17: as C++20 comparisons of its headers are
-/// ambiguous). Precondition: `parameters` are checked. @throws std::exception with the library's own error,
-/// as all functions of the simulation do.
+/// A stack inside Simbody (simulation.cpp, C++17: as C++20 comparisons of its headers are ambiguous).
+/// Precondition: checked `parameters`. @throws std::exception with the library's own error, as its steps do.
 std::unique_ptr<Simulation> start_simbody(const Setup& setup, const Parameters& parameters);
 
 std::vector<Engine> make_simbody() {

@@ -17,11 +17,6 @@ std::unique_ptr<SimTK::Integrator> make_integrator(double choice, const SimTK::S
   return std::make_unique<SimTK::CPodesIntegrator>(system, SimTK::CPodes::BDF);
 }
 
-SimTK::Body::Rigid body_of(const Placement& block, double mass_factor) {
-  return SimTK::Body::Rigid(
-      SimTK::MassProperties(mass_factor * block.mass, Vec3(0), mass_factor * SimTK::Inertia(block.inertia)));
-}
-
 /// A half space whose face is at the height y of its body, which lies below or above that.
 SimTK::Transform face_at(double y, bool body_above) {
   return {SimTK::Rotation(SimTK::UnitVec3(0, body_above ? 1 : -1, 0), SimTK::XAxis), Vec3(0, y, 0)};
@@ -30,14 +25,15 @@ SimTK::Transform face_at(double y, bool body_above) {
 class SimbodySimulation final : public ShakenSimulation {
  public:
   SimbodySimulation(const Setup& setup, const Parameters& parameters)
-      : ShakenSimulation(setup),
-        mass_factor_(mass_factor(setup, parameters)),
+      : ShakenSimulation(setup, mass_factor(setup, parameters)),
         stiffness_(parameters.at("stiffness")),
         dissipation_(parameters.at("dissipation")),
         gravity_(forces_, matter_, Vec3(setup.gravity.x, setup.gravity.y, 0)) {
     contact_.setTransitionVelocity(parameters.at("transition_velocity"));
     std::vector<SimTK::Body> bodies{matter_.Ground().getBody()};
-    for (const Placement& block : setup.blocks) bodies.push_back(body_of(block, mass_factor_));
+    for (const Placement& block : setup.blocks)
+      bodies.push_back(SimTK::Body::Rigid(SimTK::MassProperties(
+          mass_factor_ * block.mass, Vec3(0), mass_factor_ * SimTK::Inertia(block.inertia))));
     add_contacts(setup, bodies);
     matter_.Ground().updBody() = bodies[0];
     for (std::size_t k = 0; k < setup.blocks.size(); ++k)
@@ -89,8 +85,7 @@ class SimbodySimulation final : public ShakenSimulation {
   }
 
   /// At each interface the block with the narrower face is a brick and the other body a half space. Surfaces
-  /// that share a clique never touch: so no brick meets a brick, and a half space meets that of its interface
-  /// alone.
+  /// that share a clique never touch: no brick meets a brick, a half space that of its interface alone.
   void add_contacts(const Setup& setup, std::vector<SimTK::Body>& bodies) {
     const std::size_t count = setup.blocks.size();
     std::vector<SimTK::ContactCliqueId> cliques;
@@ -134,7 +129,7 @@ class SimbodySimulation final : public ShakenSimulation {
     return point;
   }
 
-  double mass_factor_, stiffness_, dissipation_;
+  double stiffness_, dissipation_;
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_{system_};
   SimTK::GeneralForceSubsystem forces_{system_};

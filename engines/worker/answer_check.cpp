@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <sstream>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/one_line.hpp"
@@ -10,10 +11,8 @@
 namespace rockstack {
 namespace {
 
-constexpr std::size_t longest_name = 60;
-
 bool is_word(std::string_view text, std::string_view others) {
-  return !text.empty() && text.size() <= longest_name && std::ranges::all_of(text, [&](char letter) {
+  return !text.empty() && text.size() <= 60 && std::ranges::all_of(text, [&](char letter) {
     const bool usual = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
     return usual || others.find(letter) != std::string_view::npos;
   });
@@ -40,11 +39,8 @@ void check_setting(const Setting& setting) {
           "letters, digits, '_', '-' and '.', at most 60");
   require(is_line(setting.unit), "unit", setting.name, "one line");
   require(setting.least <= setting.most, "least", setting.name, "at most `most`");
-  for (const double value : {setting.standard, setting.tuned}) {
-    const bool inside = value >= setting.least && value <= setting.most;
-    require(inside && (!setting.whole || value == std::floor(value)), setting.name.c_str(),
-            fmt::format("{}", value), "within its own range");
-  }
+  for (const double value : {setting.standard, setting.tuned})
+    require(setting.allows(value), setting.name.c_str(), fmt::format("{}", value), "within its own range");
   const auto count = static_cast<double>(setting.choices.size());
   require(setting.choices.empty() || (setting.whole && setting.least == 0 && setting.most == count - 1),
           "choices", setting.name, "the names of all whole numbers from least = 0 to most");
@@ -61,8 +57,8 @@ void require_count(const char* list, std::size_t has, std::size_t must, const st
 }
 
 void require_range(const char* field, double value, double least, double most = largest_number) {
-  if (!(value >= least && value <= most))
-    throw std::runtime_error(fmt::format("`{}` must be from {} to {}; {} is not", field, least, most, value));
+  require(value >= least && value <= most,
+          fmt::format("`{}` must be from {} to {}; {} is not", field, least, most, value));
 }
 
 void require_range(const char* list, std::span<const double> values, double least) {
@@ -129,10 +125,8 @@ void require_contacts(const ContactRecord& contacts, std::size_t samples, const 
   }
 }
 
-/// "ValueError: …", "Exception in thread "main" …: …", "panic: …", "  what():  …"; not the frames of calls,
-/// which Java and JavaScript begin with "at".
-bool names_an_error(std::string_view line) {
-  std::string lower(line);
+/// "ValueError: …", "panic: …", "  what():  …"; not frames of calls, in Java and JavaScript from "at" on.
+bool names_an_error(std::string lower) {
   for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   if (lower.starts_with("at ")) return false;
   static constexpr std::array words{"error", "exception", "panic", "fatal", "what()"};
@@ -140,12 +134,6 @@ bool names_an_error(std::string_view line) {
     const std::size_t found = lower.find(word);
     return found != std::string::npos && lower.find(':', found) != std::string::npos;
   });
-}
-
-std::string_view trimmed(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
 }
 
 }  // namespace
@@ -199,15 +187,14 @@ void require_answer(const RunReply& reply, const RunRequest& asked) {
 }
 
 std::string telling_line(std::string_view text) {
-  std::string_view last;
-  while (!text.empty()) {
-    const std::size_t end = text.find_last_of('\n');
-    const std::string_view line = trimmed(text.substr(end + 1));  // npos + 1 is 0
-    if (names_an_error(line)) return std::string(line);
-    if (last.empty()) last = line;
-    text = end == std::string_view::npos ? std::string_view() : text.substr(0, end);
+  std::istringstream lines{std::string(text)};
+  std::string last, error;
+  for (std::string line; std::getline(lines, line);) {
+    line = trimmed(line, " \t\r");
+    if (!line.empty()) last = line;
+    if (names_an_error(line)) error = line;
   }
-  return std::string(last);
+  return error.empty() ? last : error;
 }
 
 }  // namespace rockstack

@@ -100,13 +100,6 @@ void kill_session(pid_t child) {
   each_process_of(child, [](pid_t process) { kill(process, SIGKILL); });
 }
 
-/// What does not fit into the pipe is lost: a worker that talks without end must not be held up.
-Ends make_pipe() {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) fail("no pipe for a worker");
-  return {high(ends[0]), high(ends[1])};
-}
-
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
@@ -117,13 +110,19 @@ FileDescriptor::FileDescriptor(int number) : number_(number) {
   if (number < 0) fail("no descriptor for a worker");
 }
 
-void FileDescriptor::close() {
-  if (number_ >= 0) ::close(std::exchange(number_, -1));
+FileDescriptor::~FileDescriptor() {
+  if (number_ >= 0) close(number_);
 }
 
 FileDescriptor high(int number) {
   const FileDescriptor low(number);
   return FileDescriptor(fcntl(low.get(), F_DUPFD_CLOEXEC, 10));
+}
+
+Ends make_pipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) fail("no pipe for a worker");
+  return {high(ends[0]), high(ends[1])};
 }
 
 FileDescriptor memory_file(std::string_view content) {
@@ -175,25 +174,22 @@ bool Allowance::lasts(std::chrono::microseconds wait) {
   return !unwanted_ && (clock_ < limit_ || used() < limit_);
 }
 
-/// The clock's time but for that in which the session waited for processors that others had; no less than
-/// that in which it had them.
+/// The clock's time less what the session waited for processors; no less than the time it had them.
 double Allowance::used() const {
   const Scheduled sum = scheduled(session_);
   const double waited = std::max(0.0, sum.waited - before_.waited);
   return std::max(clock_ - waited, std::min(clock_, sum.run - before_.run));
 }
 
-Child::Child(const std::filesystem::path& program, int input, int reply, const Limits& limits)
-    : Child(program, input, reply, limits, make_pipe()) {}
-
-Child::Child(const std::filesystem::path& program, int input, int reply, const Limits& limits, Ends ends)
-    : program_(program.string()), failure_(memory_file({})), complaints_(std::move(ends.ours)) {
+Child::Child(const std::filesystem::path& program, int input, int reply, const Limits& limits,
+             Ends complaints)
+    : program_(program.string()), failure_(memory_file({})), complaints_(std::move(complaints.ours)) {
   const FileDescriptor nothing = high(open("/dev/null", O_WRONLY | O_CLOEXEC));
   const pid_t parent = getpid();
   number_ = fork();
   if (number_ < 0) fail("a worker cannot be started");
   if (number_ == 0)
-    become(parent, program_.c_str(), {input, reply, ends.theirs.get(), nothing.get(), failure_.get()},
+    become(parent, program_.c_str(), {input, reply, complaints.theirs.get(), nothing.get(), failure_.get()},
            limits);
 }
 

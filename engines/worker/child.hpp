@@ -13,8 +13,7 @@
 namespace rockstack {
 
 /// What a worker may take. The memory limit is one on what it may write to and shares with nobody
-/// (RLIMIT_DATA), not on the addresses that it reserves; a program with address sanitizer runs without it,
-/// because that claims terabytes.
+/// (RLIMIT_DATA), not on the addresses it reserves; address sanitizer, which claims terabytes, has none.
 struct Limits {
   /// While this process runs, s: by the clock, also where the worker sleeps or is stopped, less what it
   /// waited for processors that others had; may be infinite.
@@ -43,9 +42,8 @@ class FileDescriptor {
   explicit FileDescriptor(int number);
   FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   FileDescriptor& operator=(FileDescriptor&&) = delete;
-  ~FileDescriptor() { close(); }
+  ~FileDescriptor();
   int get() const { return number_; }
-  void close();
 
  private:
   int number_;
@@ -64,6 +62,9 @@ std::string content(const FileDescriptor& file);
 struct Ends {
   FileDescriptor ours, theirs;
 };
+
+/// What does not fit into the pipe is lost: a worker that talks without end must not be held up.
+Ends make_pipe();
 
 /// What the operating system's scheduler has given to the threads of a session that are there, s.
 struct Scheduled {
@@ -102,7 +103,8 @@ class Allowance {
 class Child {
  public:
   /// Starts it with these files as standard input and descriptor 3, under the limits of memory and reply.
-  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits);
+  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits,
+        Ends complaints = make_pipe());
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -115,8 +117,7 @@ class Child {
 
   bool has_ended() const;
 
-  /// Waits until it has ended, or its time is over.
-  /// @return whether it has.
+  /// Waits until it has ended, or its time is over. @return whether it has.
   bool wait_for_end(Allowance& time, std::chrono::milliseconds tick) const;
 
   /// What waits of its standard error, 64 KiB at most.
@@ -127,11 +128,8 @@ class Child {
   ProcessEnd finish(const Allowance& time);
 
  private:
-  Child(const std::filesystem::path& program, int input, int reply, const Limits& limits, Ends ends);
-
   std::string program_;
-  FileDescriptor failure_;
-  FileDescriptor complaints_;
+  FileDescriptor failure_, complaints_;
   pid_t number_ = 0;
 };
 

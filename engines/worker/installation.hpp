@@ -7,8 +7,7 @@ namespace rockstack {
 /// Leads to the file that this code is in: the program, or a module that another program has loaded.
 std::filesystem::path own_file();
 
-/// The folder of the programs: that of this program's file, or of a module those of the nearest prefix around
-/// it.
+/// The folder of the programs: that of this program's file, or of a module of the nearest prefix around it.
 std::filesystem::path own_folder();
 
 /// True for a program or module where it was built, which takes its parts from the trees that it was built in

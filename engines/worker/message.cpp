@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 
 #include "analytic/scene/input/json_reader.hpp"
@@ -26,6 +25,14 @@ constexpr int version = 1;
 
 constexpr const char* any_number = "a number, \"inf\", \"-inf\" or \"nan\"";
 
+/// A field that `is` as it must be, which `allowed` tells.
+const json& field_that(bool (json::*is)() const noexcept, const char* allowed, const json& object,
+                       const char* name) {
+  const json& value = field(object, name);
+  if (!(value.*is)()) refuse(name, allowed);
+  return value;
+}
+
 /// @return nothing where the field is neither a number nor a text that stands for one.
 std::optional<double> number_of(const json& value) {
   if (value.is_number()) return value.get<double>();
@@ -33,15 +40,6 @@ std::optional<double> number_of(const json& value) {
   if (value == "-inf") return -std::numeric_limits<double>::infinity();
   if (value == "nan" || value.is_null()) return std::nan("");
   return {};
-}
-
-/// @throws std::runtime_error, as what a worker says is nobody's input.
-json parsed(std::string_view bytes, json::input_format_t format) {
-  try {
-    return parse_bytes<json>(bytes, format, "the message ");
-  } catch (const InputError& error) {
-    throw std::runtime_error(error.what());
-  }
 }
 
 }  // namespace
@@ -58,7 +56,12 @@ Message read_message(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool text = first != std::string_view::npos && bytes[first] == '{';
   const auto format = text ? json::input_format_t::json : json::input_format_t::msgpack;
-  Message message{parsed(bytes, format), text ? Form::json : Form::messagepack};
+  Message message{{}, text ? Form::json : Form::messagepack};
+  try {
+    message.fields = parse_bytes<json>(bytes, format, "the message ");
+  } catch (const InputError& error) {  // what a worker says is nobody's input
+    throw std::runtime_error(error.what());
+  }
   if (!message.fields.is_object() || !has_field(message.fields, version_field))
     throw std::runtime_error("the message is no object with a field `rockstack`");
   if (message.fields[version_field] != version)
@@ -122,27 +125,19 @@ std::vector<double> numbers_field(const json& object, const char* name) {
 }
 
 std::string text_field(const json& object, const char* name) {
-  const json& value = field(object, name);
-  if (!value.is_string()) refuse(name, "a text");
-  return value.get<std::string>();
+  return field_that(&json::is_string, "a text", object, name).get<std::string>();
 }
 
 bool flag_field(const json& object, const char* name) {
-  const json& value = field(object, name);
-  if (!value.is_boolean()) refuse(name, "true or false");
-  return value.get<bool>();
+  return field_that(&json::is_boolean, "true or false", object, name).get<bool>();
 }
 
 std::size_t count_field(const json& object, const char* name) {
-  const json& value = field(object, name);
-  if (!value.is_number_unsigned()) refuse(name, "a whole number ≥ 0");
-  return value.get<std::size_t>();
+  return field_that(&json::is_number_unsigned, "a whole number ≥ 0", object, name).get<std::size_t>();
 }
 
 const json& list_field(const json& object, const char* name) {
-  const json& list = field(object, name);
-  if (!list.is_array()) refuse(name, "a list");
-  return list;
+  return field_that(&json::is_array, "a list", object, name);
 }
 
 }  // namespace rockstack

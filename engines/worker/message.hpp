@@ -4,10 +4,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <type_traits>
-#include <vector>
 
 #include "analytic/scene/lists.hpp"
 

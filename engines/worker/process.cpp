@@ -16,13 +16,6 @@ std::chrono::milliseconds tick_of(const Limits& limits) {
   return std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50);
 }
 
-Ends socket_pair() {
-  std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    throw std::runtime_error("no sockets for a worker");
-  return {high(ends[0]), high(ends[1])};
-}
-
 /// Waits for a tick at most until the socket takes some of what is left of a question, or has more of a
 /// reply.
 /// @return false where no more will come.
@@ -42,9 +35,15 @@ bool exchange(const FileDescriptor& socket, const Child& child, std::string_view
 
 }  // namespace
 
+Ends socket_pair() {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw std::runtime_error("no sockets for a worker");
+  return {high(ends[0]), high(ends[1])};
+}
+
 ProcessEnd run_process(const std::filesystem::path& program, std::string_view input, const Limits& limits) {
-  const FileDescriptor in = memory_file(input);
-  const FileDescriptor reply = memory_file({});
+  const FileDescriptor in = memory_file(input), reply = memory_file({});
   Child child(program, in.get(), reply.get(), limits);
   Allowance time(child.number(), limits);
   child.wait_for_end(time, tick_of(limits));
@@ -53,44 +52,33 @@ ProcessEnd run_process(const std::filesystem::path& program, std::string_view in
   return end;
 }
 
-struct LastingProcess::State {
-  State(const std::filesystem::path& program, const Limits& limits, Ends ends = socket_pair())
-      : socket(std::move(ends.ours)), child(program, ends.theirs.get(), ends.theirs.get(), limits) {}
-
-  FileDescriptor socket;  ///< the other end is standard input of the program, and its descriptor 3
-  Child child;
-};
-
-LastingProcess::LastingProcess(const std::filesystem::path& program, const Limits& limits)
-    : state_(std::make_unique<State>(program, limits)) {}
-
-LastingProcess::~LastingProcess() = default;
+LastingProcess::LastingProcess(const std::filesystem::path& program, const Limits& limits, Ends ends)
+    : socket_(std::move(ends.ours)), child_(program, ends.theirs.get(), ends.theirs.get(), limits) {}
 
 bool LastingProcess::waits() const {
-  pollfd watched{state_->socket.get(), POLLIN, 0};
-  return state_->child.number() != 0 && poll(&watched, 1, 0) == 0;
+  pollfd watched{socket_.get(), POLLIN, 0};
+  return child_.number() != 0 && poll(&watched, 1, 0) == 0;
 }
 
 ProcessEnd LastingProcess::ask(std::string_view question, const Limits& limits) {
-  auto& [socket, child] = *state_;
   const std::chrono::milliseconds tick = tick_of(limits);
-  const double before = child.processor_time();
-  child.complaints();  // those of the question before are not of this one
-  Allowance time(child.number(), limits, scheduled(child.number()));
+  const double before = child_.processor_time();
+  child_.complaints();  // those of the question before are not of this one
+  Allowance time(child_.number(), limits, scheduled(child_.number()));
   const std::string line = std::string(question) + '\n';
   std::string_view left = line;
   std::string reply;
   bool open = true;
   while (open && !reply.ends_with('\n') && reply.size() <= limits.reply && time.lasts(tick))
-    open = exchange(socket, child, left, reply, tick);
+    open = exchange(socket_, child_, left, reply, tick);
   const bool too_long = reply.size() > limits.reply;
   ProcessEnd end;
   if (reply.ends_with('\n') && !too_long) {
-    end.processor_time = child.processor_time();
+    end.processor_time = child_.processor_time();
     end.reply = std::move(reply);
   } else {
-    if (!open) child.wait_for_end(time, tick);
-    end = child.finish(time);
+    if (!open) child_.wait_for_end(time, tick);
+    end = child_.finish(time);
     if (too_long) {
       end.timed_out = end.unwanted = false;
       end.signal = SIGXFSZ;

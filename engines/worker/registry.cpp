@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <deque>
 #include <mutex>
 #include <sstream>
 #include <system_error>
@@ -16,13 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* prefix = "rockstack-";
-
-fs::path find_worker(const std::string& name) {
-  fs::path file = worker_folder() / name;
-  std::error_code ignored;
-  if (fs::exists(file, ignored)) return file;
-  throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
-}
 
 /// Words with ':' between them.
 std::vector<std::string> split(const std::string& text) {
@@ -42,8 +34,7 @@ std::vector<fs::path> found_workers() {
   for (const std::string& folder : split(given)) {
     std::vector<fs::path> here;
     for (const auto& entry : fs::directory_iterator(folder)) {
-      const auto permissions = entry.status().permissions();
-      const bool runs = (permissions & fs::perms::owner_exec) != fs::perms::none;
+      const bool runs = (entry.status().permissions() & fs::perms::owner_exec) != fs::perms::none;
       if (entry.is_regular_file() && runs && entry.path().filename().string().starts_with(prefix))
         here.push_back(fs::absolute(entry.path()));
     }
@@ -54,14 +45,12 @@ std::vector<fs::path> found_workers() {
 }
 
 /// Engines of a program that is named by its path; asked once, and kept where they are.
-const std::deque<WorkerEngine>& engines_at(const fs::path& program) {
-  static std::map<fs::path, std::deque<WorkerEngine>> asked;
+const std::vector<WorkerEngine>& engines_at(const fs::path& program) {
+  static std::map<fs::path, std::vector<WorkerEngine>> asked;
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   const auto found = asked.find(program);
-  if (found != asked.end()) return found->second;
-  std::vector<WorkerEngine> list = engines_of(program);
-  return asked[program] = {list.begin(), list.end()};
+  return found != asked.end() ? found->second : asked[program] = engines_of(program);
 }
 
 /// Those that this program was built with, by the names of their workers.
@@ -70,8 +59,12 @@ const std::vector<std::string>& built() {
   return names;
 }
 
-const std::deque<WorkerEngine>& built_engines(const std::string& name) {
-  return engines_at(find_worker(prefix + name));
+const std::vector<WorkerEngine>& built_engines(const std::string& name) {
+  const fs::path file = worker_folder() / (prefix + name);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored))
+    throw std::runtime_error(fmt::format("{}: must be there, it came with this program", file.string()));
+  return engines_at(file);
 }
 
 bool is_built(const std::string& name) {
@@ -186,13 +179,9 @@ const std::vector<BrokenWorker>& broken_workers() {
 }
 
 std::vector<std::string> engines_left_out() {
-  std::vector<std::string> names;
-  for (const std::string& name : split(ROCKSTACK_KNOWN_ENGINES)) {
-    const bool there =
-        is_built(name) ||
-        std::ranges::any_of(found().engines, [&](const WorkerEngine& engine) { return engine.name == name; });
-    if (!there) names.push_back(name);
-  }
+  std::vector<std::string> names = split(ROCKSTACK_KNOWN_ENGINES);
+  std::erase_if(names,
+                [](const std::string& name) { return is_built(name) || !engines_called(name).empty(); });
   return names;
 }
 

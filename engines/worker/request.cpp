@@ -218,13 +218,6 @@ json fields_of(const RunReply& run, Form form) {
   return object;
 }
 
-std::vector<BodyState> read_bodies(const json& object) {
-  std::vector<BodyState> bodies;
-  read_columns(object, bodies, body_fields);
-  if (has_field(object, "z")) read_columns(object, bodies, out_of_plane_fields);
-  return bodies;
-}
-
 RunReply read_run_reply(const json& object) {
   RunReply run;
   run.status = text_field(object, "status");
@@ -238,7 +231,10 @@ RunReply read_run_reply(const json& object) {
   if (has_field(object, "warm_up")) run.warm_up = count_field(object, "warm_up");
   if (has_field(object, "warnings")) made.warnings = count_field(object, "warnings");
   if (has_field(object, "bodies"))
-    made.bodies = within("bodies", [&] { return read_bodies(object["bodies"]); });
+    within("bodies", [&, &bodies = object["bodies"]] {
+      read_columns(bodies, made.bodies, body_fields);
+      if (has_field(bodies, "z")) read_columns(bodies, made.bodies, out_of_plane_fields);
+    });
   if (has_field(object, "contacts"))
     made.contacts = within("contacts", [&] { return read_contacts(object["contacts"]); });
   return run;

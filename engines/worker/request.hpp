@@ -1,12 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
-#include "engines/engine.hpp"
-#include "engines/setup.hpp"
 #include "engines/trajectory.hpp"
 #include "engines/worker/message.hpp"
 
@@ -30,13 +25,14 @@ struct Request {
 
 /// What became of a run, by the worker's own account.
 struct RunReply {
-  std::string status;  ///< "done", "failed", "not finite" or "memory limit"
-  std::string reason;  ///< why not done
-  Trajectory trajectory;
-  std::vector<double> seconds;  ///< wall time of stepping alone in each timed run, s
-  double peak_memory = 0;       ///< of the worker, bytes; 0 where it does not say
+  std::string status;       ///< "done", "failed", "not finite" or "memory limit"
+  std::string reason = {};  ///< why not done
+  Trajectory trajectory = {};
+  std::vector<double> seconds = {};  ///< wall time of stepping alone in each timed run, s
+  double peak_memory = 0;            ///< of the worker, bytes; 0 where it does not say
   /// Steps that it took before the first timed run; empty where it does not say: those of the trajectory.
   std::optional<std::size_t> warm_up = {};
+  double processor_time = 0;  ///< by the operating system's account, s; no message has it
 };
 
 struct Reply {

@@ -14,8 +14,7 @@
 namespace rockstack {
 namespace {
 
-/// The largest resident size so far, in bytes. Linux also passes the parent's size at the fork on to the
-/// child's resource usage; this is the program's own.
+/// The largest resident size so far, bytes, of this program alone: usage has that of its parent at the fork.
 double peak_memory() {
   std::ifstream stream("/proc/self/status");
   for (std::string word; stream >> word;) {
@@ -25,45 +24,27 @@ double peak_memory() {
   return 0;
 }
 
-const Engine& find(const std::vector<Engine>& engines, const std::string& solver) {
-  const auto found = std::ranges::find(engines, solver, &Engine::solver);
-  if (found == engines.end()) throw std::runtime_error("no such solver: " + solver);
-  return *found;
-}
-
-/// Runs until as many steps as the request wants have been taken, those of the trajectory among them.
-void warm_up(const Engine& engine, const RunRequest& request, std::size_t steps, RunReply& reply) {
-  if (request.warm_up <= steps) return;
-  const std::size_t runs = (request.warm_up - 1) / steps;
-  time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(runs));
-  reply.warm_up = (runs + 1) * steps;
-}
-
 RunReply answer_run(const Engine& engine, const RunRequest& request) {
-  RunReply reply{"done", {}, {}, {}, 0};
+  RunReply reply{"done"};
   try {
     reply.trajectory = run(engine, request.setup, request.parameters, request.bodies);
     const std::size_t steps = reply.trajectory.angles.size() / request.setup.blocks.size() - 1;
-    warm_up(engine, request, steps, reply);
+    if (request.warm_up > steps) {  // those of the trajectory are among them
+      const std::size_t runs = (request.warm_up - 1) / steps;
+      time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(runs));
+      reply.warm_up = (runs + 1) * steps;
+    }
     reply.seconds =
         time_stepping(engine, request.setup, request.parameters, steps, static_cast<int>(request.repeats));
   } catch (const NotFinite& failure) {
-    reply = {"not finite", failure.what(), {}, {}, 0};
+    reply = {"not finite", failure.what()};
   } catch (const std::bad_alloc&) {
-    reply = {"memory limit", "the engine asked for more memory than there is", {}, {}, 0};
+    reply = {"memory limit", "the engine asked for more memory than there is"};
   } catch (const std::exception& failure) {
-    reply = {"failed", failure.what(), {}, {}, 0};
+    reply = {"failed", failure.what()};
   }
   reply.peak_memory = peak_memory();
   return reply;
-}
-
-void write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written <= 0) throw std::runtime_error("the reply cannot be written");
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
 }
 
 }  // namespace
@@ -75,11 +56,18 @@ int serve(const std::vector<Engine>& engines) {
     const Request request = read_request(read_message(bytes));
     Reply reply;
     if (request.run) {
-      reply.run = answer_run(find(engines, request.run->solver), *request.run);
+      const auto engine = std::ranges::find(engines, request.run->solver, &Engine::solver);
+      if (engine == engines.end()) throw std::runtime_error("no such solver: " + request.run->solver);
+      reply.run = answer_run(*engine, *request.run);
     } else {
       reply.engines.assign(engines.begin(), engines.end());
     }
-    write_all(reply_descriptor, to_bytes(reply, Form::messagepack));
+    const std::string answer = to_bytes(reply, Form::messagepack);
+    for (std::string_view left = answer; !left.empty();) {
+      const ssize_t written = ::write(reply_descriptor, left.data(), left.size());
+      if (written <= 0) throw std::runtime_error("the reply cannot be written");
+      left.remove_prefix(static_cast<std::size_t>(written));
+    }
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "a worker of rockstack: {}\n", error.what());

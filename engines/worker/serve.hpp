@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "engines/engine.hpp"
 
 namespace rockstack {
@@ -10,8 +8,7 @@ namespace rockstack {
 inline constexpr int reply_descriptor = 3;
 
 /// The main function of a worker program: reads one request from standard input, answers it on
-/// reply_descriptor; an engine's failure is part of the reply. @return the exit code: 0, or 2 where there was
-/// no request to be read.
+/// reply_descriptor; an engine's failure is part of the reply. @return the exit code, 2 without request.
 int serve(const std::vector<Engine>& engines);
 
 }  // namespace rockstack

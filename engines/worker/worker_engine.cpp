@@ -14,8 +14,7 @@ namespace {
 
 /// What a worker says in words goes into messages, tables and pages through here.
 std::string heard(const std::string& words) {
-  constexpr std::size_t most = 200;
-  return one_line(words, most);
+  return one_line(words, 200);
 }
 
 std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
@@ -24,25 +23,19 @@ std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
 
 /// Why there is no reply.
 RunReply explain(const ProcessEnd& end, const Limits& limits) {
-  RunReply run;
-  run.status = end.unwanted                               ? "stopped"
-               : end.timed_out                            ? "time limit"
-               : end.signal != 0 && end.signal != SIGXFSZ ? "signal"
-                                                          : "failed";
-  run.reason =
-      end.unwanted            ? "nobody wants it any more"
-      : end.timed_out         ? with_last_words(fmt::format("not done after {} s{}", limits.time,
-                                                    end.stopped ? ", in which a signal has stopped it" : ""),
-                                                end)
-      : end.signal == SIGXFSZ ? fmt::format("its reply is longer than {} bytes", limits.reply)
-      : end.signal != 0
-          ? with_last_words(fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal)), end)
-          : with_last_words(fmt::format("ended with exit code {} and no result", end.exit_code), end);
-  return run;
+  if (end.unwanted) return {"stopped", "nobody wants it any more"};
+  if (end.signal == SIGXFSZ && !end.timed_out)
+    return {"failed", fmt::format("its reply is longer than {} bytes", limits.reply)};
+  const char* status = end.timed_out ? "time limit" : end.signal != 0 ? "signal" : "failed";
+  const char* stopped = end.stopped ? ", in which a signal has stopped it" : "";
+  const std::string reason = end.timed_out ? fmt::format("not done after {} s{}", limits.time, stopped)
+                             : end.signal != 0
+                                 ? fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal))
+                                 : fmt::format("ended with exit code {} and no result", end.exit_code);
+  return {status, with_last_words(reason, end)};
 }
 
-/// The most bytes that a reply to this takes: numbers of at most 25 characters, in lists; contacts tell no
-/// more impacts than steps of each interface have.
+/// The most bytes of a reply: numbers of up to 25 characters; no more impacts than steps of each interface.
 std::uint64_t reply_limit(const RunRequest& asked) {
   const std::uint64_t numbers = (asked.setup.steps + 1) * asked.setup.blocks.size();
   const std::uint64_t each = asked.bodies ? 8 * 27 + 160 : 2 * 27;
@@ -58,12 +51,6 @@ RunRequest request(const WorkerEngine& engine, const Parameters& parameters, std
   return asked;
 }
 
-/// What a worker answered, or why it did not; what it took.
-struct Answer {
-  RunReply run;
-  double processor_time = 0;  ///< s
-};
-
 /// @throws std::runtime_error where it is none.
 Message read_answer(const std::string& bytes) {
   if (bytes.empty()) throw std::runtime_error("nothing came on descriptor 3; standard output is thrown away");
@@ -77,24 +64,27 @@ RunReply read_run(const std::string& bytes, const RunRequest& asked) {
   try {
     require_answer(*reply.run, asked);
   } catch (const NotFinite& failure) {
-    return {"not finite", failure.what(), {}, {}, reply.run->peak_memory};
+    return {.status = "not finite", .reason = failure.what(), .peak_memory = reply.run->peak_memory};
   }
   if (reply.run->status != "done")
     reply.run->reason = reply.run->reason.empty() ? "no `reason` is given" : heard(reply.run->reason);
   return *std::move(reply.run);
 }
 
-Answer answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunRequest& asked,
-                 const Limits& limits) {
-  if (end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0)
-    return {explain(end, limits), end.processor_time};
+/// What a worker answered, or why it did not.
+RunReply answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunRequest& asked,
+                   const Limits& limits) {
+  RunReply answer;
   try {
-    return {read_run(end.reply, asked), end.processor_time};
+    const bool silent = end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0;
+    answer = silent ? explain(end, limits) : read_run(end.reply, asked);
   } catch (const std::exception& error) {
     const std::string reason =
         fmt::format("{} gave a reply that cannot be read: {}", engine.program.string(), heard(error.what()));
-    return {{"failed", with_last_words(reason, end), {}, {}, 0}, end.processor_time};
+    answer = {"failed", with_last_words(reason, end)};
   }
+  answer.processor_time = end.processor_time;
+  return answer;
 }
 
 /// A process that may take further runs of a thread.
@@ -114,14 +104,14 @@ bool may_share(const WorkerEngine& engine, const RunRequest& asked, const Limits
          limits.unwanted == nullptr;
 }
 
-Answer ask_kept(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
+RunReply ask_kept(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
   const std::string question = to_bytes(Request{asked}, engine.form);
-  Answer answer = answer_of(kept.process->ask(question, limits), engine, asked, limits);
-  if (answer.run.status != "done" || --kept.runs == 0) kept = {};
+  RunReply answer = answer_of(kept.process->ask(question, limits), engine, asked, limits);
+  if (answer.status != "done" || --kept.runs == 0) kept = {};
   return answer;
 }
 
-Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
+RunReply ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   limits.reply = reply_limit(asked);
   if (!may_share(engine, asked, limits))
     return answer_of(run_process(engine.program, to_bytes(Request{asked}, engine.form), limits), engine,
@@ -129,14 +119,14 @@ Answer ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
   double spent = 0;
   const bool there = kept.process && kept.program == engine.program && kept.memory == limits.memory;
   if (there && kept.process->waits()) {
-    Answer answer = ask_kept(engine, asked, limits);
-    if (answer.run.status == "done") return answer;
+    RunReply answer = ask_kept(engine, asked, limits);
+    if (answer.status == "done") return answer;
     spent = answer.processor_time;  // the runs before it may be why: a new process tells
   }
   kept = {};
   kept = {engine.program, limits.memory, engine.runs_per_process,
           std::make_unique<LastingProcess>(engine.program, limits)};
-  Answer answer = ask_kept(engine, asked, limits);
+  RunReply answer = ask_kept(engine, asked, limits);
   answer.processor_time += spent;
   return answer;
 }
@@ -176,10 +166,10 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
     result.reason = error.what();
     return result;
   }
-  auto [run, processor_time] = ask(engine, asked, limits);
+  RunReply run = ask(engine, asked, limits);
   result.status = std::move(run.status);
   result.reason = std::move(run.reason);
-  result.processor_time = processor_time;
+  result.processor_time = run.processor_time;
   result.peak_memory = run.peak_memory;
   if (result.status != "done") return result;
   const std::size_t steps = run.trajectory.angles.size() / scene.blocks.size() - 1;
@@ -193,9 +183,9 @@ Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters&
                const Limits& limits, std::size_t repeats) {
   RunRequest asked = request(engine, parameters, repeats, bodies);
   asked.setup = setup;
-  Answer answer = ask(engine, asked, limits);
-  if (answer.run.status != "done") throw std::runtime_error(answer.run.status + ": " + answer.run.reason);
-  return std::move(answer.run.trajectory);
+  RunReply answer = ask(engine, asked, limits);
+  if (answer.status != "done") throw std::runtime_error(answer.status + ": " + answer.reason);
+  return std::move(answer.trajectory);
 }
 
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,

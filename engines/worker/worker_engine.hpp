@@ -1,12 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "engines/body_record.hpp"
-#include "engines/engine.hpp"
 #include "engines/worker/process.hpp"
 #include "engines/worker/request.hpp"
 
@@ -49,8 +43,7 @@ Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters&
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
                         const Parameters& parameters, int repeats, const Limits& limits, bool bodies = false);
 
-/// Runs a scene for its duration; `bodies`: keeps a BodyRecord. @throws std::runtime_error for whatever kept
-/// the run from being done.
+/// Runs a scene for its duration; `bodies`: keeps a BodyRecord. @throws std::runtime_error where not done.
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
                    const Limits& limits = {}, bool bodies = false);
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 
 namespace rockstack::plots {

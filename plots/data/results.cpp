@@ -2,10 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <system_error>
-
 #include "analytic/scene/input/document.hpp"
-#include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -32,30 +29,15 @@ ComparedScene scene_of(const Json& json, const fs::path& results) {
   return scene;
 }
 
-PaperStatement statement_of(const Json& json) {
-  const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
-  return {text("source"), text("claim"), text("verdict"), text("criterion"), text("computed")};
-}
-
-void read_runs(const Json& rows, const fs::path& results, Comparison& comparison) {
-  const auto files = std::make_shared<KeptFiles>();
-  for (RunMetrics& row : rows.get<std::vector<RunMetrics>>()) {
-    Run run{std::move(row)};
-    run.folder = results / "runs" / name_in(results, "run", run.run);
-    run.files = files;
-    comparison.runs.push_back(std::move(run));
-  }
-}
-
 /// What a scene's figures are chosen by.
 void note_kinds(Comparison& comparison) {
   for (ComparedScene& scene : comparison.scenes) {
     for (const Run& run : comparison.runs) {
       if (run.scene != scene.name || !run.done()) continue;
-      scene.both_equations = scene.both_equations || has_other_equations(run);
-      scene.frictions = scene.frictions || has_own_friction(run);
+      scene.both_equations = scene.both_equations || run.has_other_equations();
+      scene.frictions = scene.frictions || run.has_own_friction();
       scene.split = scene.split || run.step_difference;
-      scene.slips = scene.slips || tells_slips(run);
+      scene.slips = scene.slips || run.tells_slips();
     }
     const auto is_own = [&](const auto& one) { return one.scene == scene.name; };
     scene.fitted = std::ranges::any_of(comparison.fits, is_own);
@@ -74,15 +56,18 @@ Comparison comparison_of(const Json& json, const fs::path& results) {
   if (!(comparison.tolerance > 0))
     throw std::invalid_argument(fmt::format("tolerance_rad = {}: must be > 0", comparison.tolerance));
   comparison.left_out = json.at("left_out").get<std::vector<std::string>>();
-  for (const Json& statement : json.at("statements"))
-    comparison.statements.push_back(statement_of(statement));
+  for (const Json& one : json.at("statements"))
+    comparison.statements.push_back(
+        {one.at("source"), one.at("claim"), one.at("verdict"), one.at("criterion"), one.at("computed")});
   comparison.fits = json.at("fits").get<std::vector<SeriesFit>>();
   comparison.distances = json.at("distributions").get<std::vector<DistributionDistance>>();
   comparison.verdict = verdict_from(json.at("verdict"));
   if (comparison.verdict.scenes.size() != comparison.scenes.size())
     throw std::invalid_argument(fmt::format("verdict of {} scenes: must be of {}",
                                             comparison.verdict.scenes.size(), comparison.scenes.size()));
-  read_runs(json.at("rows"), results, comparison);
+  const auto files = std::make_shared<KeptFiles>();
+  for (const RunMetrics& row : json.at("rows").get<std::vector<RunMetrics>>())
+    comparison.runs.push_back({row, results / "runs" / name_in(results, "run", row.run), files});
   note_kinds(comparison);
   return comparison;
 }
@@ -93,26 +78,19 @@ ComparedScene scene_of(const Json& summary, const Run& run) {
   scene.toml = summary.at("scene_file").get<std::string>();
   scene.page = summary.value("page", "");
   scene.results = {"histories"};
-  scene.slips = tells_slips(run);
+  scene.slips = run.tells_slips();
   scene.alone = true;
   if (!run.exact()) scene.law.clear();
   if (fs::exists(run.folder / "ground.csv")) scene.ground_motion = run.folder / "ground.csv";
   return scene;
 }
 
-/// A motion that was given up is shown up to there.
-Run run_of(const Json& summary, const fs::path& results) {
-  Run run{summary.get<RunMetrics>()};
-  run.status = RunStatus::done;
-  run.folder = results;
-  run.files = std::make_shared<KeptFiles>();
-  return run;
-}
-
 Motion motion_of(const Json& summary, const fs::path& results) {
   Motion motion;
-  motion.comparison.runs = {run_of(summary, results)};
-  motion.comparison.scenes = {scene_of(summary, motion.comparison.runs.front())};
+  Run run{summary.get<RunMetrics>(), results, std::make_shared<KeptFiles>()};
+  run.status = RunStatus::done;  // a motion that was given up is shown up to there
+  motion.comparison.runs = {run};
+  motion.comparison.scenes = {scene_of(summary, run)};
   motion.comparison.title = motion.comparison.scenes.front().title;
   motion.comparison.command = summary.at("command").get<std::string>();
   motion.comparison.environment = facts_of(summary.at("environment"));
@@ -143,10 +121,10 @@ Facts facts_of(const Json& object) {
   return facts;
 }
 
-void KeptFiles::make_room_for(const std::filesystem::path& file) {
+void KeptFiles::make_room_for(const fs::path& file) {
   constexpr std::uintmax_t room = 500'000'000;
   std::error_code none;
-  const std::uintmax_t size = std::filesystem::file_size(file, none);
+  const std::uintmax_t size = fs::file_size(file, none);
   if (none) return;
   if (bytes_ + size > room) {
     kept_.clear();
@@ -155,25 +133,9 @@ void KeptFiles::make_room_for(const std::filesystem::path& file) {
   bytes_ += size;
 }
 
-bool ComparedScene::has(const std::string& result) const {
-  return std::ranges::find(results, result) != results.end();
-}
-
-SceneScale scale_of(const Comparison& comparison, const ComparedScene& scene) {
-  return {least_height(scene.stack), scene.duration, comparison.tolerance};
-}
-
-std::string heading(const ComparedScene& scene) {
-  return scene.law.empty() ? scene.title : fmt::format("{}, law {}", scene.title, scene.law);
-}
-
 Comparison read_comparison(const fs::path& results) {
   return read_json(results / "comparison.json",
                    [&](const Json& json) { return comparison_of(json, results); });
-}
-
-Facts read_summary(const Run& run) {
-  return read_json(run.folder / "summary.json", facts_of);
 }
 
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene) {
@@ -182,35 +144,6 @@ std::vector<Run> done_runs(const Comparison& comparison, const std::string& scen
     if (run.done() && run.scene == scene) runs.push_back(run);
   std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return run.exact(); });
   return runs;
-}
-
-bool has_motion(const Comparison& comparison, const ComparedScene& scene) {
-  return scene.has("histories") && !done_runs(comparison, scene.name).empty();
-}
-
-bool has_other_equations(const Run& run) {
-  return run.engine == "linear" || run.engine == "nonlinear";
-}
-
-bool has_own_friction(const Run& run) {
-  return run.engine.starts_with("friction=");
-}
-
-bool is_variant(const Run& run) {
-  return has_other_equations(run) || has_own_friction(run) || run.engine == "paper" ||
-         run.engine == "consistent" || run.engine == "unilateral";
-}
-
-bool tells_slips(const Run& run) {
-  return run.law == name(Law::unilateral) || run.law == name(Law::compliant);
-}
-
-std::string solver_name(const Run& run) {
-  return run.exact() || run.solver.empty() ? run.engine : run.engine + ":" + run.solver;
-}
-
-bool has_one_motion(const fs::path& results) {
-  return fs::exists(results / "summary.json") && fs::exists(results / "history.csv");
 }
 
 Motion read_motion(const fs::path& results) {

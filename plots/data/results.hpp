@@ -1,24 +1,7 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <limits>
-#include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include "analytic/scene/input/json_reader.hpp"
-#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/provenance.hpp"
-#include "comparisons/measures/results/run_metrics.hpp"
-#include "comparisons/measures/statistics/distributions.hpp"
-#include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 
 namespace rockstack::plots {
@@ -28,21 +11,19 @@ namespace fs = std::filesystem;
 /// Names and texts in the order of the file.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-/// A text that names a file or folder of results: never a path to elsewhere. @throws InputError naming
-/// `place`.
+/// A text that names a file or folder of results, no path to elsewhere. @throws InputError naming `place`.
 std::string file_name(const std::string& text, const std::string& place);
 
 /// Everything that an object says, nested names joined by dots.
 Facts facts_of(const Json& object);
 
-/// What was read of files: each is read once and kept while there is room, since figures and pages of one
-/// scene show the same histories.
+/// What was read of files: each is read once and kept while there is room, as a scene's figures share them.
 class KeptFiles {
  public:
   /// What `read` makes of a file. A file is always read by the same function.
   template <class Read>
-  auto get(const std::filesystem::path& file, const Read& read) {
-    using Value = std::invoke_result_t<Read, const std::filesystem::path&>;
+  auto get(const fs::path& file, const Read& read) {
+    using Value = std::invoke_result_t<Read, const fs::path&>;
     if (const auto found = kept_.find(file); found != kept_.end())
       return std::static_pointer_cast<const Value>(found->second);
     std::shared_ptr<const Value> value = std::make_shared<const Value>(read(file));
@@ -52,19 +33,31 @@ class KeptFiles {
   }
 
  private:
-  void make_room_for(const std::filesystem::path& file);
+  void make_room_for(const fs::path& file);
 
-  std::map<std::filesystem::path, std::shared_ptr<const void>> kept_;
+  std::map<fs::path, std::shared_ptr<const void>> kept_;
   std::uintmax_t bytes_ = 0;  ///< of the files
 };
 
 /// A row of a comparison, and where its files are.
 struct Run : RunMetrics {
-  std::filesystem::path folder = {};
+  fs::path folder = {};
   std::shared_ptr<KeptFiles> files = {};  ///< what was read of them; null: nothing is kept
 
   bool done() const { return status == RunStatus::done; }
   bool exact() const { return engine == "exact"; }
+  /// Of the exact solver in another way than the scene's: other equations, a coefficient of friction of its
+  /// own, or any of both and other laws.
+  bool has_other_equations() const { return engine == "linear" || engine == "nonlinear"; }
+  bool has_own_friction() const { return engine.starts_with("friction="); }
+  bool is_variant() const {
+    return has_other_equations() || has_own_friction() || engine == "paper" || engine == "consistent" ||
+           engine == "unilateral";
+  }
+  /// Whether its history tells slips, gaps and places: blocks may leave their pivots.
+  bool tells_slips() const { return law == name(Law::unilateral) || law == name(Law::compliant); }
+  /// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
+  std::string solver_name() const { return exact() || solver.empty() ? engine : engine + ":" + solver; }
 };
 
 /// What a cell of a row holds as a number, NaN where it is empty.
@@ -76,29 +69,26 @@ double value_of(const std::optional<Number>& cell) {
 /// A scene as it was compared.
 struct ComparedScene : RecordedScene {
   std::string name = {};
-  std::string toml = {};                     ///< the scene as text
-  std::string page = {};                     ///< the scene for pages that solve it, JSON; empty: none
-  double predictable_time = std::nan("");    ///< until when histories can be compared, s; NaN: not known
-  std::filesystem::path ground_motion = {};  ///< its file, empty where nothing moves it
-  std::vector<std::string> results = {};     ///< what was computed, by the suite's names
-  std::vector<std::string> readings = {};    ///< what a test has measured, by its columns
-  std::string reading_unit = {};             ///< "rad" or "m"
-  bool both_equations = false;               ///< linear and full equations, side by side
-  bool fitted = false;                       ///< whether errors were fitted over the time steps
-  bool perturbed = false;                    ///< whether there are distributions over perturbed scenes
-  bool slips = false;                        ///< whether a run tells how far blocks have slipped
-  bool split = false;                        ///< whether differences are split into parts
-  bool frictions = false;                    ///< whether the exact solver ran with other friction too
-  bool alone = false;                        ///< one motion by itself: no run stands beside another
+  std::string toml = {};                   ///< the scene as text
+  std::string page = {};                   ///< the scene for pages that solve it, JSON; empty: none
+  double predictable_time = std::nan("");  ///< until when histories can be compared, s; NaN: not known
+  fs::path ground_motion = {};             ///< its file, empty where nothing moves it
+  std::vector<std::string> results = {};   ///< what was computed, by the suite's names
+  std::vector<std::string> readings = {};  ///< what a test has measured, by its columns
+  std::string reading_unit = {};           ///< "rad" or "m"
+  bool both_equations = false;             ///< linear and full equations, side by side
+  bool fitted = false;                     ///< whether errors were fitted over the time steps
+  bool perturbed = false;                  ///< whether there are distributions over perturbed scenes
+  bool slips = false;                      ///< whether a run tells how far blocks have slipped
+  bool split = false;                      ///< whether differences are split into parts
+  bool frictions = false;                  ///< whether the exact solver ran with other friction too
+  bool alone = false;                      ///< one motion by itself: no run stands beside another
 
-  bool has(const std::string& result) const;
+  bool has(const std::string& result) const { return std::ranges::find(results, result) != results.end(); }
+  /// The title with the law of its exact motion.
+  std::string heading() const { return law.empty() ? title : title + ", law " + law; }
   /// Until when histories can be compared, s.
   double horizon() const { return std::isnan(predictable_time) ? duration : predictable_time; }
-};
-
-/// A statement of the paper beside what was computed.
-struct PaperStatement {
-  std::string source, claim, verdict, criterion, computed;
 };
 
 /// What `rockstack compare` has written.
@@ -110,20 +100,15 @@ struct Comparison {
   double tolerance = 0;       ///< rad, the difference up to which angles count as agreeing; > 0
   ComparisonVerdict verdict;  ///< what it comes to; of one motion alone nothing
   std::vector<std::string> left_out;
-  std::vector<PaperStatement> statements;  ///< none where the suite does not ask for them
-  std::vector<SeriesFit> fits;             ///< of errors over time steps
+  /// Of the paper, where the suite asks for them: source, claim, verdict, criterion, computed.
+  std::vector<std::vector<std::string>> statements;
+  std::vector<SeriesFit> fits;  ///< of errors over time steps
   std::vector<DistributionDistance> distances;
   std::vector<Run> runs;
 };
 
-/// What a scene's rows are held against.
-SceneScale scale_of(const Comparison& comparison, const ComparedScene& scene);
-
-/// A scene's title with the law of its exact motion.
-std::string heading(const ComparedScene& scene);
-
 /// Reads comparison.json. @throws InputError naming what is missing or malformed.
-Comparison read_comparison(const std::filesystem::path& results);
+Comparison read_comparison(const fs::path& results);
 
 /// What `rockstack solve` or `simulate` has written: a comparison of one scene with one run, whose files lie
 /// in the results folder itself.
@@ -133,35 +118,15 @@ struct Motion {
   Facts summary;        ///< everything that summary.json says besides
 };
 
-/// True where a folder holds one motion.
-bool has_one_motion(const std::filesystem::path& results);
-
 /// Reads summary.json. @throws InputError naming the file that is missing or malformed.
-Motion read_motion(const std::filesystem::path& results);
-
-/// Everything that a run's summary.json says, nested names joined by dots.
-/// @throws InputError naming the file that is missing or malformed.
-Facts read_summary(const Run& run);
+Motion read_motion(const fs::path& results);
 
 /// The runs of one scene that are done: the exact one first, engines in the order of the file.
 std::vector<Run> done_runs(const Comparison& comparison, const std::string& scene);
 
 /// True where a scene's motion can be shown: histories were asked for, and a run is done.
-bool has_motion(const Comparison& comparison, const ComparedScene& scene);
-
-/// True for a run of the exact solver with the other kind of equations than the scene's.
-bool has_other_equations(const Run& run);
-
-/// True for a run of the exact solver with a coefficient of friction of its own.
-bool has_own_friction(const Run& run);
-
-/// True for a run of the exact solver in another way than the scene's: other equations, friction or law.
-bool is_variant(const Run& run);
-
-/// True for a run whose history tells slips, gaps and places: blocks may leave their pivots.
-bool tells_slips(const Run& run);
-
-/// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
-std::string solver_name(const Run& run);
+inline bool has_motion(const Comparison& comparison, const ComparedScene& scene) {
+  return scene.has("histories") && !done_runs(comparison, scene.name).empty();
+}
 
 }  // namespace rockstack::plots

@@ -13,24 +13,10 @@ auto kept(const Run& run, const char* name, const Read& read) {
 }
 
 /// Nothing where the file is not there.
-template <class List, class Read>
-std::shared_ptr<const List> kept_list(const Run& run, const char* name, const Read& read) {
+template <class Read>
+auto kept_list(const Run& run, const char* name, const Read& read) {
   return kept(run, name,
-              [&](const auto& file) { return std::filesystem::exists(file) ? read(file) : List(); });
-}
-
-EnergyHistory read_energies(const std::filesystem::path& file) {
-  auto columns = read_columns(file, {"time", "exact", "engine", "input", "balance"});
-  return {std::move(columns[0]), std::move(columns[1]), std::move(columns[2]), std::move(columns[3]),
-          std::move(columns[4])};
-}
-
-std::vector<AlignedImpact> matched_impacts(const Run& run) {
-  std::vector<AlignedImpact> list = *impacts_of(run);
-  std::erase_if(list, [](const AlignedImpact& one) { return !one.exact || !one.engine || !one.number; });
-  std::ranges::stable_sort(
-      list, [](const AlignedImpact& a, const AlignedImpact& b) { return *a.exact < *b.exact; });
-  return list;
+              [&](const auto& file) { return fs::exists(file) ? read(file) : decltype(read(file))(); });
 }
 
 /// The sample nearest before a time. Precondition: times rise and are not empty.
@@ -46,23 +32,18 @@ std::shared_ptr<const History> history_of(const Run& run) {
 }
 
 std::shared_ptr<const std::vector<AlignedImpact>> impacts_of(const Run& run) {
-  return kept_list<std::vector<AlignedImpact>>(run, "impacts.csv", read_impacts);
+  return kept_list(run, "impacts.csv", read_impacts);
 }
 
 std::shared_ptr<const EnergyHistory> energies_of(const Run& run) {
-  return kept(run, "energy.csv", read_energies);
-}
-
-Band band_of(const Run& run, int block) {
-  const auto file = run.folder / "band.csv";
-  if (!std::filesystem::exists(file)) return {};
-  auto columns =
-      read_columns(file, {"time", fmt::format("lower_{}", block + 1), fmt::format("upper_{}", block + 1)});
-  return {std::move(columns[0]), std::move(columns[1]), std::move(columns[2])};
+  return kept(run, "energy.csv", [](const auto& file) {
+    const auto columns = read_columns(file, {"time", "exact", "engine", "input", "balance"});
+    return EnergyHistory{columns[0], columns[1], columns[2], columns[3], columns[4]};
+  });
 }
 
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run) {
-  return kept_list<std::vector<MotionTally>>(run, "perturbed.csv", read_tallies);
+  return kept_list(run, "perturbed.csv", read_tallies);
 }
 
 std::vector<double> column_of(const History& history, std::vector<double> History::*rows, int block) {
@@ -84,24 +65,12 @@ std::vector<double> impact_times(const History& history, int interface) {
   return times;
 }
 
-ContactSummary read_contact_summary(const Run& run) {
-  const std::filesystem::path file = run.folder / "summary.json";
-  if (!std::filesystem::exists(file)) return {};
-  return read_json(file, [](const Json& json) {
-    ContactSummary summary;
-    for (const Json& one : json.value("contact", Json::array()))
-      summary.interfaces.push_back({one.at("final_slip").get<double>(), one.at("largest_slip").get<double>(),
-                                    one.at("highest_lift").get<double>(), one.at("slips").get<int>(),
-                                    one.at("lift_offs").get<int>()});
-    summary.warnings = json.value("validity_warnings", std::vector<std::string>());
-    return summary;
-  });
-}
-
 std::vector<ImpactLoss> impact_losses(const Run& run) {
   const auto energy = energies_of(run);
   const std::vector<double>& times = energy->times;
-  const std::vector<AlignedImpact> impacts = matched_impacts(run);
+  std::vector<AlignedImpact> impacts = *impacts_of(run);
+  std::erase_if(impacts, [](const AlignedImpact& one) { return !one.exact || !one.engine || !one.number; });
+  std::ranges::stable_sort(impacts, {}, &AlignedImpact::exact);
   std::vector<ImpactLoss> losses;
   if (times.empty()) return losses;
   double exact_from = times.front(), engine_from = times.front();
@@ -121,22 +90,11 @@ std::vector<ImpactLoss> impact_losses(const Run& run) {
 
 std::vector<double> replicates_of(const Run& run, const std::string& quantity) {
   const auto file = run.folder / "draws.csv";
-  if (!std::filesystem::exists(file)) return {};
+  if (!fs::exists(file)) return {};
   std::vector<double> values = read_columns(file, {quantity}).front();
   std::erase_if(values, [](double value) { return std::isnan(value); });
   std::ranges::sort(values);
   return values;
-}
-
-std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& results,
-                                             const std::string& quantity) {
-  const auto file = results / "spread.csv";
-  std::map<std::string, SpreadRange> ranges;
-  if (!std::filesystem::exists(file)) return ranges;
-  for (CsvLine row(file); row.next();)
-    if (row.text("quantity") == quantity)
-      ranges[row.text("run")] = {row.value("least"), row.value("greatest")};
-  return ranges;
 }
 
 Share toppled_share(const std::vector<MotionTally>& tallies, const std::vector<MotionTally>& exact) {

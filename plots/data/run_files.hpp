@@ -1,14 +1,6 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "plots/data/results.hpp"
 
@@ -30,13 +22,6 @@ std::shared_ptr<const std::vector<AlignedImpact>> impacts_of(const Run& run);
 
 std::shared_ptr<const EnergyHistory> energies_of(const Run& run);
 
-/// Between what the middle half of a block's angles lie over a run's replicates, rad; empty where the run has
-/// none, or its files no histories.
-struct Band {
-  std::vector<double> times, lower, upper;
-};
-Band band_of(const Run& run, int block);
-
 /// What perturbed scenes came to; none where there are none.
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run);
 
@@ -46,18 +31,8 @@ std::vector<double> column_of(const History& history, std::vector<double> Histor
 /// The times of the impacts at an interface, s.
 std::vector<double> impact_times(const History& history, int interface);
 
-/// What a run's summary.json says of its contacts.
-struct ContactSummary {
-  std::vector<InterfaceSummary> interfaces;  ///< none under laws of pivots
-  std::vector<std::string> warnings;         ///< of where theory has no single answer, and the like
-};
-
-/// @throws InputError naming the file that is malformed; nothing where it is missing.
-ContactSummary read_contact_summary(const Run& run);
-
 /// The energy that an impact loses, J, exact and in an engine with what its contacts store: from halfway to
-/// the matched impact before to halfway to that after, so that both are counted over the same impacts,
-/// whenever each comes.
+/// the matched impact before to halfway to that after, so that both count the same, whenever each comes.
 struct ImpactLoss {
   double number = 0;  ///< of the exact impact, from 1
   double exact = 0, engine = 0;
@@ -68,18 +43,8 @@ struct ImpactLoss {
 /// @throws InputError naming the file and what is wrong in it.
 std::vector<ImpactLoss> impact_losses(const Run& run);
 
-/// A number of each draw of a run, rising; empty where the run has no draws. @throws InputError naming the
-/// file and what is wrong in it.
+/// A number of each draw of a run, rising; none without draws. @throws InputError naming file and fault.
 std::vector<double> replicates_of(const Run& run, const std::string& quantity);
-
-/// The whole range of a number over draws.
-struct SpreadRange {
-  double least = 0, greatest = 0;
-};
-
-/// The ranges of one number by the names of the runs that have draws. @throws InputError likewise.
-std::map<std::string, SpreadRange> ranges_of(const std::filesystem::path& results,
-                                             const std::string& quantity);
 
 /// How many perturbed scenes of a run end one way.
 struct Share {

@@ -6,7 +6,7 @@ namespace rockstack::plots {
 namespace {
 
 bool is_compared(const Run& run) {
-  return run.done() && !is_variant(run) && !run.exact() && run.dt && run.rms_angle_difference;
+  return run.done() && !run.is_variant() && !run.exact() && run.dt && run.rms_angle_difference;
 }
 
 template <auto field>
@@ -34,14 +34,14 @@ double left_of_error(const Comparison& comparison, const Run& run) {
 
 }  // namespace
 
-StepEnds step_ends(const Comparison& comparison, const Run& run) {
-  StepEnds ends{&run, &run};
+std::pair<const Run*, const Run*> step_ends(const Comparison& comparison, const Run& run) {
+  const Run *coarsest = &run, *finest = &run;
   for (const Run& other : comparison.runs) {
     if (!is_compared(other) || other.scene != run.scene || line_label(other) != line_label(run)) continue;
-    if (other.dt > ends.coarsest->dt) ends.coarsest = &other;
-    if (other.dt < ends.finest->dt) ends.finest = &other;
+    if (other.dt > coarsest->dt) coarsest = &other;
+    if (other.dt < finest->dt) finest = &other;
   }
-  return ends;
+  return {coarsest, finest};
 }
 
 const std::vector<SolverQuestion>& solver_questions() {
@@ -68,23 +68,15 @@ const std::vector<SolverQuestion>& solver_questions() {
   return questions;
 }
 
-const Run& Score::worst() const {
-  return runs[static_cast<std::size_t>(std::ranges::max_element(values) - values.begin())];
-}
-
-double common_step(const Comparison& comparison) {
+std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question) {
+  // The common step is that which most runs have, the smallest of such.
   std::map<double, std::size_t> counts;
   for (const Run& run : comparison.runs)
     if (is_compared(run)) ++counts[*run.dt];
-  if (counts.empty()) return std::nan("");
-  return std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; })->first;
-}
-
-std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question) {
-  const double dt = common_step(comparison);
+  const auto common = std::ranges::max_element(counts, {}, [](const auto& count) { return count.second; });
   std::map<std::string, Score> groups;
   for (const Run& run : comparison.runs) {
-    if (!is_compared(run) || run.dt != dt) continue;
+    if (!is_compared(run) || run.dt != common->first) continue;
     const double value = question.value(comparison, run);
     if (!std::isfinite(value)) continue;
     Score& score = groups[line_label(run)];
@@ -106,7 +98,7 @@ std::string first_of_all(const Comparison& comparison) {
   const std::vector<RankedSet>& ranking = comparison.verdict.ranking;
   std::vector<std::string> first;
   for (const RankedSet& set : ranking)
-    if (set.rank == 1) first.push_back(set_name(set.engine, set.solver, set.settings));
+    if (set.rank == 1) first.push_back(set_name(set));
   return nearest_phrase(first, ranking.size());
 }
 
@@ -115,7 +107,7 @@ bool has_scores(const Comparison& comparison) {
   for (const Run& run : comparison.runs)
     if (is_compared(run)) {
       scenes.insert(run.scene);
-      solvers.insert(solver_name(run));
+      solvers.insert(run.solver_name());
     }
   return scenes.size() > 2 && solvers.size() > 1;
 }

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
@@ -26,27 +23,18 @@ struct Score {
   double median = 0;
 
   /// The run with the largest answer. Precondition: there is one.
-  const Run& worst() const;
+  const Run& worst() const {
+    return runs[static_cast<std::size_t>(std::ranges::max_element(values) - values.begin())];
+  }
 };
 
 /// The scores of all solvers, those with answers in most scenes first, then by rising median.
 std::vector<Score> scores(const Comparison& comparison, const SolverQuestion& question);
 
-/// The runs of one scene, solver and set that have the largest and the smallest step.
-struct StepEnds {
-  const Run* coarsest;
-  const Run* finest;
-};
+/// The runs with the largest and the smallest step of a run's scene, solver and set.
+std::pair<const Run*, const Run*> step_ends(const Comparison& comparison, const Run& run);
 
-/// Those of the series that a run belongs to.
-StepEnds step_ends(const Comparison& comparison, const Run& run);
-
-/// The step that most runs were made at, of those that have an exact motion beside them; the smallest of such
-/// steps, s; NaN where there are none.
-double common_step(const Comparison& comparison);
-
-/// The sets that share the first rank of the comparison's verdict, in words that say whether replicates tell
-/// them apart.
+/// The sets that share the verdict's first rank, in words that say whether replicates tell them apart.
 std::string first_of_all(const Comparison& comparison);
 
 /// Whether several solvers stand beside each other in several scenes, so that scores say something.

@@ -2,43 +2,31 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
+#include <boost/algorithm/string/erase.hpp>
 
 #include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack::plots {
 namespace {
 
-bool same_solver(const Run& a, const Run& b) {
-  return solver_name(a) == solver_name(b);
-}
-
-/// Where "+numIterations=…" or the like stands in a run's settings, and its length; npos where it does not.
-std::pair<std::size_t, std::size_t> iterations_in(const std::string& settings) {
-  constexpr std::string_view stem = "umIterations=";
-  const std::size_t at = settings.find(stem);
-  if (at == std::string::npos) return {at, 0};
-  const std::size_t begin = settings.rfind('+', at);
-  return {begin, std::min(settings.find('+', at), settings.size()) - begin};
+/// "+numIterations=…" or the like in a run's settings, empty where it does not stand there.
+std::string iterations_in(const std::string& settings) {
+  const std::size_t at = settings.find("umIterations=");
+  const std::size_t begin = at == std::string::npos ? at : settings.rfind('+', at);
+  return begin == std::string::npos ? "" : settings.substr(begin, settings.find('+', at) - begin);
 }
 
 /// Settings but for the iterations.
 std::string settings_of_line(const Run& run) {
-  std::string settings = run.settings;
-  if (const auto [begin, length] = iterations_in(settings); begin != std::string::npos)
-    settings.erase(begin, length);
-  return settings;
+  return boost::erase_first_copy(run.settings, iterations_in(run.settings));
 }
 
 /// Whether the runs that a suite gave iterations have one step: these make a line then, and else steps do.
 bool iterations_make_lines(const std::vector<Run>& runs) {
-  const Run* given = nullptr;
-  for (const Run& run : runs) {
-    if (iterations_of(run) == 0) continue;
-    if (given != nullptr && given->dt != run.dt) return false;
-    given = &run;
-  }
-  return given != nullptr;
+  std::set<std::optional<double>> steps;
+  for (const Run& run : runs)
+    if (iterations_of(run) != 0) steps.insert(run.dt);
+  return steps.size() == 1;
 }
 
 }  // namespace
@@ -51,19 +39,13 @@ std::vector<StepLine> step_lines(const Comparison& comparison, const std::string
   for (const Run& run : runs) {
     if (run.exact()) continue;
     const auto is_own = [&](const StepLine& line) {
-      return same_solver(line.front(), run) && settings(line.front()) == settings(run);
+      return line.front().solver_name() == run.solver_name() && settings(line.front()) == settings(run);
     };
     found_or_added(lines, is_own, {}).push_back(run);
   }
-  const auto comes_before = [](const Run& a, const Run& b) {
-    return a.dt != b.dt ? a.dt < b.dt : iterations_of(a) > iterations_of(b);
-  };
-  for (StepLine& line : lines) std::ranges::stable_sort(line, comes_before);
+  const auto place = [](const Run& run) { return std::pair(run.dt, -iterations_of(run)); };
+  for (StepLine& line : lines) std::ranges::stable_sort(line, {}, place);
   return lines;
-}
-
-std::vector<Run> ends_of(const StepLine& line) {
-  return line.size() < 2 ? std::vector<Run>{line.front()} : std::vector<Run>{line.back(), line.front()};
 }
 
 bool varies_iterations(const StepLine& line) {
@@ -74,9 +56,9 @@ std::vector<StepLine> shown_lines(const Comparison& comparison, const std::strin
   std::vector<StepLine> lines = step_lines(comparison, scene);
   std::set<std::string> tuned;
   for (const StepLine& line : lines)
-    if (line.front().settings == "tuned") tuned.insert(solver_name(line.front()));
+    if (line.front().settings == "tuned") tuned.insert(line.front().solver_name());
   std::erase_if(lines, [&](const StepLine& line) {
-    return line.front().settings == "default" && tuned.contains(solver_name(line.front()));
+    return line.front().settings == "default" && tuned.contains(line.front().solver_name());
   });
   if (lines.size() <= most_lines) return lines;
   const auto error = [](const StepLine& line) { return line.front().error.value_or(HUGE_VAL); };
@@ -90,11 +72,9 @@ std::vector<StepLine> shown_lines(const Comparison& comparison, const std::strin
 }
 
 Shown shown_runs(const Comparison& comparison, const std::string& scene) {
-  Shown shown;
-  for (const Run& run : done_runs(comparison, scene))
-    if (run.exact() && shown.exact.empty()) shown.exact.push_back(run);
-  for (const StepLine& line : shown_lines(comparison, scene)) shown.engines.push_back(line.front());
-  return shown;
+  std::vector<Run> exact = done_runs(comparison, scene);
+  exact.resize(!exact.empty() && exact.front().exact() ? 1 : 0);
+  return {exact, each_of(shown_lines(comparison, scene), [](const StepLine& line) { return line.front(); })};
 }
 
 std::vector<double> chosen_steps(const std::vector<Run>& runs) {
@@ -106,19 +86,15 @@ std::vector<double> chosen_steps(const std::vector<Run>& runs) {
 }
 
 int iterations_of(const Run& run) {
-  const auto [begin, length] = iterations_in(run.settings);
-  if (begin == std::string::npos) return 0;
-  const char* const number = run.settings.c_str() + run.settings.find('=', begin) + 1;
-  int iterations = 0;
-  std::from_chars(number, run.settings.c_str() + run.settings.size(), iterations);
-  return iterations;
+  const std::string text = iterations_in(run.settings);
+  return static_cast<int>(std::strtol(text.c_str() + text.find('=') + 1, nullptr, 10));
 }
 
 std::string line_label(const Run& run) {
   if (run.exact()) return "exact";
-  if (has_other_equations(run)) return "exact, " + run.engine + " equations";
-  if (has_own_friction(run)) return "exact, " + std::string(run.engine).replace(8, 1, " ");
-  if (is_variant(run)) return "exact, law " + run.engine;
+  if (run.has_other_equations()) return "exact, " + run.engine + " equations";
+  if (run.has_own_friction()) return "exact, " + std::string(run.engine).replace(8, 1, " ");
+  if (run.is_variant()) return "exact, law " + run.engine;
   std::string label = run.engine;
   if (!run.solver.empty()) label += " " + run.solver;
   if (!run.settings.empty()) label += ", " + run.settings;
@@ -151,21 +127,15 @@ std::string run_phrase(const Run& run) {
 }
 
 std::string nearest_phrase(const std::vector<std::string>& first, std::size_t all) {
-  constexpr std::size_t named = 3;
   if (first.size() == all) return all == 1 ? first.front() : "none can be told apart";
-  return joined_up_to(named, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
-}
-
-std::string span_text(const std::string& low, const std::string& high) {
-  return low == high ? low : low + " to " + high;
+  return joined_up_to(3, first) + (first.size() > 1 ? ", which cannot be told apart" : "");
 }
 
 std::string duration_text(double seconds) {
   const double size = std::abs(seconds);
   if (size >= 1 || size == 0) return fmt::format("{:.4g} s", seconds);
   if (size >= 1e-3) return fmt::format("{:.4g} ms", seconds * 1e3);
-  constexpr double smallest_in_ms = 0.99e-4;
-  if (size >= smallest_in_ms) return fmt::format("{:.3g} ms", seconds * 1e3);
+  if (size >= 0.99e-4) return fmt::format("{:.3g} ms", seconds * 1e3);
   return size >= 1e-6 ? fmt::format("{:.4g} µs", seconds * 1e6) : fmt::format("{:.4g} ns", seconds * 1e9);
 }
 

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
 
-/// What a figure over time shows of a scene: the exact run and one run of each engine, solver and settings,
-/// that with the smallest time step; default settings only where there are no tuned ones.
+/// What figures over time show: the exact run, and of each of shown_lines() that with the smallest step.
 struct Shown {
   std::vector<Run> exact;  ///< one run, or none where it failed
   std::vector<Run> engines;
@@ -28,7 +24,9 @@ inline constexpr std::size_t most_lines = 12;
 std::vector<StepLine> shown_lines(const Comparison& comparison, const std::string& scene);
 
 /// A line's runs at its coarsest and its finest step; one where it has no more.
-std::vector<Run> ends_of(const StepLine& line);
+inline std::vector<Run> ends_of(const StepLine& line) {
+  return line.size() < 2 ? std::vector<Run>{line.front()} : std::vector<Run>{line.back(), line.front()};
+}
 
 /// Whether the runs of a line differ in their iterations, at one step.
 bool varies_iterations(const StepLine& line);
@@ -68,7 +66,9 @@ std::string nearest_phrase(const std::vector<std::string>& first, std::size_t al
 std::string draws_note(const Comparison& comparison, const std::string& scene);
 
 /// "low to high", or once where both are said alike.
-std::string span_text(const std::string& low, const std::string& high);
+inline std::string span_text(const std::string& low, const std::string& high) {
+  return low == high ? low : low + " to " + high;
+}
 
 /// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".
 std::string duration_text(double seconds);

@@ -42,28 +42,15 @@ std::string in_decades(double value) {
 }
 
 constexpr auto shade = "#ECECEC";
-constexpr double small_part = 0.01;
-
-/// How far apart the least and the greatest of all angles are, rad.
-double range_of(const History& history) {
-  if (history.angles.empty()) return 0;
-  const auto [low, high] = std::ranges::minmax_element(history.angles);
-  return *high - *low;
-}
 
 /// The first time from which on no angle is further from its last than that, s.
 double end_of_motion(const History& history, double tolerance) {
-  const auto blocks = static_cast<std::size_t>(history.blocks);
+  if (history.size() == 0) return 0;
+  const auto last = history.angles_at(history.size() - 1);
+  const auto is_near = [&](double a, double b) { return !(std::abs(a - b) > tolerance); };
   std::size_t row = history.size();
-  const auto rests = [&](std::size_t at) {
-    for (std::size_t k = 0; k < blocks; ++k)
-      if (std::abs(history.angles[at * blocks + k] - history.angles[(history.size() - 1) * blocks + k]) >
-          tolerance)
-        return false;
-    return true;
-  };
-  while (row > 0 && rests(row - 1)) --row;
-  return history.size() == 0 ? 0 : history.times[std::min(row, history.size() - 1)];
+  while (row > 0 && std::ranges::equal(history.angles_at(row - 1), last, is_near)) --row;
+  return history.times[std::min(row, history.size() - 1)];
 }
 
 }  // namespace
@@ -115,31 +102,13 @@ std::string logarithmic_range(const std::string& axis, double low, double high, 
          logarithmic_tics(axis, low, high, pixels);
 }
 
-double SignedLog::place(double value) const {
-  const double size = std::abs(value) / std::pow(10, first);
-  const double height = size <= 1 ? size : 1 + std::log10(size);
-  return std::copysign(height, value);
-}
-
-std::string SignedLog::tics(double height) const {
-  constexpr double room = 26;  // pixels a number
-  const double unit = height / (2 * edge());
-  const int stride = std::max(1 + (last - first) / 4, static_cast<int>(std::ceil(room / unit)));
-  std::string text = "'0' 0";
-  for (int power = last; power >= first && (power - first + 1) * unit >= room; power -= stride)
-    text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
-  return text;
-}
-
-SignedLog signed_log(double low, double high) {
-  constexpr int most_decades = 8;
-  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
-  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
-}
-
 TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs) {
   constexpr double room = 1.08, least = 1e-9;
-  const double tolerance = runs.empty() ? 0 : small_part * range_of(*history_of(runs.front()));
+  double tolerance = 0;
+  if (const auto first = runs.empty() ? nullptr : history_of(runs.front()); first && !first->angles.empty()) {
+    const auto [low, high] = std::ranges::minmax_element(first->angles);
+    tolerance = 0.01 * (*high - *low);
+  }
   double moves = 0, end = least;
   for (const Run& run : runs) {
     const auto history = history_of(run);

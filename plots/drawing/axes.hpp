@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "plots/data/results.hpp"
 #include "plots/drawing/layout.hpp"
 
@@ -26,22 +20,6 @@ struct Reach {
     return pixels * std::log(value / low) / std::log(high / low);
   }
 };
-
-/// A scale that is linear up to 10^first and logarithmic beyond, on both sides of zero; one unit a power of
-/// ten.
-struct SignedLog {
-  int first = -6;
-  int last = 0;
-
-  double place(double value) const;
-  double edge() const { return last - first + 1.5; }  ///< of the axis, on either side
-
-  /// For "set ytics (…)" of a panel that is so many pixels high: as many powers as there is room for.
-  std::string tics(double height) const;
-};
-
-/// The scale that shows values whose absolute values lie between `low` and `high`; at most eight decades.
-SignedLog signed_log(double low, double high);
 
 /// Numbers along a logarithmic axis, "x" or "y", of that many pixels: powers of ten as there is room for, or
 /// where there are fewer than three of them round multiples between.

@@ -4,11 +4,9 @@
 #include <gnuplot-iostream.h>
 #include <stdlib.h>  // mkdtemp is POSIX, not in <cstdlib>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
-#include <stdexcept>
-#include <utility>
 
 #include "comparisons/measures/results/files.hpp"
 
@@ -20,16 +18,6 @@ namespace fs = std::filesystem;
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The shell outlives gnuplot and takes what gnuplot left unread: a pipe that breaks would end this process.
-/// What the user's environment says about gnuplot's terminal does not count.
-std::string command(const fs::path& folder, double time_limit) {
-  const std::string place = quoted_for_shell(folder.string());
-  return fmt::format(
-      "cd {0}; unset GNUTERM; LC_ALL=C.UTF-8 /usr/bin/timeout -k 1 {1} gnuplot -d - 2>{0}/errors >&2; "
-      "echo $? >{0}/status; while read -r _; do :; done",
-      place, time_limit);
 }
 
 /// The formats draw marks of one size differently; `mark` evens that out.
@@ -51,14 +39,11 @@ std::string script(const Drawing& drawing) {
   return text;
 }
 
-/// gnuplot's complaint in one line.
 std::string complaint(const fs::path& folder) {
   std::string text = contents(folder / "errors");
   for (char& c : text)
     if (c == '\n' || c == '\t') c = ' ';
-  constexpr std::size_t longest = 400;
-  if (text.size() > longest) text.erase(0, text.size() - longest);
-  return text;
+  return text.substr(text.size() - std::min<std::size_t>(text.size(), 400));
 }
 
 /// Frames one by one: into one file that loops, and where `film` is set into a picture each.
@@ -91,30 +76,25 @@ void make_film(const Animation& animation, const fs::path& folder, const fs::pat
 
 /// Has gnuplot draw into a folder. @throws std::runtime_error where it did not run, or failed.
 void run_gnuplot(const fs::path& folder, const std::string& script, const fs::path& stem, double time_limit) {
+  // The shell outlives gnuplot and takes what gnuplot left unread: a pipe that breaks would end this process.
+  // What the user's environment says about gnuplot's terminal does not count.
+  const std::string command = fmt::format(
+      "cd {0}; unset GNUTERM; LC_ALL=C.UTF-8 /usr/bin/timeout -k 1 {1} gnuplot -d - 2>{0}/errors >&2; "
+      "echo $? >{0}/status; while read -r _; do :; done",
+      quoted_for_shell(folder.string()), time_limit);
   {
-    Gnuplot pipe(command(folder, time_limit));
+    Gnuplot pipe(command);
     pipe << script;
   }
   const std::string status = contents(folder / "status");
-  constexpr auto not_found = "127\n";
-  constexpr auto out_of_time = "124\n";
-  if (status == out_of_time)
+  if (status == "124\n")
     throw std::runtime_error(fmt::format("gnuplot has not drawn {} within {} s", stem.string(), time_limit));
-  if (status == not_found)
+  if (status == "127\n")
     throw std::runtime_error(
         fmt::format("cannot draw {}: gnuplot is not installed, or not in PATH", stem.string()));
   if (status != "0\n")
     throw std::runtime_error(fmt::format("gnuplot failed to draw {} (status {}): {}", stem.string(),
                                          status.substr(0, status.find('\n')), complaint(folder)));
-}
-
-/// Words in the unseen colour have no fill: gnuplot's SVG knows no transparent ones.
-std::string without_unseen(std::string svg) {
-  const std::string filled = R"*(fill="rgb(1,2,3)")*";
-  const std::string empty = R"(fill="none")";
-  for (std::size_t at = svg.find(filled); at != std::string::npos; at = svg.find(filled, at + empty.size()))
-    svg.replace(at, filled.size(), empty);
-  return svg;
 }
 
 }  // namespace
@@ -131,9 +111,7 @@ Scratch::~Scratch() {
 }
 
 std::string quoted_for_shell(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'";
 }
 
 bool has_program(const std::string& name) {
@@ -160,7 +138,8 @@ void draw(const Drawing& drawing, const fs::path& stem) {
       throw std::runtime_error(
           fmt::format("gnuplot left {} unfinished: {}", stem.string(), complaint(scratch.folder)));
   }
-  pictures.back().second = without_unseen(std::move(pictures.back().second));
+  // Words in the unseen colour have no fill: gnuplot's SVG knows no transparent ones.
+  boost::replace_all(pictures.back().second, R"*(fill="rgb(1,2,3)")*", R"(fill="none")");
   fs::create_directories(stem.parent_path());
   for (const auto& [format, picture] : pictures) write_file(fs::path(stem).concat(format), picture);
 }

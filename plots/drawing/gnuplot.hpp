@@ -6,8 +6,7 @@
 
 namespace rockstack::plots {
 
-/// A picture in gnuplot's words. `commands` are run once a format; point sizes in them are multiples of
-/// `mark`.
+/// A picture in gnuplot's words. `commands` are run once a format; point sizes are multiples of `mark`.
 struct Drawing {
   int width = 1200;         ///< pixels
   int height = 600;         ///< pixels
@@ -20,8 +19,7 @@ struct Drawing {
 inline constexpr auto unseen = "#FF010203";
 
 /// Draws `stem`.png, `stem`.svg and `stem`.pdf; all appear whole or none. Waits for gnuplot to finish.
-/// @throws std::runtime_error with gnuplot's own words where it fails, and where it is not installed or
-/// hangs.
+/// @throws std::runtime_error where gnuplot fails, with its own words, is not installed or hangs.
 void draw(const Drawing& drawing, const std::filesystem::path& stem);
 
 /// A picture that moves: `settings` hold for all frames, each frame is plot commands of its own.

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace rockstack::plots {
 namespace {
 
@@ -42,9 +38,7 @@ constexpr auto fresh_panel =
     "unset ylabel\nset xtics autofreq font '' textcolor rgb '#000000'\n"
     "set ytics autofreq font '' textcolor rgb '#000000'\nset mxtics default\nset mytics default\n";
 
-std::string joined(const std::vector<std::string>& elements) {
-  return fmt::format("{}", fmt::join(elements, ", \\\n  "));
-}
+constexpr auto comma = ", \\\n  ";
 
 /// One column of a legend: a plot without data whose only content is the key. The formats measure text
 /// differently, so that columns placed by gnuplot would not be the same in both.
@@ -57,7 +51,7 @@ std::string legend_column(const Legend& legend, std::size_t from, std::size_t to
   return fmt::format(
       "set key at screen {}, screen {} left top vertical maxcols 1 Left reverse samplen 3.2 font '{}'\n"
       "plot [0:1][0:1] {}\nunset label\n",
-      plain(left), plain(top), font, joined(entries));
+      plain(left), plain(top), font, fmt::join(entries, comma));
 }
 
 /// `top` is its upper edge, a share of the figure's height from below.
@@ -72,8 +66,7 @@ std::string legend_plots(const Legend& legend, double top, double width) {
   return text + "set border\nset tics\nunset key\n";
 }
 
-/// Long words are set smaller than usual, so that they stay inside the figure; `fitting` letters of the usual
-/// size do.
+/// Long words are smaller than usual to stay inside the figure; `fitting` letters of the usual size do.
 int words_size(const std::string& words, std::size_t usual, std::size_t fitting) {
   return static_cast<int>(usual * fitting / std::max(words.size(), fitting));
 }
@@ -81,8 +74,7 @@ int words_size(const std::string& words, std::size_t usual, std::size_t fitting)
 /// Letters of the usual size that a line under the title has room for, capitals among them.
 constexpr std::size_t readable = 105;
 
-/// One line under the title, its middle at `height`, a share of the figure's from below; nothing without
-/// words.
+/// A line under the title, its middle at `height`, a share of the figure's from below; none without words.
 std::string question_line(const std::string& words, double height) {
   if (words.empty()) return "";
   return fmt::format("set label {} noenhanced at screen 0.5, screen {} center font ',{}' tc rgb '#404040'\n",
@@ -99,27 +91,24 @@ std::size_t next_break(const std::string& words, std::size_t from) {
   return words.size();
 }
 
-/// What follows the question mark, in one line, or in two where the letters of one would be too small.
-std::vector<std::string> answer_lines(const std::string& question) {
+/// The question in a line, its answer in another, or in two where the letters of one would be too small.
+std::vector<std::string> question_lines(const std::string& question) {
   const std::size_t mark = question.find("? ");
-  if (mark == std::string::npos) return {};
-  const std::string answer = question.substr(mark + 2);
-  if (answer.size() <= readable) return {answer};
+  if (question.empty()) return {};
+  if (mark == std::string::npos) return {question};
+  const std::string asked = question.substr(0, mark + 1), answer = question.substr(mark + 2);
+  if (answer.size() <= readable) return {asked, answer};
   std::size_t middle = 0;
   while (middle < answer.size() / 2) middle = next_break(answer, middle);
-  return {answer.substr(0, middle), answer.substr(middle)};
+  return {asked, answer.substr(0, middle), answer.substr(middle)};
 }
 
 constexpr double answer_row = 22;
 
-/// Room for the question and its answer.
-double question_height(const std::string& question) {
-  constexpr double usual = 46;
-  if (question.empty()) return 0;
-  return usual + (answer_lines(question).size() > 1 ? answer_row : 0);
+double question_height(const std::vector<std::string>& lines) {
+  return lines.empty() ? 0 : 46 + (lines.size() > 2 ? answer_row : 0);
 }
 
-/// Long words of a small panel in lines.
 std::vector<std::string> lines_of(const std::string& words) {
   constexpr std::size_t fitting = 41;
   std::vector<std::string> lines{""};
@@ -135,7 +124,7 @@ std::vector<std::string> lines_of(const std::string& words) {
 }
 
 /// The words above a small panel, each line in a size that stays above it.
-std::string words_above(const Multiple& one) {
+std::string words_above(const Series& one) {
   const std::vector<std::string> lines = lines_of(one.words);
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -150,13 +139,8 @@ std::string words_above(const Multiple& one) {
 
 std::string in_quotes(const std::string& text) {
   std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += R"('."'".')";
-    } else {
-      result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
+  for (const char c : text)
+    result += c == '\'' ? R"('."'".')" : std::string(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
   return result + "'";
 }
 
@@ -172,11 +156,11 @@ std::string data_block(const std::string& name, const Curve& curve) {
 }
 
 Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& question, double width)
-    : below_(title_height(title) + question_height(question) + legend_height(legend, width)),
+    : below_(title_height(title) + question_height(question_lines(question)) + legend_height(legend, width)),
       width_(width),
       right_(1 - (1 - right_edge) * full_width / width),
       title_(title),
-      question_(question),
+      question_(question_lines(question)),
       legend_(legend) {}
 
 void Sheet::panel(double height, double gap, const std::string& settings,
@@ -189,16 +173,11 @@ void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, 
   below_ += panels_.empty() ? 0 : gap;
   const double pace = (right_ - left + between) / static_cast<double>(columns);
   for (const SidePanel& cell : cells) {
-    const std::string elements = cell.plots.empty() ? "NaN notitle" : joined(cell.plots);
-    panels_.push_back({below_, below_ + height, left, left + pace - between, cell.settings, elements});
+    panels_.push_back({below_, below_ + height, left, left + pace - between, cell.settings,
+                       cell.plots.empty() ? "NaN notitle" : fmt::format("{}", fmt::join(cell.plots, comma))});
     left += pace;
   }
   below_ += height;
-}
-
-void Sheet::leave_room_beside() {
-  constexpr double beside = 0.07;
-  right_ -= beside;
 }
 
 Drawing Sheet::finish() const {
@@ -209,14 +188,12 @@ Drawing Sheet::finish() const {
       "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
       in_quotes(title_), plain(1 - title_height(title_) / 2 / height), words_size(title_, 17, 88));
   const double head = title_height(title_) - 4 + question_height(question_);
-  const std::vector<std::string> answer = answer_lines(question_);
   constexpr double half_row = answer_row / 2;
-  text += question_line(answer.empty() ? question_ : question_.substr(0, question_.find("? ") + 1),
-                        1 - (title_height(title_) - 4 + half_row) / height);
-  for (std::size_t i = 0; i < answer.size(); ++i)
-    text += question_line(
-        answer[i],
-        1 - (head - half_row - 2 - answer_row * static_cast<double>(answer.size() - 1 - i)) / height);
+  for (std::size_t i = 0; i < question_.size(); ++i) {
+    const double below = answer_row * static_cast<double>(question_.size() - 1 - i);
+    const double middle = i == 0 ? title_height(title_) - 4 + half_row : head - half_row - 2 - below;
+    text += question_line(question_[i], 1 - middle / height);
+  }
   text += legend_plots(legend_, 1 - head / height, width_);
   for (const Panel& panel : panels_) {
     text += fmt::format("set margins screen {}, screen {}, screen {}, screen {}\n", plain(panel.left),
@@ -230,43 +207,35 @@ Drawing Sheet::finish() const {
     text += fresh_panel;
     text += panel.settings + fmt::format("plot {}\nunset label\nunset arrow\n", panel.plots);
   }
-  return {.width = static_cast<int>(width_),
-          .height = static_cast<int>(height),
-          .data = blocks_,
-          .commands = text + "unset multiplot"};
-}
-
-std::string without_horizontal_labels() {
-  return fmt::format("set xtics textcolor rgb '{}'\nunset xlabel\n", unseen);
+  return {static_cast<int>(width_), static_cast<int>(height), blocks_, text + "unset multiplot"};
 }
 
 Drawing empty_sheet(const std::string& title, const std::string& text) {
   Sheet sheet(title, {});
-  constexpr double height = 120;
-  sheet.panel(height, 0,
+  sheet.panel(120, 0,
               "unset tics\nset xrange [0:1]\nset yrange [0:1]\nset label 2 " + in_quotes(text) +
                   " noenhanced at graph 0.5, graph 0.5 center\n",
               {});
   return sheet.finish();
 }
 
-void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
+void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::vector<std::string>& context,
                    const std::string& settings, const std::string& across, const std::string& up,
                    double left) {
   constexpr std::size_t most_columns = 3;
   const std::size_t columns = std::min(most_columns, series.size());
   constexpr double line = 16, gap = 34, before = 92;
   std::size_t most_lines = 1;
-  for (const Multiple& one : series) most_lines = std::max(most_lines, lines_of(one.words).size());
+  for (const Series& one : series) most_lines = std::max(most_lines, lines_of(one.words).size());
   const double further_lines = line * static_cast<double>(most_lines - 1);
   sheet.leave_room_above(further_lines);
   for (std::size_t from = 0; from < series.size(); from += columns) {
     std::vector<SidePanel> cells;
     for (std::size_t i = from; i < std::min(from + columns, series.size()); ++i) {
       std::vector<std::string> plots = context;
-      plots.insert(plots.end(), series[i].plots.begin(), series[i].plots.end());
+      plots.insert(plots.end(), series[i].alone.begin(), series[i].alone.end());
       std::string words = settings + words_above(series[i]);
-      words += i + columns < series.size() ? without_horizontal_labels()
+      words += i + columns < series.size() ? without_horizontal_labels
                                            : fmt::format("set xlabel {}\n", in_quotes(across));
       words += i == from ? fmt::format("set ylabel {} noenhanced offset 0.5\n", in_quotes(up))
                          : fmt::format("set ytics textcolor rgb '{}'\nunset ylabel\n", unseen);
@@ -276,25 +245,11 @@ void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std:
   }
 }
 
-double aside(std::size_t series, std::size_t of) {
-  constexpr double room = 0.6;
-  return of > most_series ? 0 : room * ((static_cast<double>(series) + 0.5) / static_cast<double>(of) - 0.5);
-}
-
 std::string angle_name(int block) {
   constexpr std::array digits{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
   std::string name = "θ";
   for (const char c : std::to_string(block)) name += digits.at(static_cast<std::size_t>(c - '0'));
   return name;
-}
-
-double panel_height(int blocks) {
-  return std::clamp(780.0 / blocks, 110.0, 420.0);
-}
-
-std::size_t bins_for(std::size_t curves) {
-  constexpr std::size_t points = 10000, most = 500, fewest = 30;
-  return std::clamp(points / (2 * std::max<std::size_t>(curves, 1)), fewest, most);
 }
 
 }  // namespace rockstack::plots

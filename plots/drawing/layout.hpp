@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "plots/drawing/gnuplot.hpp"
 #include "plots/drawing/thinning.hpp"
 
@@ -18,6 +14,11 @@ std::string plain(double value);
 
 /// Lines of a data block that plot commands call $name.
 std::string data_block(const std::string& name, const Curve& curve);
+
+/// An element of a plot command: the first two columns of a data block.
+inline std::string plot_of(const std::string& block, const std::string& style) {
+  return "$" + block + " using 1:2 " + style + " notitle";
+}
 
 /// One entry of a legend: a gnuplot style ("with lines …") and its words.
 using Legend = std::vector<std::pair<std::string, std::string>>;
@@ -45,9 +46,9 @@ class Sheet {
         double width = full_width);
 
   double width() const { return width_; }  ///< pixels
-  double right() const {
-    return right_;
-  }  ///< where panels end, a share of the width: as many pixels from the edge in any
+  /// Where panels end, a share of the width: as many pixels from the edge in any.
+  double right() const { return right_; }
+  double panel_width() const { return 1056 - (full_width - width_); }  ///< of one that goes across, pixels
 
   /// Adds a panel of that many pixels, `gap` pixels under the last; `settings` are gnuplot commands, each on
   /// a line of its own, `plots` the plot command's elements. An empty list of elements draws the bare frame.
@@ -60,11 +61,11 @@ class Sheet {
   void leave_room_above(double height) { below_ += height; }
 
   /// Leaves room for a second axis along the right edge of all panels that follow.
-  void leave_room_beside();
+  void leave_room_beside() { right_ -= 0.07; }
 
-  /// Adds a line of words in a colour, #rrggbb, under the last panel's axis.
+  /// Adds a line of words, if any, in a colour, #rrggbb, under the last panel's axis.
   void note(const std::string& text, const std::string& colour = "#000000") {
-    notes_.emplace_back(text, colour);
+    if (!text.empty()) notes_.emplace_back(text, colour);
   }
 
   void data(const std::string& block) { blocks_ += block; }
@@ -81,16 +82,19 @@ class Sheet {
 
   double below_ = 0;  ///< pixels used so far
   double width_, right_;
-  std::string title_, question_, blocks_;
+  std::string title_, blocks_;
+  std::vector<std::string> question_;
   Legend legend_;
   std::vector<Panel> panels_;
   std::vector<std::pair<std::string, std::string>> notes_;  ///< with their colours
 };
 
-/// One series among small multiples: its words, their colour, and what is drawn of it.
-struct Multiple {
-  std::string words, colour;
-  std::vector<std::string> plots;
+/// What is drawn of a run.
+struct Series {
+  std::string words, colour;              ///< of its own small panel
+  std::vector<std::string> plots = {};    ///< where few share a panel
+  std::vector<std::string> alone = {};    ///< in a panel of its own
+  std::vector<std::string> context = {};  ///< where each has a panel, in all of them
 };
 
 /// How many series one panel bears; more of them have a panel each.
@@ -101,16 +105,20 @@ inline constexpr double multiple_width = 328, multiple_height = 160;
 
 /// Adds a panel for each series, three in a row or as many as there are from `left` on, over `context`, which
 /// all of them show. `settings` are of every panel, `across` and `up` the words of the axes.
-void add_multiples(Sheet& sheet, const std::vector<Multiple>& series, const std::vector<std::string>& context,
+void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::vector<std::string>& context,
                    const std::string& settings, const std::string& across, const std::string& up,
                    double left = left_edge);
 
 /// How far from a whole number, of an impact or a row, a series stands, so that series do not hide each
 /// other: nought where each has a panel of its own.
-double aside(std::size_t series, std::size_t of);
+inline double aside(std::size_t series, std::size_t of) {
+  constexpr double room = 0.6;
+  return of > most_series ? 0 : room * ((static_cast<double>(series) + 0.5) / static_cast<double>(of) - 0.5);
+}
 
 /// Settings of a panel whose horizontal axis is labelled in the panel under it.
-std::string without_horizontal_labels();
+inline const std::string without_horizontal_labels =
+    std::string("set xtics textcolor rgb '") + unseen + "'\nunset xlabel\n";
 
 /// A sheet with one frame that says why there is nothing to show.
 Drawing empty_sheet(const std::string& title, const std::string& text);
@@ -119,10 +127,14 @@ Drawing empty_sheet(const std::string& title, const std::string& text);
 std::string angle_name(int block);
 
 /// Height in pixels of one of `blocks` panels of equal size.
-double panel_height(int blocks);
+inline double panel_height(int blocks) {
+  return std::clamp(780.0 / blocks, 110.0, 420.0);
+}
 
-/// How many bins of time a curve may have where that many curves share a figure, so that its file stays
-/// small.
-std::size_t bins_for(std::size_t curves);
+/// How many bins of time a curve may have where so many share a figure, so that its file stays small.
+inline std::size_t bins_for(std::size_t curves) {
+  constexpr std::size_t points = 10000, most = 500, fewest = 30;
+  return std::clamp(points / (2 * std::max<std::size_t>(curves, 1)), fewest, most);
+}
 
 }  // namespace rockstack::plots

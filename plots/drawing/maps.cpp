@@ -2,68 +2,16 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <map>
-
 namespace rockstack::plots {
-namespace {
-
-using Edges = std::map<double, std::pair<double, double>>;
-
-/// Lower and upper edge of the cell around each value: halfway to its neighbours.
-Edges edges_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  Edges edges;
-  const std::size_t n = values.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double first = i > 0   ? (values[i - 1] + values[i]) / 2
-                         : n > 1 ? (3 * values[0] - values[1]) / 2
-                                 : values[0] - 0.5;
-    const double last = i + 1 < n ? (values[i] + values[i + 1]) / 2 : 2 * values[i] - first;
-    edges[values[i]] = {first, last};
-  }
-  return edges;
-}
-
-MapCell bounds_of(const std::vector<MapCell>& cells) {
-  MapCell all = cells.front();
+CellMap cell_map(const std::string& name, const std::vector<MapCell>& cells,
+                 const std::vector<MapKind>& kinds, const std::string& border) {
+  CellMap map{{}, {}, std::vector<bool>(kinds.size()), cells.front()};
+  MapCell& all = map.bounds;
   for (const MapCell& cell : cells)
     all = {std::min(all.left, cell.left), std::max(all.right, cell.right), std::min(all.low, cell.low),
            std::max(all.high, cell.high)};
-  return all;
-}
-
-}  // namespace
-
-std::size_t commonest(const std::vector<std::vector<double>>& counts, std::size_t row) {
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < counts.size(); ++k)
-    if (counts[k][row] > counts[best][row]) best = k;
-  return best;
-}
-
-std::vector<MapCell> counted_cells(const std::vector<double>& across, const std::vector<double>& up,
-                                   const std::vector<std::vector<double>>& counts) {
-  const Edges columns = edges_of(across), rows = edges_of(up);
-  std::vector<MapCell> cells;
-  for (std::size_t row = 0; row < across.size(); ++row) {
-    const auto [left, right] = columns.at(across[row]);
-    const auto [low, high] = rows.at(up[row]);
-    const std::size_t kind = commonest(counts, row);
-    if (!cells.empty() && cells.back().kind == kind && cells.back().left == left && cells.back().high == low)
-      cells.back().high = high;
-    else
-      cells.push_back({left, right, low, high, kind});
-  }
-  return cells;
-}
-
-CellMap cell_map(const std::string& name, const std::vector<MapCell>& cells,
-                 const std::vector<MapKind>& kinds, const std::string& border) {
-  CellMap map{{}, {}, std::vector<bool>(kinds.size()), bounds_of(cells)};
   // Cells without a frame reach into the next by a pixel or so, or the white behind them shines through.
-  const double overlap = border.empty() ? 1.5e-3 * (map.bounds.right - map.bounds.left) : 0;
+  const double overlap = border.empty() ? 1.5e-3 * (all.right - all.left) : 0;
   const std::string frame = border.empty() ? "noborder" : fmt::format("border lc rgb '{}'", border);
   std::vector<std::string> lines(kinds.size());
   for (const MapCell& cell : cells)

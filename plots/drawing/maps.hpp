@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {
@@ -33,15 +30,6 @@ struct CellMap {
 /// Precondition: there are cells.
 CellMap cell_map(const std::string& name, const std::vector<MapCell>& cells,
                  const std::vector<MapKind>& kinds, const std::string& border = "");
-
-/// The cells around the values of a table of counts, a column a kind: each reaches halfway to its neighbours
-/// and has the kind of the largest count; the first wins a draw. Rows go up first, then across; cells above
-/// each other of one kind are one.
-std::vector<MapCell> counted_cells(const std::vector<double>& across, const std::vector<double>& up,
-                                   const std::vector<std::vector<double>>& counts);
-
-/// The index of the largest count of a row of columns.
-std::size_t commonest(const std::vector<std::vector<double>>& counts, std::size_t row);
 
 /// The kinds that have cells.
 Legend map_legend(const std::vector<MapKind>& kinds, const std::vector<bool>& there);

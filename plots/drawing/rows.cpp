@@ -10,8 +10,7 @@ namespace {
 constexpr double letter = 8.4, margin = 30;  // pixels
 constexpr double widest = 0.6;               // that words may take, a share of the figure's width
 
-/// Words in lines of so many letters at most, each but the first beginning after a comma, a blank or a
-/// hyphen, or at a plus.
+/// Words in lines of so many letters at most, broken after a comma, blank or hyphen, or before a plus.
 std::vector<std::string> lines_of(const std::string& words, std::size_t most) {
   std::vector<std::string> lines;
   std::size_t start = 0;
@@ -57,14 +56,11 @@ RowWords row_words(const std::vector<std::string>& rows, double width) {
 
 /// The title of a column and the lines under it with the sizes of their fonts, in a panel of so many pixels.
 std::vector<std::pair<std::string, int>> title_lines(const RowColumn& column, double width) {
-  constexpr double small_letter = 6.6;
-  if (column.title.empty()) return {};
   std::vector<std::pair<std::string, int>> lines;
-  for (const std::string& line : lines_of(column.title, static_cast<std::size_t>(width / letter)))
-    lines.emplace_back(line, 13);
-  if (column.subtitle.empty()) return lines;
-  for (const std::string& line : lines_of(column.subtitle, static_cast<std::size_t>(width / small_letter)))
-    lines.emplace_back(line, 10);
+  for (const auto& [words, each, size] : {std::tuple{column.title, letter, 13}, {column.subtitle, 6.6, 10}})
+    if (!words.empty())
+      for (const std::string& line : lines_of(words, static_cast<std::size_t>(width / each)))
+        lines.emplace_back(line, size);
   return lines;
 }
 

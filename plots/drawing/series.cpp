@@ -13,17 +13,6 @@ void append(const std::vector<std::string>& from, std::vector<std::string>& to) 
   to.insert(to.end(), from.begin(), from.end());
 }
 
-std::string plot_of(const std::string& block, const std::string& style) {
-  return fmt::format("${} using 1:2 {} notitle", block, style);
-}
-
-std::string words_of_axes(const SeriesPanel& panel, double width) {
-  const std::string across =
-      panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across)) : without_horizontal_labels();
-  return across + fmt::format("set ylabel {} noenhanced offset 0.5\n",
-                              in_quotes(width < full_width ? panel.short_up : panel.up));
-}
-
 /// A rectangle in pixels that is taken by a mark, a word or a piece of a line.
 struct Box {
   double left, right, low, high;
@@ -56,21 +45,15 @@ std::vector<Box> line_boxes(const LabelledPanel& panel) {
   return boxes;
 }
 
-/// Where a label stands: its box, and on which side of the mark.
-struct LabelPlace {
-  Box box;
-  double side;
-};
-
 constexpr double half_height = 8;  ///< of a word
 
 double width_of(const LabelledMark& mark) {
   return 9.5 * static_cast<double>(mark.word.size()) + 4;
 }
 
-/// The first of four corners of a mark that is free of all boxes.
-std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const LabelledMark& mark,
-                                      const std::vector<Box>& taken, const std::vector<Box>& lines) {
+/// Where a label stands: at the first of four corners of a mark that is free of all boxes.
+std::optional<Box> free_corner(const LabelledPanel& panel, const LabelledMark& mark,
+                               const std::vector<Box>& taken, const std::vector<Box>& lines) {
   const double width = width_of(mark);
   constexpr double aside = 11, rise = 12;
   for (const double side : {1.0, -1.0})
@@ -79,17 +62,9 @@ std::optional<LabelPlace> free_corner(const LabelledPanel& panel, const Labelled
       const Box box{std::min(near, far), std::max(near, far), mark.y + lift - half_height,
                     mark.y + lift + half_height};
       const bool inside = box.left > 0 && box.right < panel.width && box.low > 0 && box.high < panel.height;
-      if (inside && !meets_any(box, taken) && !meets_any(box, lines)) return LabelPlace{box, side};
+      if (inside && !meets_any(box, taken) && !meets_any(box, lines)) return box;
     }
   return std::nullopt;
-}
-
-std::string command(const LabelledPanel& panel, const LabelledMark& mark, const LabelPlace& place) {
-  const bool right = place.side > 0;
-  return fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
-                     mark.word, plain((right ? place.box.left : place.box.right) / panel.width),
-                     plain((place.box.low + place.box.high) / 2 / panel.height), right ? "left" : "right",
-                     mark.colour);
 }
 
 }  // namespace
@@ -117,58 +92,61 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
   if (!many) {
     for (const Series& one : series) append(one.plots, plots);
     append(panel.over, plots);
+    const double width = sheet.width();
     sheet.row(panel.height, panel.space,
-              {{"set format x '%g'\n" + panel.axes(panel_width - (full_width - sheet.width()), panel.height) +
-                    words_of_axes(panel, sheet.width()) + panel.few,
+              {{"set format x '%g'\n" + panel.axes(sheet.panel_width(), panel.height) +
+                    (panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across))
+                                    : without_horizontal_labels) +
+                    fmt::format("set ylabel {} noenhanced offset 0.5\n",
+                                in_quotes(width < full_width ? panel.short_up : panel.up)) +
+                    panel.few,
                 plots}},
-              1, panel.left * full_width / sheet.width());
+              1, panel.left * full_width / width);
     return;
   }
-  std::vector<Multiple> multiples;
-  for (const Series& one : series) {
-    append(one.context, plots);
-    if (!one.alone.empty()) multiples.push_back({one.words, one.colour, one.alone});
-  }
-  add_multiples(sheet, multiples, plots, panel.axes(multiple_width, multiple_height) + panel.many,
-                panel.across, panel.short_up, panel.left);
+  std::vector<Series> shown = series;
+  std::erase_if(shown, [](const Series& one) { return one.alone.empty(); });
+  for (const Series& one : series) append(one.context, plots);
+  add_multiples(sheet, shown, plots, panel.axes(multiple_width, multiple_height) + panel.many, panel.across,
+                panel.short_up, panel.left);
 }
 
-Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look) {
-  const std::string colour = style_of(run).colour;
-  Series series{line_label(run), colour, {plot_of(block, curve_style(run, order))}, {}, {}};
-  if (run.exact()) {
-    series.context = {plot_of(block, exact_context)};
-    return series;
+void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                const std::vector<Curve>& curves, const std::string& stem, std::optional<double> together) {
+  std::vector<Series> series;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (curves[i].size() == 0) continue;
+    const std::string name = fmt::format("{}_{}", stem, i), colour = style_of(runs[i]).colour;
+    sheet.data(data_block(name, curves[i]));
+    // Marks of neighbours are set apart by their order.
+    Series& one =
+        series.emplace_back(Series{line_label(runs[i]), colour, {plot_of(name, curve_style(runs[i], i))}});
+    if (runs[i].exact())
+      one.context = {plot_of(name, exact_context)};
+    else
+      one.alone = {
+          plot_of(name, fmt::format("with lines lw {} lc rgb '{}'", together.value_or(1.5), colour))};
+    if (together && !runs[i].exact())
+      one.context = {plot_of(name, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
   }
-  series.alone = {plot_of(block, fmt::format("with lines lw {} lc rgb '{}'", look.width, colour))};
-  if (look.together)
-    series.context = {plot_of(block, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
-  return series;
+  add_series(sheet, panel, series, are_many(runs));
 }
 
 Series mark_series(const Run& run, const std::string& block, double size) {
-  constexpr double small = 1.1;
   return {line_label(run),
           style_of(run).colour,
           {plot_of(block, mark_style(run, size))},
-          {plot_of(block, mark_style(run, small))},
+          {plot_of(block, mark_style(run, 1.1))},
           {plot_of(block, fmt::format("with points pt 7 ps 0.6*mark lc rgb '{}'", context_colour))}};
 }
 
-std::string context_block(const std::string& name, const std::vector<std::vector<double>>& marks) {
+std::string context_marks(Sheet& sheet, const std::vector<std::vector<double>>& marks) {
   constexpr double end = 1.001;
-  std::string text = fmt::format("${} << END\n", name);
+  std::string text = "$all << END\n";
   for (const std::vector<double>& mark : marks)
     text += fmt::format("{:.6g} {:.6g}\n{:.6g} {:.6g}\n\n", mark[0], mark[1], end * mark[0], mark[1]);
-  return text + "END\n";
-}
-
-std::string context_marks(const std::string& block) {
-  return plot_of(block, fmt::format("with lines lw 4 lc rgb '{}'", context_colour));
-}
-
-std::string exact_core(const std::string& block) {
-  return plot_of(block, "with lines lw 1 lc rgb '#000000'");
+  sheet.data(text + "END\n");
+  return plot_of("all", fmt::format("with lines lw 4 lc rgb '{}'", context_colour));
 }
 
 Legend legend_of(const std::vector<Run>& runs,
@@ -190,11 +168,15 @@ std::string placed_labels(const LabelledPanel& panel) {
   std::string text;
   for (const std::vector<LabelledMark>& line : panel.lines)
     for (const LabelledMark& mark : line) {
-      std::optional<LabelPlace> place = free_corner(panel, mark, taken, crossed);
-      if (!place) place = free_corner(panel, mark, taken, {});
-      if (!place) continue;
-      taken.push_back(place->box);
-      text += command(panel, mark, *place);
+      std::optional<Box> box = free_corner(panel, mark, taken, crossed);
+      if (!box) box = free_corner(panel, mark, taken, {});
+      if (!box) continue;
+      const bool right = box->left > mark.x;
+      taken.push_back(*box);
+      text += fmt::format("set label '{}' at graph {}, graph {} {} font ',11' textcolor rgb '{}' front\n",
+                          mark.word, plain((right ? box->left : box->right) / panel.width),
+                          plain((box->low + box->high) / 2 / panel.height), right ? "left" : "right",
+                          mark.colour);
     }
   return text;
 }

@@ -1,24 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "plots/drawing/axes.hpp"
-#include "plots/drawing/layout.hpp"
 #include "plots/drawing/style.hpp"
 
 namespace rockstack::plots {
 
 // Curves and marks of runs over the same axes: few of them share a panel, many have a small one each.
-
-/// What is drawn of a run.
-struct Series {
-  std::string words, colour;         ///< of its own small panel
-  std::vector<std::string> plots;    ///< where few share a panel
-  std::vector<std::string> alone;    ///< in a panel of its own; nothing: it has none
-  std::vector<std::string> context;  ///< where each has a panel, in all of them
-};
 
 /// The axes that series share.
 struct SeriesPanel {
@@ -34,9 +21,6 @@ struct SeriesPanel {
   double left = left_edge;              ///< where panels begin, a share of the figure's width
 };
 
-/// The width of a panel that goes across a figure, pixels.
-inline constexpr double panel_width = 1056;
-
 /// Whether runs, the exact one aside, are too many for one panel.
 bool are_many(const std::vector<Run>& runs);
 
@@ -48,25 +32,24 @@ Reach extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, 
 /// Adds one panel, or where they are many a small one for each series that has one.
 void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many);
 
-/// A curve of a run, of a data block; the exact one lies under all others, wherever they are. Marks of
-/// neighbours are set apart by `order`. Lines are `width` thick in a panel of their own, where curves of
-/// others are seen if `together`.
-struct CurveLook {
-  double width = 1.5;
-  bool together = false;
-};
-Series curve_series(const Run& run, const std::string& block, std::size_t order, const CurveLook& look = {});
+/// Adds a panel, or many, of a curve a run, of those that have one; the exact one lies under all others,
+/// wherever they are. Their data blocks begin with `stem`. In panels of their own those of engines are so
+/// thick as `together` says, over those of others.
+void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                const std::vector<Curve>& curves, const std::string& stem,
+                std::optional<double> together = {});
 
 /// The marks of a run, of a size; smaller where it has a panel of its own.
 Series mark_series(const Run& run, const std::string& block, double size);
 
-/// Marks on logarithmic axes that others are seen before: a data block of their first two numbers, and how it
-/// is drawn. Each is a short line with round ends, as many of which are one path of a picture.
-std::string context_block(const std::string& name, const std::vector<std::vector<double>>& marks);
-std::string context_marks(const std::string& block);
+/// The plot of marks on logarithmic axes that others are seen before, by their first two numbers. Each is a
+/// short line with round ends, as many of which are one path of a picture.
+std::string context_marks(Sheet& sheet, const std::vector<std::vector<double>>& marks);
 
 /// The line in the middle of the exact curve, over all others.
-std::string exact_core(const std::string& block);
+inline std::string exact_core(const std::string& block) {
+  return plot_of(block, "with lines lw 1 lc rgb '#000000'");
+}
 
 /// The legend of runs, by "with …" of each; of many the exact one alone.
 Legend legend_of(const std::vector<Run>& runs,

@@ -51,9 +51,6 @@ constexpr std::array<NamedStyle, 28> named{{
     {"measured", "#C2187A", cross, "(1,6)"},
 }};
 
-constexpr std::array<std::string_view, 9> tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
-                                                "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
-
 /// A number that a text always gives (Fowler, Noll & Vo's FNV-1a, 32 bits).
 std::size_t number_of(const std::string& text) {
   std::uint32_t hash = 2166136261U;
@@ -61,34 +58,29 @@ std::size_t number_of(const std::string& text) {
   return hash >> 4U;
 }
 
-/// Of the exact motion with a friction of its own: the slipperier, the redder.
-struct FrictionStyle {
-  double least;  ///< the coefficient from which on it is this one
-  NamedStyle style;
-};
-constexpr std::array<FrictionStyle, 5> frictions{{{1, {"", "#0072B2", square, "solid"}},
-                                                  {0.45, {"", "#117733", triangle, "(12,9)"}},
-                                                  {0.25, {"", "#C04A00", circle, "(8,7,1,7)"}},
-                                                  {0.12, {"", "#882255", diamond, "(5,8)"}},
-                                                  {0, {"", "#332288", pentagon, "(12,8,1,8)"}}}};
+/// Of the exact motion with a friction of its own, from that coefficient on: the slipperier, the redder.
+constexpr std::array<std::pair<double, NamedStyle>, 5> frictions{
+    {{1, {"", "#0072B2", square, "solid"}},
+     {0.45, {"", "#117733", triangle, "(12,9)"}},
+     {0.25, {"", "#C04A00", circle, "(8,7,1,7)"}},
+     {0.12, {"", "#882255", diamond, "(5,8)"}},
+     {0, {"", "#332288", pentagon, "(12,8,1,8)"}}}};
 
 NamedStyle of_friction(const std::string& solver) {
   const double value = std::strtod(solver.c_str() + solver.find('=') + 1, nullptr);
   return std::find_if(frictions.begin(), frictions.end() - 1,
-                      [&](const FrictionStyle& one) { return value >= one.least; })
-      ->style;
-}
-
-NamedStyle of_solver(const std::string& solver) {
-  const auto found = std::ranges::find(named, solver, &NamedStyle::solver);
-  return found != named.end() ? *found : named.at(1 + number_of(solver) % (named.size() - 2));
+                      [&](const auto& one) { return value >= one.first; })
+      ->second;
 }
 
 }  // namespace
 
 Style style_of(const Run& run) {
-  const std::string solver = solver_name(run);
-  const NamedStyle own = has_own_friction(run) ? of_friction(solver) : of_solver(solver);
+  const std::string solver = run.solver_name();
+  const auto found = std::ranges::find(named, solver, &NamedStyle::solver);
+  const NamedStyle own = run.has_own_friction() ? of_friction(solver)
+                         : found != named.end() ? *found
+                                                : named.at(1 + number_of(solver) % (named.size() - 2));
   Style style{std::string(own.colour), own.mark + 1, std::string(own.dash)};
   if (run.settings == "default") {
     style.mark = own.mark;
@@ -111,10 +103,6 @@ std::string paler(const std::string& colour, double strength) {
     text += fmt::format("{:02X}", static_cast<int>(std::lround(white + (own - white) * strength)));
   }
   return text;
-}
-
-std::string pattern_tint(std::size_t index) {
-  return std::string(tints[index % tints.size()]);
 }
 
 std::string curve_style(const Run& run, std::size_t order) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
@@ -19,9 +17,6 @@ Style style_of(const Run& run);
 
 /// A colour, #rrggbb, of which white takes a part: 1 is the colour itself, 0 white.
 std::string paler(const std::string& colour, double strength);
-
-/// A tint for the band of patterns, pale enough for black letters; repeats after a while.
-std::string pattern_tint(std::size_t index);
 
 /// Of the exact motion, which lies under all others.
 inline constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
@@ -43,8 +38,7 @@ std::string curve_style(const Run& run, std::size_t order);
 /// "with points …" for a run's marks.
 std::string mark_style(const Run& run, double size);
 
-/// The model error of a fit as a plot, a line across the panel: dashed where the bounds tell it from none,
-/// dotted where they do not.
+/// The model error of a fit as a line across the panel: dashed where bounds tell it from none, else dotted.
 std::string floor_plot(const StepFit& fit, const std::string& colour);
 
 }  // namespace rockstack::plots

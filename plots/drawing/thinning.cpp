@@ -2,8 +2,6 @@
 
 #include <cassert>
 
-#include "comparisons/measures/statistics/samples.hpp"
-
 namespace rockstack::plots {
 namespace {
 
@@ -37,38 +35,28 @@ void for_bins(const Curve& points, std::size_t bins, const Keep& keep) {
   }
 }
 
-struct Place {
-  double x, y;
-};
-
-/// Points in shares of the curve's extent.
-std::vector<Place> scaled(const Curve& curve) {
-  const auto share = [](const std::vector<double>& values) {
-    const auto [low, high] = std::ranges::minmax_element(values);
-    const double extent = *high - *low;
-    return extent > 0 ? 1 / extent : 0;
-  };
-  const double across = share(curve.times), up = share(curve.values);
-  std::vector<Place> places;
-  for (std::size_t i = 0; i < curve.size(); ++i)
-    places.push_back({curve.times[i] * across, curve.values[i] * up});
-  return places;
+/// In shares of the curve's extent.
+Curve scaled(Curve curve) {
+  for (std::vector<double>* values : {&curve.times, &curve.values}) {
+    const auto [low, high] = std::ranges::minmax_element(*values);
+    const double extent = *high - *low, share = extent > 0 ? 1 / extent : 0;
+    for (double& value : *values) value *= share;
+  }
+  return curve;
 }
 
-double distance(const Place& point, const Place& from, const Place& to) {
-  const double dx = to.x - from.x, dy = to.y - from.y, length_squared = dx * dx + dy * dy;
+/// Of a point from the line between two others.
+double distance(const Curve& points, std::size_t of, std::size_t from, std::size_t to) {
+  const std::vector<double>&x = points.times, &y = points.values;
+  const double dx = x[to] - x[from], dy = y[to] - y[from], length_squared = dx * dx + dy * dy;
   const double along =
       length_squared > 0
-          ? std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / length_squared, 0.0, 1.0)
+          ? std::clamp(((x[of] - x[from]) * dx + (y[of] - y[from]) * dy) / length_squared, 0.0, 1.0)
           : 0;
-  return std::hypot(point.x - from.x - along * dx, point.y - from.y - along * dy);
+  return std::hypot(x[of] - x[from] - along * dx, y[of] - y[from] - along * dy);
 }
 
 }  // namespace
-
-double Curve::largest() const {
-  return largest_magnitude(values);
-}
 
 Curve thin(const Curve& curve, std::size_t bins) {
   assert(bins >= 1 && curve.times.size() == curve.values.size());
@@ -89,7 +77,7 @@ Curve simplified(const Curve& curve, double tolerance) {
   assert(tolerance > 0 && curve.times.size() == curve.values.size());
   Curve points = finite_points(curve);
   if (points.size() < 3) return points;
-  const std::vector<Place> places = scaled(points);
+  const Curve shares = scaled(points);
   std::vector<std::size_t> kept{0, points.size() - 1};
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
   while (!open.empty()) {
@@ -98,8 +86,7 @@ Curve simplified(const Curve& curve, double tolerance) {
     double furthest = tolerance;
     std::size_t at = first;
     for (std::size_t i = first + 1; i < last; ++i)
-      if (const double away = distance(places[i], places[first], places[last]); away > furthest)
-        furthest = away, at = i;
+      if (const double away = distance(shares, i, first, last); away > furthest) furthest = away, at = i;
     if (at == first) continue;
     kept.push_back(at);
     open.emplace_back(first, at);

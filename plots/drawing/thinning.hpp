@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack::plots {
 
@@ -13,23 +12,21 @@ struct Curve {
   std::size_t size() const { return times.size(); }
   void add(double time, double value) { times.push_back(time), values.push_back(value); }
   /// The largest magnitude; 0 of no values.
-  double largest() const;
+  double largest() const { return largest_magnitude(values); }
 };
 
 /// The same curve in fewer points: time is cut into `bins` equal bins and each keeps its smallest and its
 /// largest value at their own times, so that no peak is hidden; the first and the last point stay. A curve of
-/// no more than 2 × bins points stays as it is. Values that are not finite are dropped. Precondition: bins
-/// ≥ 1.
+/// at most 2 × bins points stays as it is. Values that are not finite are dropped. Precondition: bins ≥ 1.
 Curve thin(const Curve& curve, std::size_t bins);
 
 /// The largest absolute value of each of `bins` equal bins of time, at its own time, but not under `floor`:
 /// what a logarithmic axis can show of a curve that crosses zero. Preconditions: bins ≥ 1, floor > 0.
 Curve envelope(const Curve& curve, std::size_t bins, double floor);
 
-/// The same path in fewer points, for curves that turn back: those are left out that lie nearer than
-/// `tolerance` to the line between the points kept around them, as a share of the curve's extent along either
-/// axis. Values that are not finite are dropped. Precondition: tolerance > 0. (Ramer 1972, Douglas & Peucker
-/// 1973.)
+/// The same path in fewer points, for curves that turn back: without those nearer than `tolerance` to the
+/// line between the points kept around them, as a share of the curve's extent along either axis. Values that
+/// are not finite are dropped. Precondition: tolerance > 0. (Ramer 1972, Douglas & Peucker 1973.)
 Curve simplified(const Curve& curve, double tolerance);
 
 }  // namespace rockstack::plots

@@ -1,9 +1,106 @@
 #include "plots/figures/figure.hpp"
 
+#include "comparisons/measures/results/sentences.hpp"
+#include "plots/data/scores.hpp"
+#include "rockstack_plots_texts.hpp"
+
 namespace rockstack::plots {
 
-Sheet Figure::sheet(const std::string& heading, const Legend& legend, const std::string& answer) const {
-  return {heading, legend, question + " " + answer};
+using DrawScene = Drawing(const SceneSubject&);
+using DrawComparison = Drawings(const ComparisonSubject&);
+using DrawFolder = Drawings(const FolderSubject&);
+#include "plots/figures/drawers.inc"
+DrawComparison solver_scores;
+
+namespace {
+
+/// A figure with its words, from figures.txt.
+Figure figure(const std::string& name, const decltype(Figure::of)& of) {
+  static const std::vector<Paragraph> list = paragraphs(figures_txt);
+  const Paragraph& words = *std::ranges::find(list, name, &Paragraph::name);
+  const std::size_t end = words.words.find("? ") + 1;
+  return {name, words.kind.substr(words.kind.find("| ") + 2), words.words.substr(0, end),
+          words.words.substr(end + 1), of};
+}
+
+std::vector<Figure> all_figures() {
+  // What a scene's results must have.
+  static constexpr auto sampled = [](auto& scene) { return scene.has("histories"); };
+  // Whether runs stand beside each other at all times.
+  static constexpr auto compared = [](auto& scene) { return sampled(scene) && !scene.alone; };
+  static constexpr auto tested = [](auto& scene) { return sampled(scene) && !scene.readings.empty(); };
+  static constexpr auto slips = [](auto& scene) { return sampled(scene) && scene.slips; };
+  static constexpr auto frictions = [](auto& scene) { return sampled(scene) && scene.frictions; };
+  static constexpr auto both_equations = [](auto& scene) { return sampled(scene) && scene.both_equations; };
+  static constexpr auto bodies = [](auto& scene) { return sampled(scene) && scene.has("bodies"); };
+  static constexpr auto impacts = [](auto& scene) { return scene.has("impacts"); };
+  static constexpr auto shaken = [](auto& scene) { return !scene.ground_motion.empty(); };
+  static constexpr auto losses = [](auto& scene) {
+    return bodies(scene) && impacts(scene) && !shaken(scene);
+  };
+  static constexpr auto errors = [](auto& scene) { return scene.has("angles"); };
+  static constexpr auto patterns = [](auto& scene) { return scene.has("patterns"); };
+  static constexpr auto split = [](auto& scene) { return scene.split; };
+  static constexpr auto fitted = [](auto& scene) { return scene.fitted; };
+  static constexpr auto perturbed = [](auto& scene) { return scene.perturbed; };
+  std::vector<Figure> list{
+#include "plots/figures/entries.inc"
+  };
+  for (const SolverQuestion& one : solver_questions())
+    list.push_back(
+        {"solvers." + one.name, "All solvers: " + one.name, one.question,
+         "A row a solver and set, those first that answer for all scenes; a small cross a scene, a large "
+         "mark the median of all. Rows whose scenes lie among each other are not told apart.",
+         OfComparison{solver_scores}});
+  return list;
+}
+
+void draw_all(const Figure& figure, const Drawings& drawings, const fs::path& results) {
+  for (const auto& [part, drawing] : drawings)
+    draw(drawing, results / "figures" / (part.empty() ? figure.name : figure.name + "." + part));
+}
+
+}  // namespace
+
+const std::vector<Figure>& figures() {
+  static const std::vector<Figure> list = all_figures();
+  return list;
+}
+
+std::vector<const Figure*> figures_of(const ComparedScene& scene) {
+  std::vector<const Figure*> list;
+  for (const Figure& figure : figures())
+    if (const auto* of = std::get_if<OfScene>(&figure.of); of != nullptr && of->needs(scene))
+      list.push_back(&figure);
+  return list;
+}
+
+const Figure* figure_in(const std::string& stem) {
+  for (const Figure& figure : figures())
+    if (stem == figure.name || stem.starts_with(figure.name + ".")) return &figure;
+  for (const Figure& figure : figures())
+    if (stem.ends_with("." + figure.name)) return &figure;
+  return nullptr;
+}
+
+void draw_figures(const fs::path& results, const Comparison& comparison) {
+  for (const ComparedScene& scene : comparison.scenes)
+    for (const Figure* figure : figures_of(scene))
+      draw(std::get<OfScene>(figure->of).draw({*figure, comparison, scene}),
+           figure_stem(results, scene, *figure));
+  for (const Figure& figure : figures())
+    if (const auto* of = std::get_if<OfComparison>(&figure.of); of != nullptr)
+      draw_all(figure, of->draw({figure, comparison}), results);
+}
+
+void draw_figures(const fs::path& results) {
+  for (const Figure& figure : figures()) {
+    const auto* of = std::get_if<OfFolder>(&figure.of);
+    if (of == nullptr || !fs::exists(results / of->needs)) continue;
+    Drawings drawings = of->draw({figure, results});
+    if (of->narrow) drawings[narrow_part] = of->draw({figure, results, narrow_width}).at("");
+    draw_all(figure, drawings, results);
+  }
 }
 
 Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
@@ -12,18 +109,14 @@ Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
 }
 
 Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const {
-  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(heading(scene), legend, answer);
-}
-
-Drawing SceneSubject::nothing(const std::string& reason) const {
-  return empty_sheet(heading(scene), reason);
+  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(scene.heading(), legend, answer);
 }
 
 Shown SceneSubject::shown(const std::vector<std::string>& files) const {
   Shown shown = shown_runs(comparison, scene.name);
   std::erase_if(shown.engines, [&](const Run& run) {
-    return !std::ranges::all_of(
-        files, [&](const std::string& file) { return std::filesystem::exists(run.folder / file); });
+    return !std::ranges::all_of(files,
+                                [&](const std::string& file) { return fs::exists(run.folder / file); });
   });
   return shown;
 }
@@ -34,44 +127,18 @@ TimeAxis SceneSubject::time_axis(const std::vector<Run>& runs, Legend& legend) c
   return axis;
 }
 
-void SceneSubject::add_replicates_note(Sheet& sheet) const {
-  if (const std::string note = draws_note(comparison, scene.name); !note.empty()) sheet.note(note);
-}
-
-std::vector<Run> all_runs(const Shown& shown) {
-  std::vector<Run> runs = shown.exact;
-  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
-  return runs;
-}
-
-Legend mark_legend(const std::vector<Run>& runs, double size) {
-  return legend_of(runs, [&](const Run& run, std::size_t) { return mark_style(run, size); });
-}
-
-void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
-                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look) {
-  std::vector<Series> series;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (curves[i].size() == 0) continue;
-    const std::string name = fmt::format("{}_{}", stem, i);
-    sheet.data(data_block(name, curves[i]));
-    series.push_back(curve_series(runs[i], name, i, look));
-  }
-  add_series(sheet, panel, series, are_many(runs));
-}
-
-std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height) {
-  return logarithmic_range("x", across.low, across.high, width) +
-         logarithmic_range("y", up.low, up.high, height) + grid_lines;
+std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up) {
+  return [across, up](double width, double height) {
+    return logarithmic_range("x", across.low, across.high, width) +
+           logarithmic_range("y", up.low, up.high, height) + grid_lines;
+  };
 }
 
 std::string number_block(const std::string& name, const Numbers& lines) {
-  std::string text = fmt::format("${} << END\n", name);
-  for (const std::vector<double>& line : lines) {
-    for (const double number : line) text += plain(number) + " ";
-    text += "\n";
-  }
-  return text + "END\n";
+  const auto line = [](const std::vector<double>& numbers) {
+    return text_of_each(numbers, plain, " ") + "\n";
+  };
+  return "$" + name + " << END\n" + text_of_each(lines, line) + "END\n";
 }
 
 void Plots::add(const Numbers& lines, const std::vector<std::string>& styles) {

@@ -2,19 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <limits>
-#include <map>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
-
-#include "plots/data/results.hpp"
 #include "plots/data/selection.hpp"
-#include "plots/drawing/axes.hpp"
 #include "plots/drawing/series.hpp"
 
 namespace rockstack::plots {
@@ -31,17 +19,12 @@ struct SceneSubject {
   /// A sheet with the scene's title, the figure's question and the answer.
   Sheet sheet(const Legend& legend, const std::string& answer) const;
   /// The scene's title over the reason why there is nothing to show.
-  Drawing nothing(const std::string& reason) const;
+  Drawing nothing(const std::string& reason) const { return empty_sheet(scene.heading(), reason); }
 
-  /// The exact run and the engines' runs that figures over time show, of these only those that have all of
-  /// some files.
+  /// The exact run and the engines' runs that figures over time show, these only with all of some files.
   Shown shown(const std::vector<std::string>& files = {}) const;
   /// The time that some motions take, and what its shade means as an entry of the legend.
   TimeAxis time_axis(const std::vector<Run>& runs, Legend& legend) const;
-  /// Says under the panels what the marks stand for, where they are of replicates.
-  void add_replicates_note(Sheet& sheet) const;
-  /// How wide a panel is, pixels.
-  double panel() const { return panel_width - (on_slide ? full_width - slide_width : 0); }
   /// How high a panel is, pixels, that is `usual` where all panels together are `all`.
   double height(double usual, double all) const { return on_slide ? usual / all * slide_panels : usual; }
 };
@@ -55,12 +38,11 @@ struct ComparisonSubject {
 /// What a figure of a folder that is no comparison is drawn of.
 struct FolderSubject {
   const Figure& figure;
-  const std::filesystem::path& folder;
+  const fs::path& folder;
   double width = full_width;  ///< pixels
 
   /// A sheet with a title, the figure's question and the answer, or of a narrow one the legend alone.
   Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
-  double panel() const { return panel_width - (full_width - width); }  ///< how wide one is, pixels
 };
 
 /// By what stands behind the figure's name in that of its file; a single drawing has nothing there.
@@ -93,7 +75,9 @@ struct Figure {
   std::variant<OfScene, OfComparison, OfFolder> of;
 
   /// A sheet with a title, the question and the answer.
-  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
+  Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const {
+    return {heading, legend, question + " " + answer};
+  }
 };
 
 /// All figures, in the order of pages.
@@ -106,39 +90,40 @@ std::vector<const Figure*> figures_of(const ComparedScene& scene);
 const Figure* figure_in(const std::string& stem);
 
 /// Where a figure of a scene lies, without .png, .svg or .pdf.
-std::filesystem::path figure_stem(const std::filesystem::path& results, const ComparedScene& scene,
-                                  const Figure& figure);
+inline fs::path figure_stem(const fs::path& results, const ComparedScene& scene, const Figure& figure) {
+  return results / "figures" / (scene.alone ? figure.name : scene.name + "." + figure.name);
+}
 
 /// Draws all figures of a comparison, or of one motion, as results/figures/<scene>.<figure>.png, .svg and
 /// .pdf.
 /// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot fails.
-void draw_figures(const std::filesystem::path& results, const Comparison& comparison);
+void draw_figures(const fs::path& results, const Comparison& comparison);
 
-/// Draws the figures of what is neither, whose files are there, as results/figures/<figure>.png, .svg and
-/// .pdf. @throws likewise.
-void draw_figures(const std::filesystem::path& results);
+/// The same of what is neither, whose files are there, as results/figures/<figure>.png, .svg and .pdf.
+void draw_figures(const fs::path& results);
 
 /// Draws the motion of every scene of a results folder that a player could show, as
 /// results/figures/<scene>.motion.gif, and as .mp4 where ffmpeg is there: exact and engines side by side, 25
 /// frames a second. Returns the files.
-/// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot or
-/// ffmpeg fails.
-std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& results);
+/// @throws as draw_figures(), and std::runtime_error where ffmpeg fails.
+std::vector<fs::path> draw_animations(const fs::path& results);
 
 // What figures are drawn with besides the skeletons of plots/drawing.
 
 /// The exact run, where there is one, before those of the engines.
-std::vector<Run> all_runs(const Shown& shown);
+inline std::vector<Run> all_runs(const Shown& shown) {
+  std::vector<Run> runs = shown.exact;
+  runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
+  return runs;
+}
 
 /// The marks of runs, of a size; of too many for one panel nothing.
-Legend mark_legend(const std::vector<Run>& runs, double size);
+inline Legend mark_legend(const std::vector<Run>& runs, double size) {
+  return legend_of(runs, [&](const Run& run, std::size_t) { return mark_style(run, size); });
+}
 
-/// Adds a panel, or many, of a curve a run, of those that have one. Their data blocks begin with `stem`.
-void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
-                const std::vector<Curve>& curves, const std::string& stem, const CurveLook& look = {});
-
-/// Ranges and numbers of a panel over two logarithmic axes, of so many pixels.
-std::string logarithmic_axes(const Reach& across, const Reach& up, double width, double height);
+/// Ranges and numbers of a panel over two logarithmic axes, by its width and height in pixels.
+std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up);
 
 /// Lines of numbers as a data block that plot commands call $name.
 using Numbers = std::vector<std::vector<double>>;
@@ -159,12 +144,8 @@ class Plots {
   std::vector<std::string> list_;
 };
 
-/// Words beside whole numbers from `first` on, "set ytics (…)" without what stands around them; they count
-/// down where `step` is −1.
+/// Words beside whole numbers from `first` on, or down where `step` is −1, as in "set ytics (…)".
 std::string word_tics(const std::vector<std::string>& words, int first = 0, int step = 1);
-
-/// What a test has measured.
-inline constexpr auto reading_style = "with points pt 7 ps 0.5*mark lc rgb '#C2187A'";
 
 /// The settings of the panel over time that has the numbers of those above it.
 inline constexpr auto time_numbers = "set format x '%g'\nset xlabel 'time (s)'\n";

@@ -1,32 +1,13 @@
 #include "plots/pages/html.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
+
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
 
 namespace rockstack::plots {
 namespace {
-
-/// Writes `prefix` behind every occurrence of `mark`.
-void insert_after(std::string& text, std::string_view mark, const std::string& prefix) {
-  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {
-    at += mark.size();
-    text.insert(at, prefix);
-  }
-}
-
-/// Takes out the first element of that name, which a browser would show as a tooltip.
-void remove_element(std::string& text, const std::string& name) {
-  const std::string closing = "</" + name + ">";
-  const std::size_t begin = text.find("<" + name + ">");
-  const std::size_t end = text.find(closing, std::min(begin, text.size()));
-  if (end != std::string::npos) text.erase(begin, end + closing.size() - begin);
-}
-
-std::string contents_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be read; figures are drawn before the report");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Sentences, each in an element and a line of its own.
 std::string elements(const std::string& name, const std::vector<std::string>& sentences) {
@@ -44,7 +25,7 @@ std::string solver_of(const std::string& content) {
                       content.find("class=\"moving\"") != std::string::npos;
   if (solver_wasm.empty() || !solves) return "";
   std::string scripts;
-  for (const auto& [id, package] : {std::pair{"solver", solver_wasm}, std::pair{"engine", engine_package}})
+  for (const auto& [id, package] : {std::pair{"solver", solver_wasm}, {"engine", engine_package}})
     scripts +=
         element("script", std::string(package), fmt::format(" type=\"application/gzip\" id=\"{}\"", id)) +
         "\n";
@@ -64,59 +45,34 @@ std::set<std::string> names_in(const fs::path& folder, const std::set<std::strin
 }
 
 std::string escaped(std::string_view text) {
-  constexpr std::array<std::pair<char, std::string_view>, 5> entities{
-      {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
-  std::string result;
-  for (const char c : text) {
-    const auto found = std::ranges::find_if(entities, [&](const auto& one) { return one.first == c; });
-    result += found == entities.end() ? std::string_view(&c, 1) : found->second;
-  }
+  std::string result(text);
+  for (const auto& [mark, entity] :
+       {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}, {"'", "&#39;"}})
+    boost::replace_all(result, mark, entity);
   return result;
-}
-
-std::string element(const std::string& name, const std::string& content, const std::string& attributes) {
-  return fmt::format("<{0}{1}>{2}</{0}>", name, attributes, content);
 }
 
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label) {
   const std::size_t start = std::min(file.find("<svg"), file.size());
   std::string svg = file.substr(start);
-  remove_element(svg, "title");
-  remove_element(svg, "desc");
-  for (const std::string_view mark : {"id=\"", "id='", "href='#", "href=\"#", "url(#"})
-    insert_after(svg, mark, prefix);
+  for (const std::string name : {"title", "desc"}) {  // which browsers would show as tooltips
+    const std::string closing = "</" + name + ">";
+    const std::size_t begin = svg.find("<" + name + ">");
+    const std::size_t end = svg.find(closing, std::min(begin, svg.size()));
+    if (end != std::string::npos) svg.erase(begin, end + closing.size() - begin);
+  }
+  for (const char* mark : {"id=\"", "id='", "href='#", "href=\"#", "url(#"})
+    boost::replace_all(svg, mark, mark + prefix);
   constexpr std::size_t tag_length = 4;
   if (svg.size() > tag_length)
     svg.insert(tag_length, fmt::format(" role=\"img\" aria-label=\"{}\"", escaped(label)));
   return svg;
 }
 
-std::string text_at(const Json& json, const char* key) {
-  return json.at(key).get<std::string>();
-}
-
-std::string escaped_at(const Json& json, const char* key) {
-  return escaped(text_at(json, key));
-}
-
-std::string solver_named(const Json& row) {
-  return text_at(row, "engine") + ":" + text_at(row, "solver");
-}
-
-std::string link(const std::string& to, const std::string& words) {
-  return element("a", words, fmt::format(" href=\"{}\"", to));
-}
-
-std::string details(const std::string& summary, const std::string& content, const std::string& attributes) {
-  return element("details", element("summary", summary) + content, attributes) + "\n";
-}
-
-std::string section(const std::string& title, const std::string& content, const std::string& attributes) {
-  return element("section", "\n" + element("h2", escaped(title)) + "\n" + content, attributes) + "\n";
-}
-
-std::string code_block(const std::string& text) {
-  return element("pre", element("code", escaped(text)));
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  boost::split(parts, text, [](char letter) { return letter == ';'; });
+  return parts;
 }
 
 std::string page(const std::string& title, const std::string& kind, const std::string& content) {
@@ -146,18 +102,6 @@ std::string table(const std::vector<std::string>& columns, const std::string& ro
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
 }
 
-std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
-                       const std::string& label) {
-  return element("div", table(columns, rows),
-                 fmt::format(" class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", label));
-}
-
-std::string titled_table(const std::string& title, const std::vector<std::string>& columns,
-                         const std::string& rows, const std::string& between) {
-  return element("h3", title) + between + element("div", table(columns, rows), " class=\"statements\"") +
-         "\n";
-}
-
 std::string table_row(const std::vector<std::string>& columns, const std::vector<std::string>& cells,
                       const std::string& attributes) {
   std::string row;
@@ -183,8 +127,7 @@ std::string table_cell(const std::string& column, const std::string& cell, const
 }
 
 std::string heading(std::string column, const std::string& kind) {
-  for (char& c : column)
-    if (c == '_') c = ' ';
+  std::ranges::replace(column, '_', ' ');
   return element("th", element("button", escaped(column), " type=\"button\""),
                  " scope=\"col\"" + class_attribute(kind));
 }
@@ -194,7 +137,10 @@ std::string drawn_figure(const fs::path& results, const std::string& stem, const
   const Figure* figure = figure_in(stem);
   const std::string words = figure == nullptr ? "" : figure->question + " " + figure->explanation;
   const auto drawing = [&](const std::string& part, const std::string& before) {
-    return inline_svg(contents_of(results / "figures" / (stem + part + ".svg")), before + prefix, label);
+    const fs::path file = results / "figures" / (stem + part + ".svg");
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw InputError(file.string() + ": cannot be read; figures are drawn before the report");
+    return inline_svg({std::istreambuf_iterator<char>(in), {}}, before + prefix, label);
   };
   const std::string narrow = std::string(".") + narrow_part;
   const std::string drawings = fs::exists(results / "figures" / (stem + narrow + ".svg"))
@@ -209,11 +155,8 @@ std::string drawn_figures(const fs::path& results, const std::set<std::string>& 
   for (const std::string& name : names_in(results / "figures", {".svg"})) {
     const std::string stem = fs::path(name).stem();
     if (known.contains(stem) || stem.ends_with(narrow_part)) continue;
-    const Figure* figure = figure_in(stem);
-    std::string title = stem;
-    std::ranges::replace_if(
-        title, [](char c) { return c == '.' || c == '-'; }, ' ');
-    if (figure != nullptr)
+    std::string title = boost::replace_all_copy(boost::replace_all_copy(stem, ".", " "), "-", " ");
+    if (const Figure* figure = figure_in(stem); figure != nullptr)
       title = figure->title + (stem == figure->name ? "" : ": " + stem.substr(figure->name.size() + 1));
     text += element("h3", escaped(title)) + drawn_figure(results, stem, escaped(stem) + "-", title) + "\n";
   }

@@ -6,50 +6,39 @@ namespace {
 /// Entries in falling order of a value.
 template <class Entry, class Value>
 std::vector<Entry> ranked(std::vector<Entry> entries, const Value& value) {
-  std::ranges::stable_sort(entries, [&](const Entry& a, const Entry& b) { return value(a) > value(b); });
+  std::ranges::stable_sort(entries, std::greater(), value);
   return entries;
 }
 
-LawTally all_runs(const LawResults& results) {
-  return tallies_by(results.runs, [](const LawRun&) { return std::string(); }).front();
+/// All parts together. Points into them.
+template <class Together, class Part>
+Together sum_of(const std::vector<Part>& parts) {
+  Together all;
+  for (const Part& part : parts) all.add(part);
+  return all;
 }
 
-LawShare all_cells(const std::vector<LawCell>& cells) {
-  return shares_by(cells, [](const LawCell&) { return std::string(); }).front();
-}
-
-double differ_percent(const LawShare& share) {
-  return share.differ_percent();
-}
-
-/// The kinds after which the laws differ most.
 std::string worst_kinds(const std::vector<LawShare>& kinds) {
   constexpr std::size_t most = 3;
   std::vector<std::string> words;
-  for (const LawShare& kind : ranked(kinds, differ_percent))
+  for (const LawShare& kind : ranked(kinds, &LawShare::differ_percent))
     if (kind.differ > 0 && words.size() < most)
       words.push_back(fmt::format("{} ({:.1f} %)", kind.of, kind.differ_percent()));
   return joined(words);
 }
 
-std::string extremes(const std::vector<LawShare>& shares) {
-  const std::vector<LawShare> order = ranked(shares, differ_percent);
+/// Along either axis, "most from 0.25 to 0.386 (41.2 %), …".
+std::string extremes(const std::vector<LawCell>& cells, double LawCell::*from, double LawCell::*to) {
+  const auto shares = together_by<LawShare>(
+      cells, [&](const LawCell& cell) { return fmt::format("{:.3g} to {:.3g}", cell.*from, cell.*to); });
+  const std::vector<LawShare> order = ranked(shares, &LawShare::differ_percent);
   return fmt::format("most from {} ({:.1f} %), least from {} ({:.1f} %)", order.front().of,
                      order.front().differ_percent(), order.back().of, order.back().differ_percent());
 }
 
-/// The range of a cell along either axis, "0.25 to 0.386".
-std::string aspect_ratio_range(const LawCell& cell) {
-  return fmt::format("{:.3g} to {:.3g}", cell.aspect_ratio_from, cell.aspect_ratio_to);
-}
-
-std::string mass_ratio_range(const LawCell& cell) {
-  return fmt::format("{:.3g} to {:.3g}", cell.mass_ratio_from, cell.mass_ratio_to);
-}
-
 void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::string>& sentences) {
-  const LawShare all = all_cells(cells);
-  const auto kinds = shares_by(cells, [](const LawCell& cell) { return cell.kind; });
+  const LawShare all = sum_of<LawShare>(cells);
+  const auto kinds = together_by<LawShare>(cells, [](const LawCell& cell) { return cell.kind; });
   const auto differing = std::ranges::count_if(kinds, [](const LawShare& kind) { return kind.differ > 0; });
   const std::string judged = fmt::format("Stacks of {} blocks: {:.0f} impacts of {} were judged. ", blocks,
                                          all.impacts, counted(kinds.size(), "kind"));
@@ -68,8 +57,9 @@ void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::
     sentences.push_back(fmt::format(
         "The share within {} by height over width of the top block: {}; by its mass over that of the block "
         "below: {}.",
-        differing == 1 ? "this kind" : "these kinds", extremes(shares_by(where, aspect_ratio_range)),
-        extremes(shares_by(where, mass_ratio_range))));
+        differing == 1 ? "this kind" : "these kinds",
+        extremes(where, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to),
+        extremes(where, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to)));
   }
   if (all.none > 0)
     sentences.push_back(
@@ -81,8 +71,8 @@ void add_stacks(int blocks, const std::vector<LawCell>& cells, std::vector<std::
 std::string states_by(const LawResults& results, int LawTally::*count) {
   constexpr std::size_t most = 3;
   std::vector<std::string> words;
-  const auto states = tallies_by(results.runs, [](const LawRun& one) { return one.run.scene; });
-  for (const LawTally& state : ranked(states, [&](const LawTally& tally) { return tally.*count; }))
+  const auto states = together_by<LawTally>(results.runs, [](const LawRun& one) { return one.run.scene; });
+  for (const LawTally& state : ranked(states, count))
     if (state.*count > 0 && words.size() < most)
       words.push_back(fmt::format("{} ({} of {} runs)", state.of, state.*count, state.runs()));
   return joined(words);
@@ -95,12 +85,12 @@ void add_patterns(const LawResults& results, const LawTally& all, std::vector<st
       counted(results.states, "state"), counted(results.runs.size(), "run"), all.consistent, all.paper,
       all.neither, all.failed));
   std::vector<std::string> steps;
-  for (const LawTally& step :
-       tallies_by(results.runs, [](const LawRun& one) { return duration_text(value_of(one.run.dt)); }))
+  for (const LawTally& step : together_by<LawTally>(
+           results.runs, [](const LawRun& one) { return duration_text(value_of(one.run.dt)); }))
     steps.push_back(fmt::format("{} of {} with steps of {}", step.consistent, step.runs(), step.of));
   sentences.push_back(fmt::format("Law consistent's pattern by time step: {}.", joined(steps)));
   const auto solvers =
-      ranked(tallies_by(results.runs, [](const LawRun& one) { return line_label(one.run); }),
+      ranked(together_by<LawTally>(results.runs, [](const LawRun& one) { return line_label(one.run); }),
              [](const LawTally& tally) { return static_cast<double>(tally.consistent) / tally.runs(); });
   sentences.push_back(fmt::format("By solver: most often {} ({} of {}), least often {} ({} of {}).",
                                   solvers.front().of, solvers.front().consistent, solvers.front().runs(),
@@ -132,7 +122,7 @@ void add_velocities(const LawResults& results, const LawTally& all, std::vector<
 std::vector<std::string> law_answer(const LawResults& results) {
   std::vector<std::string> sentences;
   if (!results.runs.empty()) {
-    const LawTally all = all_runs(results);
+    const LawTally all = sum_of<LawTally>(results.runs);
     sentences.push_back(
         fmt::format("Where the laws differ, engines take the pattern of law consistent in {} of {}, and that "
                     "of law paper in {}.",
@@ -140,7 +130,7 @@ std::vector<std::string> law_answer(const LawResults& results) {
   }
   if (!results.cells.empty())
     sentences.push_back(fmt::format("The laws differ after {:.1f} % of the impacts of random stacks.",
-                                    all_cells(results.cells).differ_percent()));
+                                    sum_of<LawShare>(results.cells).differ_percent()));
   return sentences;
 }
 
@@ -157,7 +147,7 @@ std::vector<std::string> engine_summary(const LawResults& results) {
   if (results.runs.empty()) {
     sentences.emplace_back("No engine was asked.");
   } else {
-    const LawTally all = all_runs(results);
+    const LawTally all = sum_of<LawTally>(results.runs);
     add_patterns(results, all, sentences);
     if (all.farthest != nullptr) add_velocities(results, all, sentences);
   }

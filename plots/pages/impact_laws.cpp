@@ -1,6 +1,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/sections.hpp"
 
 namespace rockstack::plots {
@@ -12,14 +13,6 @@ std::string whole(double count) {
   return fmt::format("{:.0f}", count);
 }
 
-/// The parts of a name that semicolons set apart.
-Cells parts_of(const std::string& name) {
-  Cells parts;
-  std::istringstream names(name);
-  for (std::string part; std::getline(names, part, ';');) parts.push_back(part);
-  return parts;
-}
-
 Cells followed_by(Cells columns, const Cells& others) {
   columns.insert(columns.end(), others.begin(), others.end());
   return columns;
@@ -27,14 +20,13 @@ Cells followed_by(Cells columns, const Cells& others) {
 
 const Cells share_columns{"impacts", "laws differ", "differ (%)", "none", "none (%)"};
 
-/// Rows of cells together that have the same number of blocks and the same other name: its parts, then
-/// counts.
+/// Rows of cells that have the same number of blocks and the same other name: its parts, then counts.
 template <class Name>
 std::string share_rows(const Cells& columns, const std::vector<LawCell>& cells, const Name& name) {
   const auto percent = [](double share) { return fmt::format("{:.2f}", share); };
   std::string rows;
-  for (const LawShare& share :
-       shares_by(cells, [&](const LawCell& cell) { return fmt::format("{};{}", cell.blocks, name(cell)); }))
+  for (const LawShare& share : together_by<LawShare>(
+           cells, [&](const LawCell& cell) { return fmt::format("{};{}", cell.blocks, name(cell)); }))
     rows += table_row(columns,
                       followed_by(parts_of(share.of),
                                   {whole(share.impacts), whole(share.differ), percent(share.differ_percent()),
@@ -69,28 +61,22 @@ std::string pairs_table(const Json& pairs) {
 }
 
 /// What tables of runs have after the columns that name them.
-const Cells tally_columns{"runs",
-                          "consistent",
-                          "paper",
-                          "neither",
-                          "failed",
-                          "median from consistent",
-                          "median from paper",
-                          "largest from consistent"};
+const Cells tally_columns = parts_of(
+    "runs;consistent;paper;neither;failed;median from consistent;median from paper;largest from consistent");
 
 Cells with_tally(Cells names, const LawTally& tally) {
   for (const int count : {tally.runs(), tally.consistent, tally.paper, tally.neither, tally.failed})
     names.push_back(std::to_string(count));
-  const bool any = tally.farthest != nullptr;
-  names.push_back(any ? fmt::format("{}", median(tally.from_consistent)) : "");
-  names.push_back(any ? fmt::format("{}", median(tally.from_paper)) : "");
-  names.push_back(any ? fmt::format("{}", tally.farthest->from_consistent) : "");
+  if (tally.farthest == nullptr) return followed_by(names, {"", "", ""});
+  for (const double number :
+       {median(tally.from_consistent), median(tally.from_paper), tally.farthest->from_consistent})
+    names.push_back(fmt::format("{}", number));
   return names;
 }
 
 std::string solvers_table(const std::vector<LawRun>& runs) {
   const Cells columns = followed_by({"solver", "time step (s)"}, tally_columns);
-  const auto tallies = tallies_by(runs, [](const LawRun& one) {
+  const auto tallies = together_by<LawTally>(runs, [](const LawRun& one) {
     return fmt::format("{};{}", line_label(one.run), value_of(one.run.dt));
   });
   return table(columns, text_of_each(tallies, [&](const LawTally& tally) {
@@ -98,23 +84,20 @@ std::string solvers_table(const std::vector<LawRun>& runs) {
                }));
 }
 
-std::string ratio_text(double over, double under) {
-  return fmt::format("{}", over / under);
-}
-
 std::string states_table(const std::vector<LawRun>& runs, const Json& states) {
   const Cells columns =
       followed_by({"state", "height over width of the top block", "its mass over that below"}, tally_columns);
   std::map<std::string, LawTally> tallies;
-  for (LawTally& tally : tallies_by(runs, [](const LawRun& one) { return one.run.scene; }))
-    tallies.emplace(tally.of, std::move(tally));
+  for (const LawRun& one : runs) tallies[one.run.scene].add(one);
   return table(columns, text_of_each(states, [&](const Json& state) {
                  const std::string name = text_at(state, "name");
                  const Json& blocks = state.at("blocks");
                  const Json &top = blocks.at(blocks.size() - 1), &below = blocks.at(blocks.size() - 2);
-                 return table_row(columns, with_tally({name, ratio_text(top.at("height"), top.at("width")),
-                                                       ratio_text(top.at("mass"), below.at("mass"))},
-                                                      tallies[name]));
+                 const double ratio = top.at("height").get<double>() / top.at("width").get<double>(),
+                              mass = top.at("mass").get<double>() / below.at("mass").get<double>();
+                 return table_row(
+                     columns,
+                     with_tally({name, fmt::format("{}", ratio), fmt::format("{}", mass)}, tallies[name]));
                }));
 }
 
@@ -128,28 +111,26 @@ std::string rounded(const std::string& numbers) {
 
 /// What is compared stands side by side; a file of other columns has them at the end.
 std::vector<std::size_t> order_of(const Cells& columns) {
-  const Cells first{"case",       "engine",      "solver",          "settings",
-                    "dt",         "follows",     "pattern",         "paper",
-                    "consistent", "from_paper",  "from_consistent", "before",
-                    "rates",      "rates_paper", "rates_consistent"};
+  const Cells first = parts_of(
+      "case;engine;solver;settings;dt;follows;pattern;paper;consistent;from_paper;from_consistent;before;rates;"
+      "rates_paper;rates_consistent");
   std::vector<std::size_t> order(columns.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](std::size_t i) { return std::ranges::find(first, columns[i]); };
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::ranges::find(first, columns[i]); });
   return order;
 }
 
-std::string runs_table(const LawResults& results) {
+std::string runs_table(const fs::path& folder) {
   const std::set<std::string> lists{"before", "rates", "rates_paper", "rates_consistent"};
-  const std::vector<std::size_t> order = order_of(results.columns);
-  Cells columns;
-  for (const std::size_t i : order) columns.push_back(results.columns[i]);
+  CsvLine row(folder / "impact-laws-engines.csv");
+  const std::vector<std::size_t> order = order_of(row.names());
+  const Cells columns = each_of(order, [&](std::size_t i) { return row.names()[i]; });
   std::string rows;
-  for (const LawRun& one : results.runs) {
-    Cells cells;
-    for (const std::size_t i : order)
-      cells.push_back(lists.contains(results.columns[i]) ? rounded(one.cells[i]) : one.cells[i]);
-    rows += table_row(columns, cells, one.run.done() ? "" : " class=\"failed\"");
+  while (row.next()) {
+    const Cells cells = each_of(order, [&](std::size_t i) {
+      return lists.contains(row.names()[i]) ? rounded(row.text(i)) : row.text(i);
+    });
+    rows += table_row(columns, cells, row.text("status") == "done" ? "" : " class=\"failed\"");
   }
   return table(columns, rows);
 }
@@ -157,11 +138,10 @@ std::string runs_table(const LawResults& results) {
 std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
   std::set<int> blocks;
   for (const LawCell& cell : cells) blocks.insert(cell.blocks);
-  std::string text;
-  for (const int count : blocks)
-    text += drawn_figure(results, fmt::format("impact-laws.{}-blocks", count), fmt::format("laws-{}-", count),
-                         fmt::format("Where the laws differ for {} blocks", count));
-  return text;
+  return text_of_each(blocks, [&](int count) {
+    return drawn_figure(results, fmt::format("impact-laws.{}-blocks", count), fmt::format("laws-{}-", count),
+                        fmt::format("Where the laws differ for {} blocks", count));
+  });
 }
 
 std::string content(const fs::path& folder, const LawResults& results, const Json& json) {
@@ -185,7 +165,7 @@ std::string content(const fs::path& folder, const LawResults& results, const Jso
                                                    "How far every engine run is from either law")},
                     {"solvers", solvers_table(results.runs)},
                     {"states", states_table(results.runs, json.at("cases"))},
-                    {"runs", runs_table(results)},
+                    {"runs", runs_table(folder)},
                     {"suite", escaped_at(json, "suite_file")},
                     {"parameters", parameters},
                     {"definitions", definitions},
@@ -195,11 +175,9 @@ std::string content(const fs::path& folder, const LawResults& results, const Jso
 
 }  // namespace
 
-void write_impact_law_report(const std::filesystem::path& results) {
-  read_json(results / "impact-laws.json", [&](const Json& json) {
-    const std::string text = content(results, read_law_results(results), json);
-    write_file(results / "report.html", page(text_at(json, "title"), "report", text));
-  });
+void write_impact_law_report(const fs::path& results, const Json& json) {
+  const std::string text = content(results, read_law_results(results), json);
+  write_file(results / "report.html", page(text_at(json, "title"), "report", text));
 }
 
 }  // namespace rockstack::plots

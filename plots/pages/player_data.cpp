@@ -2,10 +2,10 @@
 
 #include <bit>
 #include <nlohmann/json.hpp>
-#include <utility>
 
+#include "analytic/scene/lists.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
-#include "comparisons/measures/results/reactions.hpp"
 #include "plots/data/patterns.hpp"
 
 namespace rockstack::plots {
@@ -58,15 +58,6 @@ Json spans_of(const History& history) {
   return list;
 }
 
-/// What chatter is made of, each of its bounces first.
-constexpr std::array bounces{EventKind::impact, EventKind::touch};
-constexpr std::array followers{EventKind::slip, EventKind::stick, EventKind::part};
-
-template <class Kinds>
-bool is_among(const Kinds& kinds, EventKind kind) {
-  return std::ranges::find(kinds, kind) != kinds.end();
-}
-
 /// Events by time, with 1 for chatter: slow bounces, and the starts and ends of sliding and touching that
 /// follow them; a landing is none. Chatter beyond what a page can hold is left out.
 Json stops_of(const History& history, double chatter_speed) {
@@ -74,13 +65,15 @@ Json stops_of(const History& history, double chatter_speed) {
   Json list = Json::array();
   bool chatter = false;
   for (const Event& event : history.events) {
-    const bool bounce = is_among(bounces, event.kind);
+    const bool bounce = event.kind == EventKind::impact || event.kind == EventKind::touch;
     if (bounce) {
       const auto interface = static_cast<std::size_t>(event.interface) - 1;
       chatter = std::abs(relative_at(event.before, interface)) < chatter_speed &&
                 event.from.contacts[interface] != Contact::apart;
     }
-    const bool slow = chatter && (bounce || is_among(followers, event.kind));
+    const bool follows =
+        event.kind == EventKind::slip || event.kind == EventKind::stick || event.kind == EventKind::part;
+    const bool slow = chatter && (bounce || follows);
     if (list.size() < most || !slow)
       list.push_back({event.time, event.interface, shown_pattern(event.from), shown_pattern(event.to),
                       slow ? 1 : 0, name(event.kind)});
@@ -89,10 +82,6 @@ Json stops_of(const History& history, double chatter_speed) {
 }
 
 }  // namespace
-
-std::size_t stride_for(std::size_t size, std::size_t most) {
-  return std::max<std::size_t>(1, (size + most - 1) / most);
-}
 
 std::string packed(const std::vector<double>& rows, std::size_t width, std::size_t stride) {
   const std::size_t size = rows.size() / width;
@@ -153,35 +142,37 @@ History with_events(const History& history) {
   return merged;
 }
 
-void add_forces(const InterfaceForces& forces, int blocks, std::size_t stride, Json& track) {
-  track["reaction_times"] = packed(forces.times, 1, stride);
-  track["reactions"] = packed(forces.rows, 3 * static_cast<std::size_t>(blocks), stride);
+void add_forces(const std::vector<double>& times, const std::vector<double>& rows, int blocks,
+                std::size_t stride, Json& track) {
+  track["reaction_times"] = packed(times, 1, stride);
+  track["reactions"] = packed(rows, 3 * static_cast<std::size_t>(blocks), stride);
 }
 
-Json player_events(const History& history, double chatter_speed) {
-  return {{"spans", spans_of(history)}, {"stops", stops_of(history, chatter_speed)}};
-}
-
-Json player_scene(const PlayerScene& scene, Json events) {
+Json player_scene(const std::string& title, const std::vector<Block>& blocks, double gravity,
+                  const std::vector<double>& friction, const History& history, double chatter_speed) {
   double mass = 0;
-  Json blocks = Json::array();
-  for (const Block& block : scene.blocks) {
+  Json shapes = Json::array();
+  for (const Block& block : blocks) {
     mass += block.mass;
-    blocks.push_back({{"width", 2 * block.half_width},
+    shapes.push_back({{"width", 2 * block.half_width},
                       {"height", 2 * block.half_height},
                       {"offset", {block.offset_x, block.offset_y}}});
   }
-  Json json{{"title", scene.title}, {"blocks", std::move(blocks)}, {"weight", mass * scene.gravity}};
-  make_room(json);
-  json["events"] = std::move(events);
-  if (!scene.friction.empty()) json["friction"] = scene.friction;
+  Json stage{{"title", title}, {"blocks", std::move(shapes)}, {"weight", mass * gravity}};
+  make_room(stage);
+  stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(history, chatter_speed)}};
+  if (!friction.empty()) stage["friction"] = friction;
+  return stage;
+}
+
+void add_ground(const std::vector<double>& times, const std::vector<double>& right,
+                const std::vector<double>& up, Json& stage) {
   constexpr std::size_t most = 5000;
-  const std::size_t stride = stride_for(scene.ground_times.size(), most);
-  if (!scene.ground_times.empty())
-    json["ground"] = {{"times", packed(scene.ground_times, 1, stride)},
-                      {"values", packed(scene.ground, 1, stride)},
-                      {"up", packed(scene.ground_up, 1, stride)}};
-  return json;
+  const std::size_t stride = stride_for(times.size(), most);
+  if (!times.empty())
+    stage["ground"] = {{"times", packed(times, 1, stride)},
+                       {"values", packed(right, 1, stride)},
+                       {"up", packed(up, 1, stride)}};
 }
 
 std::string for_script(const Json& data) {
@@ -191,27 +182,26 @@ std::string for_script(const Json& data) {
 }
 
 Json stage_of(const Scene& scene, const History& history) {
-  PlayerScene stage{scene.title, scene.blocks, scene.gravity, {}, {}, {}, {}};
-  if (leaves_pivots(scene.law)) stage.friction = friction_of(scene);
-  if (!scene.horizontal.empty() || !scene.vertical.empty()) {
-    stage.ground_times = history.times;
-    for (const double time : history.times) {
-      stage.ground.push_back(acceleration(scene.horizontal, time));
-      stage.ground_up.push_back(acceleration(scene.vertical, time));
-    }
-  }
-  return player_scene(stage, player_events(history, chatter_speed(scene)));
+  Json stage = player_scene(scene.title, scene.blocks, scene.gravity,
+                            leaves_pivots(scene.law) ? friction_of(scene) : std::vector<double>(), history,
+                            chatter_speed(scene));
+  const auto ground = [&](const auto& along) {
+    return each_of(history.times, [&](double time) { return acceleration(along, time); });
+  };
+  if (!scene.horizontal.empty() || !scene.vertical.empty())
+    add_ground(history.times, ground(scene.horizontal), ground(scene.vertical), stage);
+  return stage;
 }
 
-InterfaceForces forces_of(const Scene& scene, const History& history) {
-  InterfaceForces forces{history.times, {}};
+void add_forces(const Scene& scene, const History& history, std::size_t stride, Json& track) {
+  Rows rows;
   const auto blocks = static_cast<std::size_t>(history.blocks);
   const std::vector<Reaction> reactions = reactions_of(scene, history);
-  forces.rows.reserve(3 * reactions.size());
+  rows.reserve(3 * reactions.size());
   for (std::size_t from = 0; from < reactions.size(); from += blocks)
     for (const auto part : {&Reaction::normal, &Reaction::tangential, &Reaction::centre})
-      for (std::size_t k = 0; k < blocks; ++k) forces.rows.push_back(reactions[from + k].*part);
-  return forces;
+      for (std::size_t k = 0; k < blocks; ++k) rows.push_back(reactions[from + k].*part);
+  add_forces(history.times, rows, history.blocks, stride, track);
 }
 
 }  // namespace rockstack::plots

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
@@ -13,10 +9,11 @@ namespace rockstack::plots {
 // What the player's script reads, for reports and the live page alike. Lists of numbers are as packed().
 
 /// Which samples to keep, every how many-th, so that no more than `most` and the last are left.
-std::size_t stride_for(std::size_t size, std::size_t most);
+inline std::size_t stride_for(std::size_t size, std::size_t most) {
+  return std::max<std::size_t>(1, (size + most - 1) / most);
+}
 
-/// Every `stride`-th row of `width` numbers, and the last, as text: 32-bit floating point, lowest byte first,
-/// in base 64.
+/// Every `stride`-th row of `width` numbers and the last, 32-bit floats, lowest byte first, in base 64.
 std::string packed(const std::vector<double>& rows, std::size_t width = 1, std::size_t stride = 1);
 
 /// How a track appears.
@@ -40,30 +37,20 @@ Json player_track(const History& history, std::size_t stride, const TrackLook& l
 /// An exact motion with its events, whose times lie between samples, among its samples.
 History with_events(const History& history);
 
-/// What interfaces carry at some times: normal and tangential forces in N and where they act in m, one of
-/// each an interface.
-struct InterfaceForces {
-  std::vector<double> times, rows;  ///< s; 3 × blocks numbers a time
-};
+/// Adds what the interfaces of so many blocks carry at some times, s, to a track: a row a time of normal and
+/// tangential forces in N and where they act in m, one of each an interface.
+void add_forces(const std::vector<double>& times, const std::vector<double>& rows, int blocks,
+                std::size_t stride, Json& track);
 
-/// Adds them to a track of so many blocks.
-void add_forces(const InterfaceForces& forces, int blocks, std::size_t stride, Json& track);
+/// What the player needs of a scene besides its tracks and the ground; `friction` of each interface, none
+/// where blocks keep to their pivots. Its "events" are the pattern band and the events of an exact motion,
+/// "spans" and "stops"; impacts slower than `chatter_speed`, rad/s, are chatter.
+Json player_scene(const std::string& title, const std::vector<Block>& blocks, double gravity,
+                  const std::vector<double>& friction, const History& history, double chatter_speed);
 
-/// The pattern band and the events of an exact motion, "spans" and "stops". Impacts slower than
-/// `chatter_speed`, rad/s, are chatter.
-Json player_events(const History& history, double chatter_speed);
-
-/// What the player needs of a scene besides its tracks.
-struct PlayerScene {
-  std::string title;
-  std::vector<Block> blocks;
-  double gravity = 0;                     ///< m/s²
-  std::vector<double> friction;           ///< of each interface; none where blocks keep to their pivots
-  std::vector<double> ground_times;       ///< s; none where the ground does not move
-  std::vector<double> ground, ground_up;  ///< its acceleration at these times, m/s², to the right and upwards
-};
-
-Json player_scene(const PlayerScene& scene, Json events);
+/// Adds the acceleration of the ground at some times, s: to the right and upwards, m/s².
+void add_ground(const std::vector<double>& times, const std::vector<double>& right,
+                const std::vector<double>& up, Json& stage);
 
 /// Text that ends no element, whatever it holds.
 std::string for_script(const Json& data);
@@ -73,7 +60,7 @@ std::string for_script(const Json& data);
 /// The scene, with the patterns and events of a motion of it where that is exact.
 Json stage_of(const Scene& scene, const History& history);
 
-/// What interfaces carry at the samples of an exact motion.
-InterfaceForces forces_of(const Scene& scene, const History& history);
+/// Adds what interfaces carry at the samples of an exact motion to its track.
+void add_forces(const Scene& scene, const History& history, std::size_t stride, Json& track);
 
 }  // namespace rockstack::plots

@@ -6,31 +6,29 @@
 namespace rockstack::plots {
 namespace {
 
-/// Times of an engine's own impacts, matched or extra, s.
-Json own_impacts(const Run& run) {
+/// Of the exact motion those above the chatter speed, of an engine its own, matched or extra: their times, s.
+Json impacts_in(const Run& run, const Json& events) {
   Json times = Json::array();
-  for (const AlignedImpact& impact : *impacts_of(run))
-    if (impact.engine) times.push_back(*impact.engine);
+  if (run.exact()) {
+    for (const Json& stop : events["stops"])
+      if (stop[4] == 0 && stop[5] == "impact") times.push_back(stop[0]);
+  } else {
+    for (const AlignedImpact& impact : *impacts_of(run))
+      if (impact.engine) times.push_back(*impact.engine);
+  }
   return times;
 }
 
-/// The exact motion's impacts above the chatter speed are its row in the strip.
-Json exact_impacts(const Json& events) {
-  Json times = Json::array();
-  for (const Json& stop : events["stops"])
-    if (stop[4] == 0 && stop[5] == "impact") times.push_back(stop[0]);
-  return times;
-}
-
-InterfaceForces read_forces(const std::filesystem::path& file, int blocks) {
+void read_forces(const fs::path& file, int blocks, std::size_t samples, Json& track) {
   std::vector<std::string> names{"time"};
   for (const char* stem : {"normal_", "tangential_", "centre_"})
     for (const std::string& name : numbered(stem, blocks)) names.push_back(name);
   const auto columns = read_columns(file, names);
-  InterfaceForces forces{columns.front(), {}};
-  for (std::size_t i = 0; i < forces.times.size(); ++i)
-    for (std::size_t c = 1; c < columns.size(); ++c) forces.rows.push_back(columns[c][i]);
-  return forces;
+  const std::vector<double>& times = columns.front();
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    for (std::size_t c = 1; c < columns.size(); ++c) rows.push_back(columns[c][i]);
+  add_forces(times, rows, blocks, stride_for(times.size(), samples), track);
 }
 
 /// `coarse`: another step of the same line has a track too.
@@ -42,11 +40,9 @@ Json track_of(const Run& run, const Json& events, std::size_t samples, bool show
   Json track =
       player_track(motion, stride_for(motion.size(), samples),
                    {run_label(run), style.colour, coarse ? "(5,5)" : style.dash, shown, run.exact()});
-  track["impacts"] = run.exact() ? exact_impacts(events) : own_impacts(run);
-  if (const auto file = run.folder / "reactions.csv"; run.exact() && std::filesystem::exists(file)) {
-    const InterfaceForces forces = read_forces(file, history->blocks);
-    add_forces(forces, history->blocks, stride_for(forces.times.size(), samples), track);
-  }
+  track["impacts"] = impacts_in(run, events);
+  if (const auto file = run.folder / "reactions.csv"; run.exact() && fs::exists(file))
+    read_forces(file, history->blocks, samples, track);
   return track;
 }
 
@@ -62,13 +58,6 @@ std::set<std::string> shown_at_first(const std::vector<Run>& runs, const std::se
   return names;
 }
 
-std::size_t samples_for(std::size_t tracks, int blocks, bool slips, std::size_t players) {
-  constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
-  const std::size_t columns = tracks * (1 + (slips ? 4 : 1) * static_cast<std::size_t>(blocks)) + 1 +
-                              3 * static_cast<std::size_t>(blocks);
-  return std::clamp(numbers / (players * columns), fewest, most);
-}
-
 Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size_t players, bool finest) {
   std::vector<Run> runs = shown_runs(comparison, scene.name).exact;
   std::set<std::string> coarse;
@@ -77,17 +66,19 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
     if (line.size() > 1) coarse.insert(line.back().run);
   }
   const Run& first = runs.front();
-  const Json events = player_events(first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
-  PlayerScene stage{scene.title, scene.stack, scene.gravity, {}, {}, {}, {}};
-  if (tells_slips(first)) stage.friction = scene.friction;
+  Json data = player_scene(scene.title, scene.stack, scene.gravity,
+                           first.tells_slips() ? scene.friction : std::vector<double>(),
+                           first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
+  const Json events = data["events"];
   if (!scene.ground_motion.empty()) {
-    auto columns = read_columns(scene.ground_motion, {"time", "horizontal", "vertical"});
-    stage.ground_times = std::move(columns[0]), stage.ground = std::move(columns[1]);
-    stage.ground_up = std::move(columns[2]);
+    const auto columns = read_columns(scene.ground_motion, {"time", "horizontal", "vertical"});
+    add_ground(columns[0], columns[1], columns[2], data);
   }
-  Json data = player_scene(stage, events);
   const std::set<std::string> seen = shown_at_first(runs, finest ? coarse : std::set<std::string>());
-  const std::size_t samples = samples_for(runs.size(), scene.blocks(), scene.slips, players);
+  constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
+  const auto blocks = static_cast<std::size_t>(scene.blocks());
+  const std::size_t columns = runs.size() * (1 + (scene.slips ? 4 : 1) * blocks) + 1 + 3 * blocks;
+  const std::size_t samples = std::clamp(numbers / (players * columns), fewest, most);
   data["tracks"] = Json::array();
   for (const Run& run : runs)
     data["tracks"].push_back(
@@ -96,10 +87,6 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
 }
 
 }  // namespace
-
-std::string player_anchor(std::size_t scene) {
-  return fmt::format("player-{}-stage", scene + 1);
-}
 
 std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start) {
   const ComparedScene& shown = comparison.scenes[scene];

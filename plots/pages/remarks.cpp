@@ -11,68 +11,56 @@ constexpr double reported_gain = 1e-4;
 /// How many times worse than another a number is that is worth a word: replicates alone differ by as much.
 constexpr double reported_ratio = 2;
 
-const ComparedScene& scene_of(const Comparison& comparison, const Run& run) {
-  return *std::ranges::find_if(comparison.scenes,
-                               [&](const ComparedScene& scene) { return scene.name == run.scene; });
-}
-
 /// The scene of a run again, with its solver in both sets, at these steps.
 std::string command(const Comparison& comparison, const Run& run, const std::vector<double>& steps) {
+  const auto scene = std::ranges::find(comparison.scenes, run.scene, &ComparedScene::name);
   return fmt::format("rockstack compare {} --engine {} --dt {} --set duration={} --out DIR", run.scene,
-                     solver_name(run), fmt::join(steps, ","), scene_of(comparison, run).duration);
+                     run.solver_name(), fmt::join(steps, ","), scene->duration);
 }
 
 /// All steps of a run's series, the largest first.
 std::vector<double> steps_of(const Comparison& comparison, const Run& run) {
   std::set<double> steps;
   for (const Run& other : comparison.runs)
-    if (other.scene == run.scene && solver_name(other) == solver_name(run) && other.dt)
+    if (other.scene == run.scene && other.solver_name() == run.solver_name() && other.dt)
       steps.insert(*other.dt);
   return {steps.rbegin(), steps.rend()};
 }
 
-/// The scores of one question, those of tuned sets where a solver has one.
-class Ranking {
- public:
-  Ranking(const Comparison& comparison, const std::string& name)
-      : question_(*std::ranges::find(solver_questions(), name, &SolverQuestion::name)),
-        all_(scores(comparison, question_)) {
-    std::map<std::string, bool> tuned;
-    for (const Score& score : all_)
-      tuned[solver_name(score.runs.front())] |= score.runs.front().settings == "tuned";
-    for (const Score& score : all_)
-      if (const Run& run = score.runs.front(); run.settings == "tuned" || !tuned[solver_name(run)])
-        best_.push_back(&score);
-  }
+std::vector<Score> answers_to(const std::string& question, const Comparison& comparison) {
+  return scores(comparison, *std::ranges::find(solver_questions(), question, &SolverQuestion::name));
+}
 
-  const std::vector<const Score*>& best() const { return best_; }
+/// Those of tuned sets where a solver has one.
+std::vector<Score> best_of(std::vector<Score> list) {
+  std::set<std::string> tuned;
+  for (const Score& score : list)
+    if (score.runs.front().settings == "tuned") tuned.insert(score.runs.front().solver_name());
+  std::erase_if(list, [&](const Score& score) {
+    const Run& run = score.runs.front();
+    return run.settings != "tuned" && tuned.contains(run.solver_name());
+  });
+  return list;
+}
 
-  /// Of a solver's set in `best`, and with its defaults; null where it has none.
-  const Score* of(const std::string& solver) const {
-    for (const Score* score : best_)
-      if (solver_name(score->runs.front()) == solver) return score;
-    return nullptr;
-  }
-  const Score* with_defaults(const std::string& solver) const {
-    for (const Score& score : all_)
-      if (const Run& run = score.runs.front(); solver_name(run) == solver && run.settings == "default")
-        return &score;
-    return nullptr;
-  }
-
- private:
-  const SolverQuestion& question_;
-  std::vector<Score> all_;
-  std::vector<const Score*> best_;
-};
+/// The first of a solver, and of these settings where some are named; null where there is none.
+const Score* find_score(const std::vector<Score>& list, const std::string& solver,
+                        const std::string& settings = "") {
+  const auto found = std::ranges::find_if(list, [&](const Score& score) {
+    const Run& run = score.runs.front();
+    return run.solver_name() == solver && (settings.empty() || run.settings == settings);
+  });
+  return found == list.end() ? nullptr : &*found;
+}
 
 /// Parameters that differ between two runs: "erp 0.2 → 0.01".
 std::vector<std::string> changed_parameters(const Run& from, const Run& to) {
   constexpr std::string_view prefix = "parameters.";
+  const auto facts = [](const Run& run) { return read_json(run.folder / "summary.json", facts_of); };
   std::map<std::string, std::string> before;
-  for (const auto& [name, text] : read_summary(from)) before[name] = text;
+  for (const auto& [name, text] : facts(from)) before[name] = text;
   std::vector<std::string> words;
-  for (const auto& [name, text] : read_summary(to))
+  for (const auto& [name, text] : facts(to))
     if (name.starts_with(prefix) && before[name] != text)
       words.push_back(fmt::format("{} {} → {}", name.substr(prefix.size()), before[name], text));
   return words;
@@ -80,22 +68,15 @@ std::vector<std::string> changed_parameters(const Run& from, const Run& to) {
 
 class Writer {
  public:
-  explicit Writer(const Comparison& comparison)
-      : comparison_(comparison),
-        accuracy_(comparison, "accuracy"),
-        convergence_(comparison, "convergence"),
-        energy_(comparison, "energy"),
-        overlap_(comparison, "overlap"),
-        cost_(comparison, "cost") {}
+  explicit Writer(const Comparison& comparison) : comparison_(comparison) {}
 
   std::vector<SolverRemarks> all() const {
     std::vector<SolverRemarks> list;
-    for (const Score* score : accuracy_.best()) {
-      const std::string solver = solver_name(score->runs.front());
+    for (const Score& score : accuracy_) {
+      const std::string solver = score.runs.front().solver_name();
       list.push_back({solver, {}});
-      for (const auto add :
-           {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence, &Writer::add_energy,
-            &Writer::add_overlap, &Writer::add_cost, &Writer::add_failures})
+      for (const auto add : {&Writer::add_accuracy, &Writer::add_sets, &Writer::add_convergence,
+                             &Writer::add_worst, &Writer::add_failures})
         (this->*add)(solver, list.back().list);
     }
     return list;
@@ -105,12 +86,11 @@ class Writer {
   std::string again(const Run& run) const { return command(comparison_, run, {value_of(run.dt)}); }
 
   void add_accuracy(const std::string& solver, std::vector<Remark>& list) const {
-    const Score& score = *accuracy_.of(solver);
+    const Score& score = *find_score(accuracy_, solver);
     const Run& worst = score.worst();
     const std::vector<RankedSet>& ranking = comparison_.verdict.ranking;
-    const auto set = std::ranges::find_if(ranking, [&](const RankedSet& one) {
-      return set_name(one.engine, one.solver, one.settings) == set_name(worst);
-    });
+    const auto set =
+        std::ranges::find_if(ranking, [&](const RankedSet& one) { return set_name(one) == set_name(worst); });
     if (set == ranking.end()) return;
     const auto sharing =
         std::ranges::count_if(ranking, [&](const RankedSet& one) { return one.rank == set->rank; });
@@ -125,8 +105,8 @@ class Writer {
   }
 
   void add_sets(const std::string& solver, std::vector<Remark>& list) const {
-    const Score& tuned = *accuracy_.of(solver);
-    const Score* defaults = accuracy_.with_defaults(solver);
+    const Score& tuned = *find_score(accuracy_, solver);
+    const Score* defaults = find_score(all_, solver, "default");
     if (defaults == nullptr || defaults->median < reported_ratio * tuned.median) return;
     const std::vector<std::string> changes = changed_parameters(defaults->runs.front(), tuned.runs.front());
     list.push_back({fmt::format("Its defaults are {:.1f} times as far off. The tuned set differs by: {}.",
@@ -136,7 +116,7 @@ class Writer {
   }
 
   void add_convergence(const std::string& solver, std::vector<Remark>& list) const {
-    for (const Run& run : accuracy_.of(solver)->runs) {
+    for (const Run& run : find_score(accuracy_, solver)->runs) {
       const StepFit* const fit = fit_of(comparison_, {run}, "rms_angle_difference");
       if (fit != nullptr && fit->holds() && fit->model_error.low > 0)
         list.push_back(
@@ -145,7 +125,7 @@ class Writer {
                          run.scene, fit->model_error.value, fit->model_error.low, fit->model_error.high),
              command(comparison_, run, steps_of(comparison_, run))});
     }
-    const Score* score = convergence_.of(solver);
+    const Score* score = find_score(convergence_, solver);
     if (score == nullptr) return;
     const auto [coarsest, finest] = step_ends(comparison_, score->worst());
     list.push_back(
@@ -156,40 +136,37 @@ class Writer {
          command(comparison_, *finest, steps_of(comparison_, *finest))});
   }
 
-  void add_energy(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = energy_.of(solver);
-    if (score == nullptr) return;
-    const double most = *std::ranges::max_element(score->values);
-    if (most < reported_gain) return;
-    list.push_back({fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
-                                score->worst().scene, most),
-                    again(score->worst())});
-  }
-
-  void add_overlap(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = overlap_.of(solver);
-    if (score == nullptr) return;
-    list.push_back({fmt::format("Blocks sink into each other by up to {:.2g} m ({}).",
-                                *std::ranges::max_element(score->values), score->worst().scene),
-                    again(score->worst())});
-  }
-
-  void add_cost(const std::string& solver, std::vector<Remark>& list) const {
-    const Score* score = cost_.of(solver);
-    if (score == nullptr) return;
-    const double quickest = cost_.best().front()->median;
-    list.push_back({score->median < reported_ratio * quickest
-                        ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score->median))
-                        : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
-                                      rounded_duration(score->median), score->median / quickest),
-                    again(score->worst())});
+  /// What contacts do and steps cost, where that is worst.
+  void add_worst(const std::string& solver, std::vector<Remark>& list) const {
+    const auto add = [&](const std::vector<Score>& scores, const auto& sentence) {
+      const Score* score = find_score(scores, solver);
+      if (score == nullptr) return;
+      const std::string words = sentence(*score, *std::ranges::max_element(score->values));
+      if (!words.empty()) list.push_back({words, again(score->worst())});
+    };
+    add(energy_, [](const Score& score, double most) {
+      return most < reported_gain
+                 ? ""
+                 : fmt::format("In {} its contacts make energy: {:.2g} of the stack's weight times height.",
+                               score.worst().scene, most);
+    });
+    add(overlap_, [](const Score& score, double most) {
+      return fmt::format("Blocks sink into each other by up to {:.2g} m ({}).", most, score.worst().scene);
+    });
+    add(cost_, [&](const Score& score, double) {
+      const double quickest = cost_.front().median;
+      return score.median < reported_ratio * quickest
+                 ? fmt::format("A step takes {}, among the quickest.", rounded_duration(score.median))
+                 : fmt::format("A step takes {}, {:.2g} times as long as the quickest solver's.",
+                               rounded_duration(score.median), score.median / quickest);
+    });
   }
 
   void add_failures(const std::string& solver, std::vector<Remark>& list) const {
     std::size_t runs = 0, failed = 0;
     const Run* last = nullptr;
     for (const Run& run : comparison_.runs) {
-      if (run.exact() || solver_name(run) != solver) continue;
+      if (run.exact() || run.solver_name() != solver) continue;
       ++runs;
       if (run.done()) continue;
       ++failed;
@@ -202,7 +179,11 @@ class Writer {
   }
 
   const Comparison& comparison_;
-  Ranking accuracy_, convergence_, energy_, overlap_, cost_;
+  const std::vector<Score> all_ = answers_to("accuracy", comparison_), accuracy_ = best_of(all_),
+                           convergence_ = best_of(answers_to("convergence", comparison_)),
+                           energy_ = best_of(answers_to("energy", comparison_)),
+                           overlap_ = best_of(answers_to("overlap", comparison_)),
+                           cost_ = best_of(answers_to("cost", comparison_));
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 namespace rockstack::plots {
 namespace {
 
-/// Matched, missed and extra impacts.
 std::string counts(const std::optional<int>& matched, const std::optional<int>& missed,
                    const std::optional<int>& extra) {
   return fmt::format("{} / {} / {}", matched.value_or(0), missed.value_or(0), extra.value_or(0));
@@ -33,9 +32,8 @@ std::string impacts_table(const Comparison& comparison, const std::string& scene
 std::string statements_section(const Comparison& comparison) {
   if (comparison.statements.empty()) return "";
   const std::vector<std::string> columns{"Figure", "The paper says", "Verdict", "It holds if", "Computed"};
-  const std::string rows = text_of_each(comparison.statements, [&](const PaperStatement& one) {
-    return table_row(columns, {one.source, one.claim, one.verdict, one.criterion, one.computed});
-  });
+  const std::string rows =
+      text_of_each(comparison.statements, [&](const auto& cells) { return table_row(columns, cells); });
   return section("What the paper says, and what was computed",
                  element("div", table(columns, rows), " class=\"statements\""), " id=\"statements\"");
 }
@@ -57,7 +55,7 @@ std::size_t first_motion(const Comparison& comparison) {
 
 std::size_t count_solvers(const std::vector<StepLine>& lines) {
   std::set<std::string> names;
-  for (const StepLine& line : lines) names.insert(solver_name(line.front()));
+  for (const StepLine& line : lines) names.insert(line.front().solver_name());
   return names.size();
 }
 
@@ -75,7 +73,7 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
     body += element("h3", escaped(figure->title)) + scene_figure(results, comparison, scene, *figure) + "\n";
   body += terms_table(comparison, compared.name) + impacts_table(comparison, compared.name) +
           details(fmt::format("The scene file of {}", escaped(compared.name)), code_block(compared.toml));
-  return section(heading(compared), body, fmt::format(" id=\"{}\"", scene_anchor(scene)));
+  return section(compared.heading(), body, fmt::format(" id=\"{}\"", scene_anchor(scene)));
 }
 
 std::string contents_list(const Comparison& comparison) {
@@ -95,7 +93,7 @@ std::string contents_list(const Comparison& comparison) {
   return element("ul", items);
 }
 
-std::vector<std::string> counts_of(const Comparison& comparison) {
+std::string whole_summary(const Comparison& comparison) {
   const auto failed = static_cast<std::size_t>(
       std::ranges::count_if(comparison.runs, [](const Run& run) { return !run.done(); }));
   std::vector<std::string> sentences{
@@ -103,11 +101,7 @@ std::vector<std::string> counts_of(const Comparison& comparison) {
                   counted(comparison.scenes.size(), "scene"), failed == 0 ? "none" : std::to_string(failed))};
   if (!comparison.left_out.empty())
     sentences.push_back(fmt::format("This build leaves out {}.", joined(comparison.left_out)));
-  return sentences;
-}
-
-std::string whole_summary(const Comparison& comparison) {
-  std::string text = sentence_list(counts_of(comparison));
+  std::string text = sentence_list(sentences);
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
     text += element("h3", link("#" + scene_anchor(i), escaped(scene.title))) +
@@ -131,8 +125,8 @@ std::string first_screen(const fs::path& results, const Comparison& comparison) 
                drawn_figure(results, stem, stem + "-", figure_in(stem)->title);
   std::string parts = element("div", verdict);
   if (const std::size_t scene = first_motion(comparison); scene < comparison.scenes.size())
-    parts += element(
-        "div", element("h2", escaped(heading(comparison.scenes[scene]))) + player_section(comparison, scene));
+    parts += element("div", element("h2", escaped(comparison.scenes[scene].heading())) +
+                                player_section(comparison, scene));
   return element("div", parts, " class=\"first\"");
 }
 
@@ -169,7 +163,7 @@ std::string content(const fs::path& results, const Motion& motion) {
   const ComparedScene& scene = comparison.scenes.front();
   const std::string contents = element("ul", element("li", link("#" + player_anchor(0), "Player")));
   const std::string header =
-      element("h1", escaped(heading(scene))) +
+      element("h1", escaped(scene.heading())) +
       element("nav", contents, " aria-label=\"Parts of this page\"") +
       answer_box({fmt::format("{}: {}.", run_label(comparison.runs.front()), motion.verdict)});
   std::string drawn;

@@ -1,52 +1,34 @@
-#include "plots/data/run_files.hpp"
 #include "plots/pages/sections.hpp"
 
-// What a comparison's page says of its runs: all numbers, parameters and files, contacts, parts of
-// differences.
+// What a page says of a comparison's runs: all numbers, parameters, files, contacts, parts of differences.
 
 namespace rockstack::plots {
 namespace {
 
 /// What is shown at first, as far as any run has it; the name of the run is one of them.
 constexpr std::size_t shown_columns = 10;
-constexpr std::array wanted{"rms_test_difference",
-                            "rms_angle_difference",
-                            "largest_angle_difference",
-                            "slip_error",
-                            "first_impact_time_difference",
-                            "agreement_time",
-                            "impacts_matched",
-                            "impacts_missed",
-                            "impacts_extra",
-                            "toppled",
-                            "stepping_time_minimum",
-                            "energy_gain",
-                            "rms_angle_difference_lower",
-                            "rms_angle_difference_upper",
-                            "steps"};
+constexpr auto wanted =
+    "rms_test_difference;rms_angle_difference;largest_angle_difference;slip_error;first_impact_time_difference;"
+    "agreement_time;impacts_matched;impacts_missed;impacts_extra;toppled;stepping_time_minimum;energy_gain;"
+    "rms_angle_difference_lower;rms_angle_difference_upper;steps";
 
 /// Columns in the order of the page; the first `shown` of them without the switch.
 struct Order {
-  std::vector<std::size_t> columns;
+  std::vector<const Column*> columns;
   std::size_t shown = 0;
 };
 
-std::string text_of(const Run& run, std::size_t column) {
-  return cell_text(columns()[column].cell(run));
-}
-
 Order order_of(const Comparison& comparison) {
-  Order order{{0}};
-  for (const char* name : wanted) {
-    const auto found = std::ranges::find(columns(), name, &Column::name);
-    const auto column = static_cast<std::size_t>(found - columns().begin());
-    const auto has_value = [&](const Run& run) { return !text_of(run, column).empty(); };
+  Order order{{&columns().front()}};
+  for (const std::string& name : parts_of(wanted)) {
+    const Column& column = column_named(name);
+    const auto has_value = [&](const Run& run) { return !cell_text(column.cell(run)).empty(); };
     if (order.columns.size() < shown_columns && std::ranges::any_of(comparison.runs, has_value))
-      order.columns.push_back(column);
+      order.columns.push_back(&column);
   }
   order.shown = order.columns.size();
-  for (std::size_t i = 0; i < columns().size(); ++i)
-    if (std::ranges::find(order.columns, i) == order.columns.end()) order.columns.push_back(i);
+  for (const Column& column : columns())
+    if (std::ranges::find(order.columns, &column) == order.columns.end()) order.columns.push_back(&column);
   return order;
 }
 
@@ -60,31 +42,16 @@ std::string run_row(const Comparison& comparison, const Order& order, std::size_
   if (!run.done()) name += " " + escaped(rockstack::name(run.status));
   std::string cells = element("th", name, fmt::format(" scope=\"row\" data-value=\"{}\"", escaped(run.run)));
   for (std::size_t i = 1; i < order.columns.size(); ++i) {
-    const std::size_t column = order.columns[i];
-    cells += table_cell(columns()[column].name, text_of(run, column), i < order.shown ? "" : "more");
+    const Column& column = *order.columns[i];
+    cells += table_cell(column.name, cell_text(column.cell(run)), i < order.shown ? "" : "more");
   }
   const std::string kind = run.exact() ? " class=\"exact\"" : run.done() ? "" : " class=\"failed\"";
   return element("tr", cells, kind) + "\n";
 }
 
-/// Links to those files of a folder that are there.
-std::string links(const fs::path& folder, const std::string& prefix, const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names)
-    if (fs::exists(folder / name)) text += (text.empty() ? "" : ", ") + link(escaped(prefix + name), name);
-  return text;
-}
-
-/// What the environment says of a run's engine; empty where it says nothing.
-std::string version_of(const Comparison& comparison, const Run& run) {
-  for (const auto& [name, text] : comparison.environment)
-    if (name == run.engine || (run.exact() && name == "rockstack")) return fmt::format("{} {}", name, text);
-  return "";
-}
-
 /// What a run's summary says beside its scene and the columns of the table, its parameters above all.
 Facts beside_columns(const Run& run) {
-  Facts facts = read_summary(run);
+  Facts facts = read_json(run.folder / "summary.json", facts_of);
   std::erase_if(facts, [](const auto& fact) {
     return fact.first == "title" || fact.first == "scene_file" ||
            std::ranges::any_of(columns(), [&](const auto& column) { return column.name == fact.first; });
@@ -97,11 +64,16 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
   const Run& run = comparison.runs[index];
   std::string text;
   if (!run.done()) text += element("p", fmt::format("Failed: {}", escaped(run.reason)));
-  if (const std::string version = version_of(comparison, run); !version.empty())
-    text += element("p", escaped("Version: " + version));
-  const std::string files = links(run.folder, fmt::format("runs/{}/", run.run),
-                                  {"history.csv", "readings.csv", "difference.csv", "events.csv",
-                                   "impacts.csv", "parts.csv", "draws.csv", "summary.json"});
+  const auto version = std::ranges::find_if(comparison.environment, [&](const auto& fact) {
+    return fact.first == run.engine || (run.exact() && fact.first == "rockstack");
+  });
+  if (version != comparison.environment.end())
+    text += element("p", escaped(fmt::format("Version: {} {}", version->first, version->second)));
+  std::string files;
+  for (const char* name : {"history.csv", "readings.csv", "difference.csv", "events.csv", "impacts.csv",
+                           "parts.csv", "draws.csv", "summary.json"})
+    if (fs::exists(run.folder / name))
+      files += (files.empty() ? "" : ", ") + link(escaped(fmt::format("runs/{}/{}", run.run, name)), name);
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
   if (fs::exists(run.folder / "summary.json")) text += definition_list(beside_columns(run));
   return details(escaped(run.run), text, fmt::format(" id=\"{}\"", run_anchor(index)));
@@ -140,7 +112,7 @@ std::string runs_table(const Comparison& comparison) {
   const Order order = order_of(comparison);
   std::string headings, rows;
   for (std::size_t i = 0; i < order.columns.size(); ++i)
-    headings += heading(columns()[order.columns[i]].name, i < order.shown ? "" : "more");
+    headings += heading(order.columns[i]->name, i < order.shown ? "" : "more");
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) rows += run_row(comparison, order, i);
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows),
                  " class=\"rows\"");
@@ -153,15 +125,9 @@ std::string run_details(const Comparison& comparison) {
 }
 
 std::string terms_table(const Comparison& comparison, const std::string& scene) {
-  const std::vector<std::string> columns{"run",
-                                         "RMS difference (rad)",
-                                         "contact model (share)",
-                                         "contact softness (share)",
-                                         "time step (share)",
-                                         "stiffness of a point (N/m)",
-                                         "damping ratio",
-                                         "restitution",
-                                         "spring softer by, then extrapolated"};
+  const std::vector<std::string> columns = parts_of(
+      "run;RMS difference (rad);contact model (share);contact softness (share);time step (share);"
+      "stiffness of a point (N/m);damping ratio;restitution;spring softer by, then extrapolated");
   std::vector<Run> runs = done_runs(comparison, scene);
   std::erase_if(runs, [](const Run& run) { return !run.step_difference; });
   if (runs.empty()) return "";
@@ -177,26 +143,34 @@ std::string terms_table(const Comparison& comparison, const std::string& scene) 
 }
 
 std::string contact_section(const Comparison& comparison) {
-  const std::vector<std::string> columns{
-      "run",           "interface",        "slip left (m)",  "largest slip (m)",
-      "times it slid", "highest lift (m)", "times it lifted"};
+  const std::vector<std::string> columns =
+      parts_of("run;interface;slip left (m);largest slip (m);times it slid;highest lift (m);times it lifted");
+  const auto metres = [](const Json& one, const char* key) {
+    return fmt::format("{}", one.at(key).get<double>());
+  };
+  const auto times = [](const Json& one, const char* key) {
+    return fmt::format("{}", one.at(key).get<int>());
+  };
   std::string rows;
   std::vector<std::string> warnings;
   for (const Run& run : comparison.runs) {
-    if (!run.done()) continue;
-    const ContactSummary summary = read_contact_summary(run);
-    if (summary.interfaces.empty()) continue;
+    const fs::path file = run.folder / "summary.json";
+    if (!run.done() || !fs::exists(file)) continue;
     const std::string label =
         comparison.scenes.size() > 1 ? fmt::format("{}: {}", run.scene, run_label(run)) : run_label(run);
-    int number = 0;
-    for (const InterfaceSummary& one : summary.interfaces)
-      rows += table_row(columns,
-                        {label, fmt::format("{}", ++number), fmt::format("{}", one.final_slip),
-                         fmt::format("{}", one.largest_slip), fmt::format("{}", one.slips),
-                         fmt::format("{}", one.highest_lift), fmt::format("{}", one.lift_offs)},
-                        run.exact() ? " class=\"exact\"" : "");
-    for (const std::string& warning : summary.warnings)
-      warnings.push_back(fmt::format("{}: {}", label, warning));
+    read_json(file, [&](const Json& json) {
+      const Json contacts = json.value("contact", Json::array());
+      int number = 0;
+      for (const Json& one : contacts)
+        rows += table_row(
+            columns,
+            {label, fmt::format("{}", ++number), metres(one, "final_slip"), metres(one, "largest_slip"),
+             times(one, "slips"), metres(one, "highest_lift"), times(one, "lift_offs")},
+            run.exact() ? " class=\"exact\"" : "");
+      if (!contacts.empty())
+        for (const std::string& warning : json.value("validity_warnings", std::vector<std::string>()))
+          warnings.push_back(fmt::format("{}: {}", label, warning));
+    });
   }
   if (rows.empty()) return "";
   std::string text = wide_table(columns, rows, "Slip and lift-off");

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "plots/data/law_results.hpp"
 #include "plots/pages/html.hpp"
 
@@ -11,12 +8,13 @@ namespace rockstack::plots {
 // What pages say beside their figures.
 
 /// The id of the picture in a scene's player, which takes keys.
-std::string player_anchor(std::size_t scene);
+inline std::string player_anchor(std::size_t scene) {
+  return fmt::format("player-{}-stage", scene + 1);
+}
 
 /// The player of a scene, with the motions of the runs that figures over time show, thinned so that a page of
 /// all scenes' players stays small. `start` is how it stands at first, by the names of lesson.json; null: at
-/// the beginning. Precondition: has_motion(). @throws InputError naming the file that is missing or
-/// malformed.
+/// the beginning. Precondition: has_motion(). @throws InputError naming a missing or malformed file.
 std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start = {});
 
 /// What the differences of a scene are made of: a sentence, and a row for each run with its contact model,
@@ -34,15 +32,13 @@ struct SolverRemarks {
   std::vector<Remark> list;
 };
 
-/// Solvers by the median over scenes of their errors, each over the least of its scene. Empty where
-/// has_scores() is false.
+/// Solvers by the median over scenes of error over the least of the scene; none without has_scores().
 std::vector<SolverRemarks> remarks(const Comparison& comparison);
 
 /// The same as a section of a page; nothing where there is none.
 std::string remarks_section(const Comparison& comparison);
 
-/// All runs of a comparison: ten columns, errors first, and a switch that shows the others. The name of a run
-/// leads to its details.
+/// All runs: ten columns, errors first, and a switch that shows the others. A run's name leads to details.
 std::string runs_table(const Comparison& comparison);
 
 /// Version, parameters and files of every run. @throws InputError naming a malformed file.

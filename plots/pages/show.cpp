@@ -4,7 +4,7 @@
 
 namespace rockstack::plots {
 
-using WritePage = void(const fs::path&);
+using WritePage = void(const fs::path& results, const Json& json);
 WritePage write_course, write_record_report, write_canon_report, write_advice_report, write_fit_report,
     write_stability_report, write_sweep_report, write_impact_law_report;
 /// Of one motion: its verdict, its player, its figures and everything that its summary says.
@@ -12,7 +12,7 @@ void write_report(const fs::path& results, const Motion& motion);
 
 namespace {
 
-/// Results that are known by a file, and how their page is written.
+/// Results that are known by a file, and how their page is written of what the JSON file of that name says.
 struct Kind {
   const char* file;
   WritePage* write_page;
@@ -33,21 +33,19 @@ const Kind* kind_of(const fs::path& results) {
 
 }  // namespace
 
-bool has_runs(const fs::path& results) {
-  return fs::exists(results / "comparison.json") && !fs::exists(results / "stability.json");
-}
-
 bool write_study_page(const fs::path& results) {
   const Kind* kind = kind_of(results);
-  if (kind != nullptr) kind->write_page(results);
-  return kind != nullptr;
+  if (kind == nullptr) return false;
+  read_json((results / kind->file).replace_extension(".json"),
+            [&](const Json& json) { kind->write_page(results, json); });
+  return true;
 }
 
 void show(const fs::path& results) {
   if (kind_of(results) != nullptr) {
     draw_figures(results);
     write_study_page(results);
-  } else if (has_one_motion(results)) {
+  } else if (fs::exists(results / "summary.json") && fs::exists(results / "history.csv")) {
     const Motion motion = read_motion(results);
     draw_figures(results, motion.comparison);
     draw_figures(results);

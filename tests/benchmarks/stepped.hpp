@@ -171,7 +171,8 @@ class Stepped {
 
   void collide(const Interfaces& closing) {
     const Impact<double, N> impact{state(chain_.pattern()), closing};
-    PatternSolution<double, N> solution = resolve(model_, impact, scene_.law).solution;
+    PatternSolution<double, N> solution =
+        resolve(model_, impact, before_impact(model_, impact.before), scene_.law).solution;
     const Interfaces touching = impact.touching();
     for (Pattern slow = without_slow(solution, touching); !(slow == solution.pattern);
          slow = without_slow(solution, touching))

@@ -40,7 +40,7 @@ InterfaceState interface_of(const Scene& scene, const std::vector<Placement>& pl
 }
 
 // Lengths of a few metres and a dozen operations: 1e-14 m is far above rounding.
-constexpr double rounding = 1e-14;
+constexpr double round_off = 1e-14;
 
 TEST(Interfaces, StacksOnTheirPivotsNeitherPenetrateNorSlip) {
   std::mt19937_64 random(5);
@@ -49,8 +49,8 @@ TEST(Interfaces, StacksOnTheirPivotsNeitherPenetrateNorSlip) {
     const auto placements = place(scene);
     for (std::size_t k = 0; k < placements.size(); ++k) {
       const InterfaceState state = interface_of(scene, placements, k);
-      EXPECT_LE(state.depth, rounding) << round << " interface " << k;
-      EXPECT_NEAR(state.slip, 0, rounding) << round << " interface " << k;
+      EXPECT_LE(state.depth, round_off) << round << " interface " << k;
+      EXPECT_NEAR(state.slip, 0, round_off) << round << " interface " << k;
     }
   }
 }
@@ -63,8 +63,8 @@ TEST(Interfaces, AStackThatIsPushedDownAndAlongShowsBoth) {
     placements[0].y -= 0.002;
     placements[0].x += 0.003;
     const InterfaceState state = interface_of(scene, placements, 0);
-    EXPECT_NEAR(state.depth, 0.002, rounding);
-    EXPECT_NEAR(state.slip, 0.003, rounding);
+    EXPECT_NEAR(state.depth, 0.002, round_off);
+    EXPECT_NEAR(state.slip, 0.003, round_off);
   }
 }
 
@@ -102,8 +102,8 @@ TEST(Interfaces, SlipPastTheEndOfAFaceIsThatOfTheCornerBelow) {
   const Point<double> arm = turned(slip - 1, 0.5, std::cos(angle), std::sin(angle));
   const InterfaceState state =
       on_block(scene.blocks[0], {0, 0.5, 0}, scene.blocks[1], {1 + arm.x(), 1 + arm.y(), angle});
-  EXPECT_NEAR(state.slip, slip, rounding);
-  EXPECT_NEAR(state.depth, 0, rounding);
+  EXPECT_NEAR(state.slip, slip, round_off);
+  EXPECT_NEAR(state.depth, 0, round_off);
 }
 
 TEST(Interfaces, ABlockThatIsLiftedOffAnotherLeavesAGapOfThatSize) {
@@ -114,7 +114,7 @@ TEST(Interfaces, ABlockThatIsLiftedOffAnotherLeavesAGapOfThatSize) {
   // Along the normal of the face, which is turned clockwise by 0.1 rad.
   placements[1].x += 0.01 * std::sin(0.1);
   placements[1].y += 0.01 * std::cos(0.1);
-  EXPECT_NEAR(interface_of(scene, placements, 1).depth, -0.01, rounding);
+  EXPECT_NEAR(interface_of(scene, placements, 1).depth, -0.01, round_off);
 }
 
 /// A body that flies as a thrown stone does, in even steps.

@@ -1,4 +1,4 @@
-// The springs that MuJoCo's settings stand for (engines/mujoco/mujoco.cpp), in a block that rests on them.
+// The springs that MuJoCo's settings stand for (engines/mujoco/README.md), in a block that rests on them.
 
 #include <gtest/gtest.h>
 

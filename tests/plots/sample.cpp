@@ -206,7 +206,7 @@ void write_json(const fs::path& folder, const Sample& sample, const std::vector<
   json["command"] = "rockstack compare sample.toml --out DIR";
   for (const RunMetrics& row : rows) json["rows"].push_back(row);
   create(folder / "comparison.json") << json.dump(1);
-  create(folder / "comparison.csv") << comparison_csv(rows);
+  create(folder / "comparison.csv") << csv_of(rows);
 }
 
 void write_ground(const fs::path& folder) {

@@ -5,20 +5,12 @@
 namespace rockstack {
 namespace {
 
-/// Integral over [from, to] inside one piece between samples; the value at the middle times the length is
-/// exact on a straight line.
+/// Integral over [from, to] inside one piece between samples; of a straight line the middle tells it exactly.
 double piece_integral(const GroundMotion& motion, std::size_t piece, double from, double to) {
   const double start = motion.interval * static_cast<double>(piece);
   const double slope = (motion.samples[piece + 1] - motion.samples[piece]) / motion.interval;
   const double middle = 0.5 * (from + to) - start;
   return (to - from) * (motion.samples[piece] + slope * middle);
-}
-
-double mean_acceleration(const Pulse& pulse, double from, double to) {
-  const auto gained = [&](double t) {
-    return velocity(pulse, std::clamp(t - pulse.start, 0.0, length(pulse)));
-  };
-  return (gained(to) - gained(from)) / (to - from);
 }
 
 }  // namespace
@@ -39,7 +31,12 @@ double acceleration(const GroundMotion& motion, double t) {
 }
 
 double mean_acceleration(const GroundMotion& motion, double from, double to) {
-  if (motion.pulse) return mean_acceleration(*motion.pulse, from, to);
+  if (motion.pulse) {
+    const auto gained = [&pulse = *motion.pulse](double t) {
+      return velocity(pulse, std::clamp(t - pulse.start, 0.0, length(pulse)));
+    };
+    return (gained(to) - gained(from)) / (to - from);
+  }
   const double end = std::min(to, motion.end());
   if (motion.empty() || end <= from) return 0;
   double sum = 0;

@@ -6,16 +6,6 @@
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {
-namespace {
-
-std::string name_of(const SyntheticMotion& motion) {
-  std::string name = "synthetic " + std::to_string(motion.seed);
-  for (const double number : {motion.duration, motion.interval, motion.frequency, motion.damping})
-    name += " " + number_text(number);
-  return name;
-}
-
-}  // namespace
 
 template <class Make>
 std::shared_ptr<const GroundMotion> MotionLibrary::kept(const std::string& name, const Make& make) {
@@ -48,7 +38,10 @@ std::shared_ptr<const GroundMotion> MotionLibrary::record(const std::filesystem:
 }
 
 std::shared_ptr<const GroundMotion> MotionLibrary::synthetic(const SyntheticMotion& motion) {
-  return kept(name_of(motion), [&] {
+  std::string name = "synthetic " + std::to_string(motion.seed);
+  for (const double number : {motion.duration, motion.interval, motion.frequency, motion.damping})
+    name += " " + number_text(number);
+  return kept(name, [&] {
     SyntheticMotion unit = motion;
     unit.peak = 1;
     return make_synthetic(unit);

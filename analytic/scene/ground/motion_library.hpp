@@ -6,7 +6,6 @@
 #include <memory>
 #include <mutex>
 
-#include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/ground/synthetic.hpp"
 
 namespace rockstack {

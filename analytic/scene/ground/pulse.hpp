@@ -50,27 +50,19 @@ Real acceleration(const Pulse& pulse, const Real& t) {
   const Real amplitude(pulse.amplitude);
   const Real period(pulse.period);
   const Real turn = 2 * pi<Real> / period;
-  switch (pulse.shape) {
-    case PulseShape::sine:
-    case PulseShape::half_sine:
-      return amplitude * sin(turn * t);
-    case PulseShape::cosine:
-      return amplitude * cos(turn * t);
-    case PulseShape::rectangle:
-      return amplitude;
-    case PulseShape::ricker: {
-      const Real z = turn / 2 * (t - 2 * period);
-      return amplitude * (1 - 2 * z * z) * exp(-z * z);
-    }
-    case PulseShape::mavroeidis_papageorgiou: {
-      const Real cycles(pulse.cycles);
-      const Real s = t - cycles * period / 2;
-      const Real carrier = turn * s + Real(pulse.phase);
-      const Real envelope = turn * s / cycles;
-      return -amplitude / 2 * (sin(envelope) * cos(carrier) / cycles + (1 + cos(envelope)) * sin(carrier));
-    }
+  if (pulse.shape == PulseShape::sine || pulse.shape == PulseShape::half_sine)
+    return amplitude * sin(turn * t);
+  if (pulse.shape == PulseShape::cosine) return amplitude * cos(turn * t);
+  if (pulse.shape == PulseShape::rectangle) return amplitude;
+  if (pulse.shape == PulseShape::ricker) {
+    const Real z = turn / 2 * (t - 2 * period);
+    return amplitude * (1 - 2 * z * z) * exp(-z * z);
   }
-  return 0;
+  const Real cycles(pulse.cycles);
+  const Real s = t - cycles * period / 2;
+  const Real carrier = turn * s + Real(pulse.phase);
+  const Real envelope = turn * s / cycles;
+  return -amplitude / 2 * (sin(envelope) * cos(carrier) / cycles + (1 + cos(envelope)) * sin(carrier));
 }
 
 }  // namespace rockstack

@@ -12,21 +12,12 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-struct NormalPair {
-  double first, second;
-};
-
-/// Two independent standard normal numbers (Box & Muller 1958); the library's own distribution may differ
-/// from one compiler to the next.
-NormalPair draw_normal(std::mt19937_64& generator) {
+/// Two independent standard normal numbers (Box & Muller 1958); the library's own may differ by compiler.
+std::array<double, 2> draw_normal(std::mt19937_64& generator) {
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 0.5) * 0x1p-53; };
   const double radius = std::sqrt(-2 * std::log(uniform()));
   const double angle = two_pi * uniform();
   return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
-std::size_t intervals(const SyntheticMotion& motion) {
-  return static_cast<std::size_t>(std::lround(motion.duration / motion.interval));
 }
 
 struct Wave {
@@ -103,15 +94,7 @@ void correct_base_line(const SyntheticMotion& motion, std::vector<double>& sampl
     samples[i] -= flat_part * flat[i] + rising_part * rising[i];
 }
 
-void require(bool allowed, const std::string& key, double value, const std::string& range) {
-  if (!allowed) throw FieldError(key, value, range);
-}
-
 }  // namespace
-
-double synthetic_cutoff(const SyntheticMotion& motion) {
-  return std::min(25.0, 0.5 / motion.interval);
-}
 
 double synthetic_spectrum(const SyntheticMotion& motion, double frequency) {
   constexpr double slowness = 0.1, high_pass_damping = 0.6;
@@ -130,7 +113,7 @@ double synthetic_envelope(const SyntheticMotion& motion, double t) {
 
 std::vector<double> modulated_noise(const SyntheticMotion& motion) {
   std::mt19937_64 generator(motion.seed);
-  std::vector<double> samples(intervals(motion) + 1);
+  std::vector<double> samples(static_cast<std::size_t>(std::lround(motion.duration / motion.interval)) + 1);
   const std::vector<Wave> all = waves(motion);
   for (std::size_t start = 0; start < all.size(); start += TurningWaves::size) {
     TurningWaves group;
@@ -163,18 +146,20 @@ GroundMotion make_synthetic(const SyntheticMotion& motion) {
 
 void validate(const SyntheticMotion& motion, const std::string& key) {
   require_positive(key + ".peak", motion.peak);
-  require(motion.duration > 0 && motion.duration <= 1000, key + ".duration", motion.duration,
-          "a number > 0 and at most 1000");
-  require(motion.interval >= motion.duration / 20000 && motion.interval <= motion.duration / 16,
-          key + ".interval", motion.interval,
-          "from " + number_text(motion.duration / 20000) + " to " + number_text(motion.duration / 16) +
-              ", the duration in 20000 to 16 parts");
-  require(motion.frequency >= 1 / motion.duration && motion.frequency <= synthetic_cutoff(motion),
-          key + ".frequency", motion.frequency,
-          "from " + number_text(1 / motion.duration) + ", one cycle in the duration, to " +
-              number_text(synthetic_cutoff(motion)) + " Hz");
-  require(motion.damping > 0 && motion.damping <= 1, key + ".damping", motion.damping,
-          "a number > 0 and at most 1");
+  if (!(motion.duration > 0 && motion.duration <= 1000))
+    throw FieldError(key + ".duration", motion.duration, "a number > 0 and at most 1000");
+  const double shortest = motion.duration / 20000, longest = motion.duration / 16;
+  if (!(motion.interval >= shortest && motion.interval <= longest))
+    throw FieldError(key + ".interval", motion.interval,
+                     "from " + number_text(shortest) + " to " + number_text(longest) +
+                         ", the duration in 20000 to 16 parts");
+  const double least = 1 / motion.duration, most = synthetic_cutoff(motion);
+  if (!(motion.frequency >= least && motion.frequency <= most))
+    throw FieldError(
+        key + ".frequency", motion.frequency,
+        "from " + number_text(least) + ", one cycle in the duration, to " + number_text(most) + " Hz");
+  if (!(motion.damping > 0 && motion.damping <= 1))
+    throw FieldError(key + ".damping", motion.damping, "a number > 0 and at most 1");
 }
 
 }  // namespace rockstack

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "analytic/scene/ground/ground_motion.hpp"
@@ -18,7 +19,9 @@ struct SyntheticMotion {
 };
 
 /// The highest frequency in a motion: 25 Hz, or half the sampling rate where that is lower. Hz.
-double synthetic_cutoff(const SyntheticMotion& motion);
+inline double synthetic_cutoff(const SyntheticMotion& motion) {
+  return std::min(25.0, 0.5 / motion.interval);
+}
 
 /// Shape of the power spectrum at a frequency in Hz, 1 between the two filters: white noise through a ground
 /// layer (Kanai 1957, Tajimi 1960) and a high-pass at a tenth of the layer's frequency with damping 0.6

@@ -14,25 +14,10 @@ std::string joined(const std::string& parent, std::string_view name) {
 
 /// The value as an error shows it; a table or an array is named, not listed.
 std::string shown(const Node& node) {
-  switch (node.kind) {
-    case Node::Kind::number:
-      return number_text(node.number);
-    case Node::Kind::text:
-      return rockstack::quoted(node.text);
-    case Node::Kind::other:
-      return node.text;
-    case Node::Kind::array:
-      return "an array of " + std::to_string(node.children.size());
-    case Node::Kind::table:
-      break;
-  }
-  return "a table";
-}
-
-std::string two_digits(char letter) {
-  static constexpr std::string_view digits = "0123456789abcdef";
-  const auto code = static_cast<unsigned char>(letter);
-  return {digits[code / 16], digits[code % 16]};
+  if (node.kind == Node::Kind::number) return number_text(node.number);
+  if (node.kind == Node::Kind::text) return rockstack::quoted(node.text);
+  if (node.kind == Node::Kind::other) return node.text;
+  return node.kind == Node::Kind::table ? "a table" : "an array of " + std::to_string(node.children.size());
 }
 
 }  // namespace
@@ -75,7 +60,7 @@ std::string toml_text(std::string_view text) {
   for (const char letter : text) {
     if (letter == '"' || letter == '\\') result += '\\';
     const bool control = (letter >= 0 && letter < 0x20) || letter == 0x7f;
-    result += control ? "\\u00" + two_digits(letter) : std::string(1, letter);
+    result += control ? "\\u00" + hex_digits(letter) : std::string(1, letter);
   }
   return result + '"';
 }

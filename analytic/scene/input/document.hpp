@@ -15,12 +15,12 @@ struct Node {
   enum class Kind { number, text, other, array, table };  ///< other: a truth value, a date or a time
 
   Kind kind = Kind::table;
-  std::string name;   ///< last part of the key, empty for the whole file
-  std::string key;    ///< from the top of the file, e.g. "blocks.1.width"
-  std::string place;  ///< "scene.toml:12", or the override that gave the value
-  double number = 0;  ///< of a number
-  std::string text;   ///< of a text, or another value as written
-  std::vector<Node> children;
+  std::string name = {};   ///< last part of the key, empty for the whole file
+  std::string key = {};    ///< from the top of the file, e.g. "blocks.1.width"
+  std::string place = {};  ///< "scene.toml:12", or the override that gave the value
+  double number = 0;       ///< of a number
+  std::string text = {};   ///< of a text, or another value as written
+  std::vector<Node> children = {};
 };
 
 /// An empty table under `parent`, not yet attached to it.

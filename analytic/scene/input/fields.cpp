@@ -1,7 +1,5 @@
 #include "analytic/scene/input/fields.hpp"
 
-#include <algorithm>
-
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -17,14 +15,9 @@ void require_table(const Node& node, const KeyTable& allowed) {
   if (node.kind != Node::Kind::table) throw wrong_value(node, "a table");
   for (const Node& child : node.children) {
     if (std::ranges::find(allowed.keys, child.name, &InputKey::name) != allowed.keys.end()) continue;
-    std::vector<std::string> names;
-    std::string list;
-    for (const InputKey& key : allowed.keys) {
-      names.emplace_back(key.name);
-      list += (list.empty() ? "" : ", ") + names.back();
-    }
-    throw InputError(child.place + ": " + one_line(child.key) + ": unknown key, must be one of " + list +
-                     did_you_mean(child.name, names));
+    const auto names = each_of(allowed.keys, [](const InputKey& key) { return std::string(key.name); });
+    throw InputError(child.place + ": " + one_line(child.key) + ": unknown key, must be one of " +
+                     text_of_each(names, std::identity(), ", ") + did_you_mean(child.name, names));
   }
 }
 
@@ -67,18 +60,22 @@ const std::vector<Node>& entries(const Node& array, const std::string& allowed) 
 
 std::vector<double> numbers(const Node& node) {
   if (node.kind != Node::Kind::array) throw wrong_value(node, "an array of numbers");
-  std::vector<double> result;
-  result.reserve(node.children.size());
-  for (const Node& child : node.children) {
+  return each_of(node.children, [](const Node& child) {
     if (!std::isfinite(number(child))) throw wrong_value(child, "a finite number");
-    result.push_back(child.number);
-  }
-  return result;
+    return child.number;
+  });
 }
 
 const std::string& text(const Node& node) {
   if (node.kind != Node::Kind::text) throw wrong_value(node, "a text in quotes");
   return node.text;
+}
+
+std::ptrdiff_t place_among(const Node& node, const std::vector<const char*>& names) {
+  const auto found = std::find(names.begin(), names.end(), node.text);
+  if (node.kind != Node::Kind::text || found == names.end())
+    throw wrong_value(node, text_of_each(names, quoted, " or "));
+  return found - names.begin();
 }
 
 }  // namespace rockstack

@@ -1,20 +1,20 @@
 #pragma once
 
 #include <initializer_list>
-#include <utility>
 
 #include "analytic/scene/input/document.hpp"
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 
 /// A key of an input file and what it means; `rockstack keys` prints it. SI units.
 struct InputKey {
   const char* name;
-  const char* example;   ///< a value that is accepted, as TOML; empty: a table, with keys of its own
-  const char* unit;      ///< empty: none
-  const char* range;     ///< which values are accepted
-  const char* standard;  ///< what holds where it is left out: a value as TOML, or words; see below
-  const char* meaning;
+  const char* example = "";   ///< a value that is accepted, as TOML; empty: a table, with keys of its own
+  const char* unit = "";      ///< empty: none
+  const char* range = "";     ///< which values are accepted
+  const char* standard = "";  ///< what holds where it is left out: a value as TOML, or words; see below
+  const char* meaning = "";
 };
 
 // Words that `standard` has where no value stands for a key that is left out. "instead of KEY": one of the
@@ -29,8 +29,7 @@ struct KeyTable {
   std::initializer_list<InputKey> keys;
 };
 
-// Typed access to the values of a scene file. Every function throws InputError with place, key, value and
-// what is allowed.
+// Typed access to values of a scene file. All throw InputError with place, key, value and what is allowed.
 
 /// Refuses what is no table, and keys that are not among those allowed.
 void require_table(const Node& node, const KeyTable& allowed);
@@ -56,26 +55,18 @@ std::vector<double> numbers(const Node& node);
 
 const std::string& text(const Node& node);
 
+/// The place of a text among the names that it may be, from 0.
+std::ptrdiff_t place_among(const Node& node, const std::vector<const char*>& names);
+
 /// The meaning of a text that is one of a few names, which may be that of its place among them.
 template <class Choice>
 Choice choice(const Node& node, std::initializer_list<const char*> names) {
-  std::string allowed;
-  int place = 0;
-  for (const char* name : names) {
-    if (node.kind == Node::Kind::text && node.text == name) return static_cast<Choice>(place);
-    allowed += (place++ == 0 ? "" : " or ") + quoted(name);
-  }
-  throw wrong_value(node, allowed);
+  return static_cast<Choice>(place_among(node, names));
 }
-
 template <class Choice>
 Choice choice(const Node& node, std::initializer_list<std::pair<const char*, Choice>> choices) {
-  std::string allowed;
-  for (const auto& [name, value] : choices) {
-    if (node.kind == Node::Kind::text && node.text == name) return value;
-    allowed += (allowed.empty() ? "" : " or ") + quoted(name);
-  }
-  throw wrong_value(node, allowed);
+  const auto names = each_of(choices, [](const auto& each) { return each.first; });
+  return choices.begin()[place_among(node, names)].second;
 }
 
 }  // namespace rockstack

@@ -11,46 +11,27 @@ namespace {
 using nlohmann::json;
 
 /// Accepts whatever has few levels.
-class Levels : public nlohmann::json_sax<json> {
- public:
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return enter(); }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return leave(); }
-  bool start_array(std::size_t) override { return enter(); }
-  bool end_array() override { return leave(); }
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
-    position_ = position;
+struct Levels : nlohmann::detail::json_sax_acceptor<json> {
+  bool start_object(std::size_t) { return ++levels <= most_levels; }
+  bool end_object() { return --levels >= 0; }
+  bool start_array(std::size_t) { return ++levels <= most_levels; }
+  bool end_array() { return --levels >= 0; }
+  bool parse_error(std::size_t place, const std::string&, const nlohmann::detail::exception&) {
+    position = place;
     return false;
   }
 
-  bool are_too_many() const { return levels_ > most_levels; }
-  /// Of the byte that cannot be read, from 1; beyond the last where one is missing.
-  std::size_t position() const { return position_; }
-
- private:
-  bool enter() { return ++levels_ <= most_levels; }
-  bool leave() {
-    --levels_;
-    return true;
-  }
-  int levels_ = 0;
-  std::size_t position_ = 0;
+  int levels = 0;
+  std::size_t position =
+      0;  ///< of the byte that cannot be read, from 1; beyond the last where one is missing
 };
 
 /// Why bytes cannot be read; `found` has stopped in them.
 std::string why_unreadable(std::string_view bytes, bool text, const Levels& found) {
-  if (found.are_too_many()) return "has more than " + std::to_string(most_levels) + " levels";
-  if (found.position() > bytes.size())
-    return "is cut short, after " + std::to_string(bytes.size()) + " bytes";
-  const std::string position = std::to_string(found.position());
-  const std::string_view rest = bytes.substr(found.position() > 0 ? found.position() - 1 : 0);
+  if (found.levels > most_levels) return "has more than " + std::to_string(most_levels) + " levels";
+  if (found.position > bytes.size()) return "is cut short, after " + std::to_string(bytes.size()) + " bytes";
+  const std::string position = std::to_string(found.position);
+  const std::string_view rest = bytes.substr(found.position > 0 ? found.position - 1 : 0);
   for (const char* bare : {"NaN", "Infinity"})
     if (text && rest.starts_with(bare))
       return std::string("has a bare ") + bare + " at byte " + position +
@@ -80,11 +61,6 @@ Json read_json(const std::filesystem::path& file) {
   if (!in) throw InputError(one_line(file.string()) + ": cannot be read");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   return parse_json(text, one_line(file.string()) + ": ");
-}
-
-InputError wrong_json(const std::filesystem::path& file, const json::exception& error) {
-  const std::string what = error.what();  // "[json.exception.type_error.302] type must be …"
-  return InputError(one_line(file.string() + ": " + what.substr(what.find("] ") + 2)));
 }
 
 }  // namespace rockstack

@@ -5,12 +5,12 @@
 
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack {
 
-// The one place where JSON and MessagePack come in, from files, workers, pages and other ranks. As with TOML,
-// what has more than most_levels is refused: whatever reads, copies or writes it next goes down level by
-// level.
+// The one place where JSON and MessagePack come in, from files, workers, pages and other ranks. As of TOML,
+// more than most_levels are refused: what reads, copies or writes them next goes down level by level.
 
 /// Reads bytes of one of the two forms. @throws InputError that begins with `subject`, "x.json: " or "the
 /// message " as it may be, and says what is wrong.
@@ -23,17 +23,15 @@ Json parse_json(std::string_view text, const std::string& subject);
 /// The same of a whole file. @throws InputError also where it cannot be read.
 Json read_json(const std::filesystem::path& file);
 
-/// The error that something in a file is missing or of another kind.
-InputError wrong_json(const std::filesystem::path& file, const nlohmann::json::exception& error);
-
-/// What `read` makes of a file. @throws InputError as read_json(), and wrong_json(); of a value that `read`
-/// finds wrong, naming the file.
+/// What `read` makes of a file. @throws InputError as read_json(), and where something in the file is
+/// missing, of another kind or found wrong by `read`, naming the file.
 template <class Read>
 auto read_json(const std::filesystem::path& file, const Read& read) {
   try {
     return read(read_json(file));
   } catch (const nlohmann::json::exception& error) {
-    throw wrong_json(file, error);
+    const std::string what = error.what();  // "[json.exception.type_error.302] type must be …"
+    throw InputError(one_line(file.string() + ": " + what.substr(what.find("] ") + 2)));
   } catch (const InputError&) {  // which names its place itself
     throw;
   } catch (const std::invalid_argument& error) {

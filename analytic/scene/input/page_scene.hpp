@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/json.hpp"
@@ -9,8 +8,7 @@
 
 namespace rockstack {
 
-// A scene on a page is JSON with the keys and values of a scene file; the text "inf" stands for that number,
-// which JSON does not have.
+// A scene on a page is JSON with the keys and values of a scene file; the number inf is the text "inf".
 
 /// A scene file's document, or a part of it, as a page has it.
 Json page_scene(const Node& document);

@@ -3,7 +3,6 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {
@@ -227,7 +226,7 @@ GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& 
   const Node* wanted_peak = find(table, "peak");
   if (scale != nullptr && wanted_peak != nullptr) throw excluded_key(*wanted_peak, *scale);
   if (scale != nullptr) {
-    require_signed(scale->key, number(*scale));
+    require_between(scale->key, number(*scale), -largest_number);
     for (double& sample : motion.samples) sample *= scale->number;
   }
   if (wanted_peak != nullptr) scale_to_peak(motion, *wanted_peak);

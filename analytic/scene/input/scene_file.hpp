@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "analytic/scene/ground/motion_library.hpp"
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/scene.hpp"

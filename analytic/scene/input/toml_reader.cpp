@@ -25,40 +25,22 @@
 namespace rockstack {
 namespace {
 
-/// Names the place of a value that the TOML reader has seen.
-struct Places {
-  std::string prefix;
-  bool with_line = true;
-
-  std::string operator()(const toml::node& value) const {
-    return with_line ? prefix + ":" + std::to_string(value.source().begin.line) : prefix;
-  }
-};
-
-Node converted(const toml::node& value, Node target, const Places& places);
-
-void add_children(const toml::table& table, Node& target, const Places& places) {
-  target.kind = Node::Kind::table;
-  for (const auto& [key, value] : table) {
-    Node child = make_child(target, std::string(key.str()), places(value));
-    target.children.push_back(converted(value, std::move(child), places));
-  }
-}
-
-void add_children(const toml::array& array, Node& target, const Places& places) {
-  target.kind = Node::Kind::array;
-  target.children.reserve(array.size());
-  for (const toml::node& value : array) {
-    Node child = make_child(target, std::to_string(target.children.size() + 1), places(value));
-    target.children.push_back(converted(value, std::move(child), places));
-  }
-}
-
-Node converted(const toml::node& value, Node target, const Places& places) {
+/// A value of TOML as `target`; `place_of` names where the TOML reader has seen one.
+template <class Place>
+Node converted(const toml::node& value, Node target, const Place& place_of) {
+  const auto add = [&](std::string name, const toml::node& entry) {
+    Node child = make_child(target, std::move(name), place_of(entry));
+    target.children.push_back(converted(entry, std::move(child), place_of));
+  };
   value.visit([&](const auto& typed) {
     using Typed = std::remove_cvref_t<decltype(typed)>;
-    if constexpr (toml::is_table<Typed> || toml::is_array<Typed>) {
-      add_children(typed, target, places);
+    if constexpr (toml::is_table<Typed>) {
+      target.kind = Node::Kind::table;
+      for (const auto& [key, entry] : typed) add(std::string(key.str()), entry);
+    } else if constexpr (toml::is_array<Typed>) {
+      target.kind = Node::Kind::array;
+      target.children.reserve(typed.size());
+      for (const toml::node& entry : typed) add(std::to_string(target.children.size() + 1), entry);
     } else if constexpr (toml::is_number<Typed>) {
       target.kind = Node::Kind::number;
       target.number = static_cast<double>(typed.get());
@@ -111,41 +93,27 @@ void require_short_keys(std::string_view text, const std::string& name) {
   }
 }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// The parts of a dotted key; an empty part stays, for the caller to refuse.
-std::vector<std::string> parts(const std::string& key) {
+std::vector<std::string> parts(std::string_view key) {
   std::vector<std::string> result(1);
   for (const char letter : key) letter == '.' ? result.emplace_back() : result.back() += letter;
   return result;
 }
 
-std::string count(std::size_t number, const std::string& name) {
-  const bool one = number == 1;
-  const std::string noun = name == "blocks" ? (one ? "block" : "blocks") : (one ? "entry" : "entries");
-  return (one ? "there is " : "there are ") + std::to_string(number) + " " + noun;
-}
-
-Node& entry(Node& array, const std::string& name, const std::string& place) {
-  if (Node* found = find(array, name)) return *found;
-  const auto size = array.children.size();
-  throw InputError(place + ": " + array.key + "." + one_line(name) + ": " + count(size, array.name) +
-                   (size == 0 ? "" : ", must be 1 to " + std::to_string(size)));
-}
-
 Node& child(Node& parent, const std::string& name, const std::string& place) {
-  if (parent.kind == Node::Kind::array) return entry(parent, name, place);
-  if (parent.kind != Node::Kind::table) {
+  const std::string key = parent.key + "." + one_line(name);
+  if (parent.kind != Node::Kind::table && parent.kind != Node::Kind::array) {
     Node here = parent;
     here.place = place;
-    throw wrong_value(here, "a table or an array to hold " + parent.key + "." + one_line(name));
+    throw wrong_value(here, "a table or an array to hold " + key);
   }
   if (Node* found = find(parent, name)) return *found;
-  return parent.children.emplace_back(make_child(parent, name, place));
+  if (parent.kind == Node::Kind::table) return parent.children.emplace_back(make_child(parent, name, place));
+  const auto size = parent.children.size();
+  const bool one = size == 1;
+  const std::string noun = parent.name == "blocks" ? (one ? "block" : "blocks") : (one ? "entry" : "entries");
+  throw InputError(place + ": " + key + (one ? ": there is " : ": there are ") + std::to_string(size) + " " +
+                   noun + (size == 0 ? "" : ", must be 1 to " + std::to_string(size)));
 }
 
 /// The node of a dotted key, made where it is missing, under the place given.
@@ -173,7 +141,9 @@ Node read_toml(const std::filesystem::path& file) {
     const toml::table table = toml::parse(text);
     Node root;
     root.place = name + ":1";
-    return converted(table, std::move(root), {name});
+    return converted(table, std::move(root), [&](const toml::node& value) {
+      return name + ":" + std::to_string(value.source().begin.line);
+    });
   } catch (const toml::parse_error& error) {
     throw InputError(name + ":" + std::to_string(error.source().begin.line) +
                      ": must be TOML: " + one_line(error.description()));
@@ -185,7 +155,7 @@ std::optional<Node> parse_toml_value(const std::string& text, const Node& target
   try {
     const toml::table table = toml::parse("value = " + text);
     if (table.size() != 1) return std::nullopt;
-    return converted(*table.get("value"), target, {target.place, false});
+    return converted(*table.get("value"), target, [&](const toml::node&) { return target.place; });
   } catch (const toml::parse_error&) {
     return std::nullopt;
   }
@@ -194,11 +164,12 @@ std::optional<Node> parse_toml_value(const std::string& text, const Node& target
 void apply_override(Node& root, const std::string& override_text) {
   const std::string place = "--set " + one_line(override_text);
   const auto equals = override_text.find('=');
-  const auto path = parts(trimmed(override_text.substr(0, equals)));
+  const auto path = parts(trimmed(override_text.substr(0, equals), " \t"));
   if (equals == std::string::npos || !is_key(path))
     throw InputError(place + ": must be key=value, e.g. blocks.1.height=3 or law=consistent");
   Node& node = target(root, path, place);
-  Node fresh{Node::Kind::text, node.name, node.key, place, 0, trimmed(override_text.substr(equals + 1)), {}};
+  const std::string given(trimmed(override_text.substr(equals + 1), " \t"));
+  Node fresh{Node::Kind::text, node.name, node.key, place, 0, given, {}};
   const Node empty{fresh.kind, fresh.name, fresh.key, place, 0, {}, {}};
   if (auto value = parse_toml_value(fresh.text, empty)) fresh = *std::move(value);
   node = std::move(fresh);

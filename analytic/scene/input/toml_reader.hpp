@@ -18,8 +18,7 @@ std::optional<Node> parse_toml_value(const std::string& text, const Node& target
 /// Sets one value of a scene file from a text "key=value". The value is read as TOML; what is not TOML is a
 /// text as it stands. Tables that are missing are made; entries of an array are reached by their number from
 /// 1, and none can be added. The value's place becomes the override itself, "--set key=value".
-/// @throws InputError: not of that form, no such entry, or a key below a value that is neither table nor
-/// array.
+/// @throws InputError: not of that form, no such entry, or a key below what is neither table nor array.
 void apply_override(Node& root, const std::string& override_text);
 
 /// Sets the value at a dotted key to that of `value`, whose place it takes over. Otherwise as above.

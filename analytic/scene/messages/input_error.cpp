@@ -9,8 +9,7 @@
 namespace rockstack {
 namespace {
 
-/// Letters put in, left out, replaced or changed with their neighbours (Damerau 1964), by the table of all
-/// beginnings.
+/// Letters put in, left out, replaced or changed with neighbours (Damerau 1964), by a table of beginnings.
 std::size_t letters_apart(std::string_view one, std::string_view other) {
   std::vector<std::vector<std::size_t>> table(one.size() + 1, std::vector<std::size_t>(other.size() + 1));
   std::iota(table[0].begin(), table[0].end(), 0);
@@ -37,18 +36,6 @@ FieldError::FieldError(std::string field, double value, const std::string& allow
 void require_between(const std::string& key, double value, double least, double most) {
   if (!(value >= least && value <= most))
     throw FieldError(key, value, "a number from " + number_text(least) + " to " + number_text(most));
-}
-
-void require_positive(const std::string& key, double value) {
-  require_between(key, value, 1 / largest_number);
-}
-
-void require_signed(const std::string& key, double value) {
-  require_between(key, value, -largest_number);
-}
-
-std::string entry_key(const std::string& array, std::size_t k) {
-  return array + "." + std::to_string(k + 1);
 }
 
 void require_each_between(const std::string& array, const std::vector<double>& values, double least,

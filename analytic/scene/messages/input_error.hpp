@@ -7,8 +7,7 @@
 
 namespace rockstack {
 
-/// Something the user gave is wrong. The text is one line that names the place (file:line, or the option),
-/// the key, the value and what is allowed.
+/// What the user gave is wrong. The text is one line: file:line or option, key, value and what is allowed.
 class InputError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -26,13 +25,19 @@ class FieldError : public std::invalid_argument {
 /// what blocks are like, and such that products of several stay in the range of a double.
 inline constexpr double largest_number = 1e20;
 
-/// The ranges that a scene's numbers have: from `least` to `most`, from 1/largest_number, or from
-/// −largest_number. @throws FieldError.
+/// The ranges that a scene's numbers have: from `least` to `most`, or from 1/largest_number.
+/// @throws FieldError.
 void require_between(const std::string& key, double value, double least, double most = largest_number);
-void require_positive(const std::string& key, double value);
-void require_signed(const std::string& key, double value);
+
+inline void require_positive(const std::string& key, double value) {
+  require_between(key, value, 1 / largest_number);
+}
+
 /// The key of an array's entry k from 0; files count from 1.
-std::string entry_key(const std::string& array, std::size_t k);
+inline std::string entry_key(const std::string& array, std::size_t k) {
+  return array + "." + std::to_string(k + 1);
+}
+
 /// As require_between(), of each entry of an array.
 void require_each_between(const std::string& array, const std::vector<double>& values, double least,
                           double most = largest_number);

@@ -24,10 +24,8 @@ double rounded(double value, int digits) {
 std::string plain_text(double value, int digits) {
   std::array<char, 64> buffer{};
   const bool whole = std::abs(value) >= std::pow(10, digits);
-  const auto end =
-      whole ? std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed, 0).ptr
-            : std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits).ptr;
-  return {buffer.begin(), end};
+  const auto form = whole ? std::chars_format::fixed : std::chars_format::general;
+  return {buffer.begin(), std::to_chars(buffer.begin(), buffer.end(), value, form, whole ? 0 : digits).ptr};
 }
 
 }  // namespace

@@ -6,21 +6,17 @@
 
 namespace rockstack {
 
-/// The shortest decimal text that reads back to the same double; "inf", "-inf" or "nan" where it is not
-/// finite.
+/// The shortest decimal text that reads back to the same double, "inf", "-inf" and "nan" too.
 inline std::string number_text(double value) {
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
+  return {buffer.begin(), std::to_chars(buffer.begin(), buffer.end(), value).ptr};
 }
 
 /// With so many significant digits.
 inline std::string number_text(double value, int digits) {
   std::array<char, 32> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
-          .ptr;
-  return {buffer.data(), end};
+  constexpr auto form = std::chars_format::general;
+  return {buffer.begin(), std::to_chars(buffer.begin(), buffer.end(), value, form, digits).ptr};
 }
 
 /// A quantity in the unit that suits its size, with so many significant digits: of "m" 3.67 is "3.67 m",

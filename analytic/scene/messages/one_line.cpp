@@ -30,23 +30,9 @@ Letter first_letter(std::string_view text) {
 
 /// Control characters, ends of lines and paragraphs, and marks of direction.
 bool is_shown(std::uint32_t code) {
-  struct Span {
-    std::uint32_t first, last;
-  };
-  constexpr std::array<Span, 5> hidden{
+  constexpr std::array<std::array<std::uint32_t, 2>, 5> hidden{
       {{0, 0x1f}, {0x7f, 0x9f}, {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}}};
-  return std::none_of(hidden.begin(), hidden.end(),
-                      [&](auto& span) { return code >= span.first && code <= span.last; });
-}
-
-std::string escaped(std::string_view bytes) {
-  static constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (const char byte : bytes) {
-    const auto code = static_cast<unsigned char>(byte);
-    text += {'\\', 'x', digits[code / 16], digits[code % 16]};
-  }
-  return text;
+  return !std::ranges::any_of(hidden, [&](auto& span) { return code >= span[0] && code <= span[1]; });
 }
 
 }  // namespace
@@ -60,11 +46,25 @@ std::string one_line(std::string_view text, std::size_t most) {
     const bool shown = letter.bytes > 0 && is_shown(letter.code);
     letters += shown ? 1 : 4 * bytes.size();
     if (letters > most) return line.substr(0, kept) + "…";
-    line += shown ? std::string(bytes) : escaped(bytes);
+    if (shown)
+      line += bytes;
+    else
+      for (const char byte : bytes) line += "\\x" + hex_digits(byte);
     if (letters < most) kept = line.size();
     text.remove_prefix(bytes.size());
   }
   return line;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+  const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(first, text.find_last_not_of(blanks) + 1 - first);  // npos + 1 is 0
+}
+
+std::string hex_digits(char byte) {
+  static constexpr std::string_view digits = "0123456789abcdef";
+  const auto code = static_cast<unsigned char>(byte);
+  return {digits[code / 16], digits[code % 16]};
 }
 
 }  // namespace rockstack

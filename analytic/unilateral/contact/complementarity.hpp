@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/linear_system.hpp"
 
@@ -16,7 +14,6 @@ struct ComplementarySolution {
 /// The largest size of numbers, 0 of none.
 template <class Real>
 Real largest(const ShortNumbers<Real>& numbers) {
-  using std::abs;
   Real size = 0;
   for (const Real& number : numbers) size = std::max<Real>(size, abs(number));
   return size;
@@ -62,7 +59,6 @@ struct Tableau {
 
   /// True where row i leaves before row j: the lexicographic order of right side and inverse basis.
   bool leaves_before(std::size_t i, std::size_t j, std::size_t column) const {
-    using std::abs;
     const Real rounding = tolerance<Real>(1e-13);
     for (std::size_t entry = 0; entry <= size; ++entry) {
       const bool first_of_all = entry == 0;
@@ -71,8 +67,8 @@ struct Tableau {
       const Real second = table(j, at) / table(j, column);
       if (abs(first - second) > rounding * (abs(first) + abs(second) + Real(first_of_all ? 1e-3 : 1)))
         return first < second;
-      if (first_of_all && is_artificial(i)) return true;
-      if (first_of_all && is_artificial(j)) return false;
+      if (first_of_all && basis[i] == artificial()) return true;
+      if (first_of_all && basis[j] == artificial()) return false;
     }
     return false;
   }
@@ -87,8 +83,6 @@ struct Tableau {
     }
     return result;
   }
-
-  bool is_artificial(std::size_t row) const { return basis[row] == artificial(); }
 };
 
 /// Lemke's method from one covering vector, of a problem whose entries are of the size of one.
@@ -120,8 +114,6 @@ std::optional<ComplementarySolution<Real>> lemke(const NumberTable<Real>& matrix
 /// Factors for unknowns and their conditions that bring the diagonal to one; where it is zero, the row.
 template <class Real>
 ShortNumbers<Real> balance(const NumberTable<Real>& matrix, std::size_t size) {
-  using std::abs;
-  using std::sqrt;
   ShortNumbers<Real> factors(size, 1);
   for (std::size_t i = 0; i < size; ++i)
     if (matrix(i, i) > 0) factors[i] = 1 / sqrt(matrix(i, i));

@@ -8,8 +8,7 @@ namespace rockstack {
 /// and with the second derivatives that velocities alone make. m, m/s².
 template <class Real = double>
 struct ContactKinematics {
-  Real gap = 0, slip = 0;
-  Real gap_bias = 0, slip_bias = 0;
+  Real gap = 0, slip = 0, gap_bias = 0, slip_bias = 0;
   FreeRow<Real> gap_row, slip_row;
 };
 
@@ -17,21 +16,15 @@ struct ContactKinematics {
 template <class Real>
 Point<Real> turned(const Point<Real>& vector, const Real& angle) {
   if (angle == 0) return vector;  // as all of the ground
-  using std::cos;
-  using std::sin;
-  const Real cosine = cos(angle);
-  const Real sine = sin(angle);
-  return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
+  return turned<Real>(vector.x(), vector.y(), cos(angle), sin(angle));
 }
 
 template <class Real>
 ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
                                       const CornerOnFace<Real>& corner) {
   using Plane = Point<Real>;
-  const Pose<Real> face = pose_of(bodies.at, corner.face);
-  const Pose<Real> face_rate = pose_of(bodies.rate, corner.face);
-  const Pose<Real> body = pose_of(bodies.at, corner.body);
-  const Pose<Real> body_rate = pose_of(bodies.rate, corner.body);
+  const Pose<Real> face = pose_of(bodies.at, corner.face), face_rate = pose_of(bodies.rate, corner.face);
+  const Pose<Real> body = pose_of(bodies.at, corner.body), body_rate = pose_of(bodies.rate, corner.body);
   const Plane tangent = turned<Real>({Real(1), Real(0)}, face.angle);
   const Plane normal(-tangent.y(), tangent.x());
   const Plane arm = turned<Real>(Plane(corner.x, corner.y) - stack.centre(corner.body), body.angle);
@@ -40,8 +33,7 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   const Plane speed = Plane(body_rate.x - face_rate.x, body_rate.y - face_rate.y) + turn * body_rate.angle;
   const Plane bend = -arm * (body_rate.angle * body_rate.angle);
   // From the centre of mass of the face's body.
-  const Real along = apart.dot(tangent);
-  const Real above = apart.dot(normal);
+  const Real along = apart.dot(tangent), above = apart.dot(normal);
   const Plane centre = stack.centre(corner.face);
   const Real turning = face_rate.angle;
   const Real along_rate = speed.dot(tangent) - turning * above;
@@ -97,16 +89,14 @@ void place_upper(const ContactModel<Real>& stack, const Joint<Real>& joint, int 
                  Bodies<Real>& bodies) {
   using Plane = Point<Real>;
   const CornerOnFace<Real> point = stack.held_point(k, joint);
-  const Pose<Real> lower = pose_of(bodies.at, k - 1);
-  const Pose<Real> lower_rate = pose_of(bodies.rate, k - 1);
+  const Pose<Real> lower = pose_of(bodies.at, k - 1), lower_rate = pose_of(bodies.rate, k - 1);
   Pose<Real>& upper = bodies.at[k];
   Pose<Real>& upper_rate = bodies.rate[k];
   if (joint.touch == Contact::closed) {
     upper.angle = lower.angle;
     upper_rate.angle = lower_rate.angle;
   }
-  const Real lower_top = stack.half_height(k - 1);
-  const Real upper_bottom = -stack.half_height(k);
+  const Real lower_top = stack.half_height(k - 1), upper_bottom = -stack.half_height(k);
   const bool below = point.upward < 0;
   // The contact point from the middle of either block.
   const Real on_upper = below ? Real(point.x - joint.offset) : point.x;

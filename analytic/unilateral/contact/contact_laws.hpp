@@ -1,23 +1,20 @@
 #pragma once
 
-#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/contact_problem.hpp"
 
 namespace rockstack {
 
 // Points push or part, 0 ≤ λ_N ⟂ gap' ≥ 0, and rub by Coulomb's law, |λ_T| ≤ μ λ_N, λ_T = −μ λ_N sgn slip'
-// where they slide (Moreau 1988; Stewart & Trinkle 1996). Both ends of a flat contact slide alike, so that
-// they share λ_T.
+// where they slide (Moreau 1988; Stewart & Trinkle 1996). Both ends of a flat contact share λ_T.
 
 /// What the joint of one interface can become.
 template <class Real>
 ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int interface,
                                      const Joint<Real>& joint) {
   if (!joint.touches()) return {joint};
-  Joint<Real> apart = joint;
-  apart.touch = Contact::apart;
-  apart.slip = 0;
-  ShortVector<Joint<Real>, 10> result{apart};
+  ShortVector<Joint<Real>, 10> result{joint};
+  result[0].touch = Contact::apart;
+  result[0].slip = 0;
   for (const Contact touch : {Contact::left, Contact::closed, Contact::right}) {
     if (joint.pivots() && touch != joint.touch) continue;
     for (const int slip : {-1, 0, 1}) {
@@ -36,7 +33,6 @@ ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int 
 /// True where every law of contact holds in a mode, of `joints` that touch so and could be in another.
 template <class Real>
 bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, const Joints<Real>& mode) {
-  using std::abs;
   const ContactForceRows<Real> held = held_by(contacts, mode);
   const ShortNumbers<Real> values = holding(contacts, held);
   const ShortVector<ContactForce<Real>> forces = held_forces(contacts, mode, values);
@@ -64,8 +60,7 @@ bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, c
   return true;
 }
 
-/// All modes that obey, each tried: of what touches, each part, pivot or stay, and what sticks may slide.
-/// Nothing is tried where that were more than `most`.
+/// All modes that obey: what touches parts, pivots or stays, what sticks may slide. None of more than `most`.
 template <class Real>
 std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                           std::size_t most) {
@@ -106,8 +101,7 @@ std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts
 // The rule: a slip is judged by the face that it meets. A pair of corners slides inward where T > μN, and
 // outward where −T' > μN'; else it sticks. So it is the limit wherever both agree, and sticks where nothing
 // can part it. Where friction is so small that both ways are open, φ > 2 arctan μ, it slides inward. Impulses
-// are judged alike. Between the limits, an event tells that there are several motions. Where the other one is
-// followed, the pair is settled on the face on which it sticks, as wider or narrower blocks would.
+// are judged alike.
 
 /// Whether the corners of both blocks at a pivot are at one place.
 template <class Real>
@@ -122,8 +116,7 @@ void meet_face(const ContactModel<Real>& stack, int interface, Joint<Real>& join
     joint.corner_below = corner_is_below(stack, interface, joint.offset, joint.side(), joint.slip);
 }
 
-/// The pairs of corners that are not settled and do not slide, by their interfaces; of velocities those
-/// that do as well.
+/// Pairs of corners, by interfaces, that are not settled and do not slide; of velocities those that do too.
 template <class Real>
 ShortVector<int> open_pairs(const ContactModel<Real>& stack, const Joints<Real>& joints, ContactLevel level) {
   ShortVector<int> pairs;
@@ -165,7 +158,7 @@ bool changes_face(const ContactQuestion<Real>& question, const ShortVector<Conta
 template <class Real>
 int first_to_change(const TouchingContacts<Real>& contacts, const ShortVector<int>& pairs,
                     const Joints<Real>& mode) {
-  const auto forces = held_forces(contacts, mode);
+  const auto forces = held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
   const Real rounding = tolerance<Real>(1e-12) * largest_force(forces);
   for (const int k : pairs)
     if (changes_face(contacts.question(), forces, k, mode[k], rounding)) return k;
@@ -190,6 +183,69 @@ bool unsettle(const Joints<Real>& mode, Joints<Real>& joints) {
     any = true;
   }
   return any;
+}
+
+/// A mode from what is active: which points push, and which way the interface slides.
+template <class Real>
+void set_mode(const ContactModel<Real>& stack, const TouchingInterface<Real>& contact,
+              const ShortVector<bool>& pushes, int slip, Joint<Real>& joint) {
+  if (std::find(pushes.begin(), pushes.end(), true) == pushes.end()) {
+    joint.touch = Contact::apart;
+    joint.slip = 0;
+    return;
+  }
+  joint.slip = slip;
+  if (joint.touch != Contact::closed || (pushes[0] && pushes[1])) return;
+  joint.touch = pushes[0] ? Contact::left : Contact::right;
+  joint.corner_below = corner_is_below(stack, contact.interface, joint.offset, joint.side(), slip);
+}
+
+/// What is likely: accelerations leave contacts as they are, and of an impact a flat contact rocks over to
+/// the end that meets its face, where the other one does not. All sticks.
+template <class Real>
+Joints<Real> likely_mode(const TouchingContacts<Real>& contacts, Joints<Real> joints) {
+  const ContactQuestion<Real>& question = contacts.question();
+  if (question.of_accelerations()) return joints;
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
+    Joint<Real>& joint = joints[contact.interface];
+    joint.slip = 0;
+    if (!contact.flat) continue;
+    const Real left = contacts.free(contact.point(0)), right = contacts.free(contact.point(1));
+    const Real meets = tolerance<Real>(1e-9) * std::min(left, right);
+    if ((left < meets) != (right < meets))
+      set_mode(question.stack, contact, {left < meets, right < meets}, 0, joint);
+  }
+  return joints;
+}
+
+/// True where all laws hold in a mode in which all that touches sticks, by more than rounding, and pairs of
+/// corners stay on their faces. There is one such mode then: its equations are those of a least energy.
+template <class Real>
+bool surely_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
+                  const ShortVector<int>& pairs) {
+  if (std::ranges::any_of(mode, [](const Joint<Real>& joint) { return joint.slip != 0; })) return false;
+  const ContactQuestion<Real>& question = contacts.question();
+  const ContactForceRows<Real> held = held_by(contacts, mode);
+  const ShortNumbers<Real> values = holding(contacts, held);
+  const auto forces = held_forces(contacts, mode, values);
+  const Real rounding = tolerance<Real>(1e-9) * largest_force(forces);
+  for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
+    const ContactForce<Real>& force = forces[contact.interface];
+    if (!(abs(force.tangential) + rounding < contact.friction * force.normal)) return false;
+    if (!contact.flat) continue;
+    const auto [left, right] = contact.ends;
+    if (const int side = mode[contact.interface].side(); side != 0) {
+      const std::size_t open = contact.point(side < 0 ? 1 : 0);
+      const Real fast = question.free.template lpNorm<Eigen::Infinity>();
+      if (!(contacts.condition(open, held, values) > tolerance<Real>(1e-9) * fast)) return false;
+      continue;
+    }
+    const Real least = rounding * (right - left);
+    if (!(force.normal * right + force.moment > least)) return false;
+    if (!(-force.moment - force.normal * left > least)) return false;
+  }
+  return std::none_of(pairs.begin(), pairs.end(),
+                      [&](int k) { return changes_face<Real>(question, forces, k, mode[k], -rounding); });
 }
 
 /// Where blocks are, how fast they move, and what they touch.

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <utility>
-
 #include "analytic/scene/kinematics.hpp"
 #include "analytic/unilateral/contact/short_vector.hpp"
 
 namespace rockstack {
+
+// Of number types that are not built in, those of their own namespaces.
+using std::abs, std::copysign, std::cos, std::pow, std::sin, std::sqrt;
 
 /// What roundings make of numbers, in a number type, from what it is in double.
 template <class Real>
@@ -17,7 +18,6 @@ Real tolerance(double in_double) {
 /// What goes with the root of roundings: the time over which a force or a gap comes to be told from them.
 template <class Real>
 Real root_tolerance(double in_double) {
-  using std::sqrt;
   return Real(in_double) *
          sqrt(std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon()));
 }
@@ -119,13 +119,13 @@ struct CornerOnFace {
   int upward = 1;  ///< 1 for the top face of the lower body, −1 for the bottom face of the upper one
 };
 
-/// A spring and a dashpot at each corner of an interface, or a bed along it, or rigid faces. SI units.
+/// A spring and a dashpot at each corner of an interface, or a bed along it, or rigid faces; its friction.
 template <class Real>
 struct SpringLaw {
-  Real stiffness = std::numeric_limits<Real>::infinity();  ///< N/m, across the face; infinite: rigid
-  Real damping = 0;                                        ///< N·s/m, likewise
-  Real tangential = 1;  ///< stiffness and damping along the face over those across it
-  bool bed = false;     ///< stiffness and damping are those of a whole bed
+  Real stiffness, damping;                        ///< across the face, N/m, infinite: rigid; N·s/m
+  Real tangential_stiffness, tangential_damping;  ///< along it
+  Real friction;
+  bool bed;  ///< stiffness and damping are those of a whole bed
 
   bool soft() const { return stiffness < std::numeric_limits<Real>::infinity(); }
 };
@@ -170,10 +170,7 @@ struct ContactModel {
     return sum;
   }
   /// √(H/g), s.
-  Real fall_time(const Real& gravity) const {
-    using std::sqrt;
-    return sqrt(height() / gravity);
-  }
+  Real fall_time(const Real& gravity) const { return sqrt(height() / gravity); }
   Real half_width(int body) const {
     return body < 0 ? std::numeric_limits<Real>::infinity() : Real(blocks[body].half_width);
   }
@@ -210,13 +207,17 @@ ContactModel<Real> contact_model_of(const Scene& scene) {
   };
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     constexpr double rigid = std::numeric_limits<double>::infinity();
-    SpringLaw<Real> law{of(springs.stiffness, k, rigid), of(springs.damping, k, 0), Real(springs.tangential)};
+    Real stiffness = of(springs.stiffness, k, rigid), damping = of(springs.damping, k, 0);
     const Real bed = of(springs.bed_stiffness, k, rigid);
-    if (bed < std::numeric_limits<Real>::infinity()) {
+    const bool is_bed = bed < std::numeric_limits<Real>::infinity();
+    if (is_bed) {
       const Real width = 2 * Real(interface_half_width(scene, k));
-      law = {width * bed, width * of(springs.bed_damping, k, 0), law.tangential, true};
+      stiffness = width * bed;
+      damping = width * of(springs.bed_damping, k, 0);
     }
-    stack.springs.push_back(law);
+    const Real along(springs.tangential);
+    stack.springs.push_back(
+        {stiffness, damping, stiffness * along, damping * along, stack.friction[k], is_bed});
   }
   return stack;
 }
@@ -229,16 +230,13 @@ struct Overlap {
 
 template <class Real>
 Overlap<Real> overlap(const ContactModel<Real>& stack, int interface, const Real& offset) {
-  const Real upper = stack.half_width(interface);
-  const Real lower = stack.half_width(interface - 1);
+  const Real upper = stack.half_width(interface), lower = stack.half_width(interface - 1);
   return {std::max<Real>(-upper, -lower - offset), std::min<Real>(upper, lower - offset)};
 }
 
-/// How far the end of the lower face is beyond that of the upper one, m; zero where roundings alone part
-/// them.
+/// How far the lower face ends beyond the upper one, m; zero where roundings alone part the ends.
 template <class Real>
 Real overhang(const ContactModel<Real>& stack, int interface, const Real& offset, int side) {
-  using std::abs;
   const Real upper = stack.half_width(interface);
   const Real beyond = stack.half_width(interface - 1) - side * offset - upper;
   return abs(beyond) <= tolerance<Real>(1e-13) * upper ? Real(0) : beyond;

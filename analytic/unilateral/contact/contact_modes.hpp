@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analytic/unilateral/contact/complementarity.hpp"
-#include "analytic/unilateral/contact/likely_mode.hpp"
+#include "analytic/unilateral/contact/contact_laws.hpp"
 
 namespace rockstack {
 
@@ -16,7 +16,6 @@ void add_points(const TouchingInterface<Real>& contact, int slip, ContactForceRo
 template <class Real>
 std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts,
                                           const Joints<Real>& joints) {
-  using std::abs;
   const ContactQuestion<Real>& question = contacts.question();
   ContactForceRows<Real> sticking, points;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
@@ -93,7 +92,6 @@ struct RubbingSolution {
 template <class Real>
 std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                          const ShortNumbers<Real>& borne = {}) {
-  using std::abs;
   const ContactQuestion<Real>& question = contacts.question();
   ContactForceRows<Real> rows;
   ShortNumbers<Real> signs;  // of each row; 0 of the slip, of which there is none in the equations
@@ -159,10 +157,9 @@ std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts,
 template <class Real>
 std::optional<Joints<Real>> nearest_mode(const TouchingContacts<Real>& contacts, const Joints<Real>& joints) {
   const ContactQuestion<Real>& question = contacts.question();
-  constexpr std::size_t most = 100000;
   std::optional<Joints<Real>> nearest;
   Real least = std::numeric_limits<Real>::infinity();
-  for (auto& mode : modes_that_obey(contacts, joints, most)) {
+  for (auto& mode : modes_that_obey(contacts, joints, 100'000)) {
     const FreeVector<Real> change = respond(contacts, mode).motion - question.free;
     const Real size = change.cwiseAbs2().cwiseQuotient(question.stack.inverse_mass).sum();
     if (!(size < least)) continue;
@@ -185,9 +182,6 @@ std::optional<Joints<Real>> mode_on_faces(const TouchingContacts<Real>& contacts
   return other;
 }
 
-template <class Real>
-std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints);
-
 /// The mode that obeys all laws of contact among those in which what touches may stay, part or pivot, and
 /// what sticks may slide; of velocities everything may stick. Where several do, the one in which all that
 /// sticks goes on to stick comes first, then the one that Lemke's method finds, then, where rounding leads
@@ -206,7 +200,8 @@ std::optional<Joints<Real>> find_mode(const TouchingContacts<Real>& contacts, Jo
   }
   auto first = mode_on_faces(contacts, joints);
   const bool goes_on = question.level != ContactLevel::impacts;  // else the slip passes the corner
-  if (first && goes_on && unsettle(*first, joints)) return find_mode(question, joints);
+  if (first && goes_on && unsettle(*first, joints))
+    return find_mode(TouchingContacts<Real>(question, joints), joints);
   if (pairs.empty() || !first) return first;
   auto mode = first;
   int changing = first_to_change(contacts, pairs, *mode);
@@ -240,8 +235,7 @@ class OtherModes {
         same_(Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>()) {}
 
   bool full() const { return modes_.size() == most_; }
-  /// Where a force has just left its cone, motions are yet alike, and which of `pairs` stick tells them
-  /// apart.
+  /// Where a force has just left its cone, motions are yet alike: which of `pairs` stick tells them apart.
   void add(const Joints<Real>& other, const ShortVector<int>& pairs = {}) {
     if (motions_.empty()) motions_.push_back(respond(question_, mode_).motion);
     const FreeVector<Real> motion = respond(question_, other).motion;
@@ -266,8 +260,7 @@ class OtherModes {
   ShortVector<FreeVector<Real>, 2> motions_;  ///< of the first mode, then of these
 };
 
-/// Adds what other faces of the pairs of corners lead to, where it obeys, of accelerations one that goes on
-/// along its faces, where there are few to try.
+/// Adds what other faces of few pairs of corners lead to, where it obeys, and accelerations stay on them.
 template <class Real>
 void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> joints, const Joints<Real>& mode,
                         OtherModes<Real>& others) {

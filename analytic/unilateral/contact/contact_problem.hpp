@@ -4,8 +4,7 @@
 
 namespace rockstack {
 
-/// What one interface does to the block above it: forces in N and N·m, or impulses; the moment is about its
-/// held point, and that of a pivot is zero.
+/// What an interface does to the block above, N and N·m, or impulses; the moment is about its held point.
 template <class Real>
 struct ContactForce {
   Real normal = 0, tangential = 0, moment = 0;
@@ -21,7 +20,6 @@ struct ModeResponse {
 /// The largest part of a force along or across a face.
 template <class Real>
 Real largest_force(const ShortVector<ContactForce<Real>>& forces) {
-  using std::abs;
   Real size = 0;
   for (const ContactForce<Real>& force : forces)
     size = std::max<Real>(size, std::max<Real>(abs(force.normal), abs(force.tangential)));
@@ -75,12 +73,6 @@ ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contac
   return forces;
 }
 
-template <class Real>
-ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contacts,
-                                            const Joints<Real>& mode) {
-  return held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
-}
-
 /// The motion that is left of a free one where `contacts` are in a mode of theirs, or of velocities.
 template <class Real>
 ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
@@ -101,12 +93,9 @@ ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<R
 
 /// No interface's angular acceleration is larger where all joints stick. Of all accelerations that obey them,
 /// forces change the free ones least, in the metric of kinetic energy (Gauss's principle), and one that obeys
-/// turns no block: then a block's centre follows the one below but for the centripetal accelerations of both
-/// arms of their contact.
+/// turns no block: then a block's centre follows the one below but for both arms' centripetal accelerations.
 template <class Real>
 Real most_turning(const ContactModel<Real>& stack, const Poses<Real>& rates, const FreeVector<Real>& free) {
-  using std::abs;
-  using std::sqrt;
   Real path = 0, turning = 0, change = 0, least = std::numeric_limits<Real>::infinity();
   for (std::size_t k = 0; k < rates.size(); ++k) {
     const Block& block = stack.blocks[k];
@@ -124,8 +113,6 @@ Real most_turning(const ContactModel<Real>& stack, const Poses<Real>& rates, con
 /// reciprocal condition number, by largest rows' sums, of what forces do, each in the unit of its own effect.
 template <class Real>
 Real conditioning(const ContactModel<Real>& stack) {
-  using std::abs;
-  using std::sqrt;
   Joints<Real> joints(stack.blocks.size());
   Bodies<Real> bodies{Poses<Real>(joints.size()), Poses<Real>(joints.size())};
   place(stack, joints, bodies);
@@ -152,30 +139,14 @@ Real conditioning(const ContactModel<Real>& stack) {
   return 1 / (*std::ranges::max_element(sums) * *std::ranges::max_element(inverse_sums));
 }
 
-/// A rounding of poses over what it makes of the smallest half-size, in shares of that.
+/// Whether contact forces and half-sizes, to which poses round, keep so many digits of a number type.
 template <class Real>
-Real fineness(const ContactModel<Real>& stack) {
+bool keeps_digits(const ContactModel<Real>& stack, int digits) {
   Real smallest = std::numeric_limits<Real>::infinity();
   for (const Block& block : stack.blocks)
     smallest = std::min<Real>(smallest, std::min(block.half_width, block.half_height));
-  return smallest / stack.height();
-}
-
-/// Whether contact forces and sizes keep so many digits of a number type.
-template <class Real>
-bool keeps_digits(const ContactModel<Real>& stack, int digits) {
-  using std::pow;
-  return std::min(conditioning(stack), fineness(stack)) >=
+  return std::min<Real>(conditioning(stack), smallest / stack.height()) >=
          pow(Real(10), digits) * std::numeric_limits<Real>::epsilon();
-}
-
-/// @throws std::domain_error where masses or sizes are so far apart that contact forces or sizes keep fewer
-/// than six digits.
-template <class Real>
-void require_digits(const ContactModel<Real>& stack) {
-  if (!keeps_digits(stack, 6))
-    throw std::domain_error(
-        "block masses or sizes are too far apart: rounding would leave contact forces fewer than six digits");
 }
 
 }  // namespace rockstack

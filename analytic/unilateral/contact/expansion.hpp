@@ -28,9 +28,8 @@ ShortVector<Real> point_impulses(const ContactModel<Real>& stack, int interface,
 }
 
 /// The expansion after a compression of `touching` to `compressed`, whose response, but for moments, becomes
-/// that of both. The mode after it; nothing where no impulses end it. Corners stay on the faces on which
-/// they are compressed; of several solutions, the one of Lemke's method. What slides by rounding alone is
-/// said to slide.
+/// that of both. The mode after it; nothing where no impulses end it. Corners stay on the faces on which they
+/// are compressed; of several solutions, the one of Lemke's method. What slides by rounding is told to slide.
 template <class Real>
 std::optional<Joints<Real>> expand(const ContactQuestion<Real>& question, Joints<Real> touching,
                                    const Joints<Real>& compressed, ModeResponse<Real>& response) {

@@ -8,16 +8,13 @@ namespace rockstack {
 template <class Real>
 void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_velocities,
                ContactState<Real>& state) {
-  using std::cos;
-  using std::sin;
   Pose<Real> carried;
   for (std::size_t k = 0; k < slip_velocities.size(); ++k) {
     Joint<Real>& joint = state.joints[k];
     const Real slip = joint.touches() ? slip_velocities[k] : 0;
     joint.slip = (slip > 0) - (slip < 0);
     meet_face(stack, k, joint);
-    const CornerOnFace<Real> point = stack.held_point(k, joint);
-    const Real angle = pose_of(state.bodies.at, point.face).angle;
+    const Real angle = pose_of(state.bodies.at, stack.held_point(k, joint).face).angle;
     carried.x += slip * cos(angle);
     carried.y -= slip * sin(angle);
     state.bodies.rate[k].x += carried.x;
@@ -25,8 +22,7 @@ void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_
   }
 }
 
-/// Moves a block off the face that holds it, and gives its centre a velocity along and across what is below,
-/// against a frame that moves and turns with that.
+/// Moves a block off its face, and gives its centre a velocity in a frame that goes with what is below.
 template <class Real>
 void lift(const ContactModel<Real>& stack, int block, const Real& gap, const Point<Real>& velocity,
           ContactState<Real>& state) {

@@ -52,8 +52,6 @@ class LinearSystem {
     with_known(size, [&](auto known) { eliminate(known); });
   }
 
-  std::size_t size() const { return size_; }
-
   /// The unknowns of a right side.
   ShortNumbers<Real> solve(const ShortNumbers<Real>& right_side) const {
     ShortNumbers<Real> unknowns(size_);

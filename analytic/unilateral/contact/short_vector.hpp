@@ -13,8 +13,6 @@ namespace rockstack {
 template <class T, std::size_t few = 4>
 class ShortVector {
  public:
-  using value_type = T;
-
   ShortVector() {}
   explicit ShortVector(std::size_t size) { resize(size); }
   ShortVector(std::size_t size, const T& value) {
@@ -45,10 +43,8 @@ class ShortVector {
   T* end() { return data_ + size_; }
   const T* begin() const { return data_; }
   const T* end() const { return data_ + size_; }
-  T& front() { return data_[0]; }
   T& back() { return data_[size_ - 1]; }
   const T& front() const { return data_[0]; }
-  const T& back() const { return data_[size_ - 1]; }
 
   void push_back(T value) {
     if (size_ == room_) reserve(2 * room_);
@@ -59,7 +55,6 @@ class ShortVector {
     reserve(size);
     size_ = size;
   }
-  void clear() { size_ = 0; }
 
  private:
   void reserve(std::size_t room) {
@@ -92,8 +87,7 @@ class ShortVector {
 
   std::array<T, few> own_;
   T* data_ = own_.data();
-  std::size_t size_ = 0;
-  std::size_t room_ = few;
+  std::size_t size_ = 0, room_ = few;
 };
 
 }  // namespace rockstack

@@ -8,8 +8,7 @@ namespace rockstack {
 // Motion and impact are one rule for free bodies: M (v' − v) = Wᵀ λ, with v' the accelerations or the
 // velocities after, v those that there would be without contact, and W the Jacobian of gaps and slips.
 
-/// Whether velocities, those after an impact, which bounce, or accelerations are sought: the latter have a
-/// part that velocities alone make.
+/// Velocities are sought, those after an impact, which bounce, or accelerations, to which velocities add.
 enum class ContactLevel { velocities, impacts, accelerations };
 
 /// What is asked of the laws of contact at one instant: the motion that follows from the one without contact.

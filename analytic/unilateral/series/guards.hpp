@@ -2,7 +2,6 @@
 
 #include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/contact/contact_laws.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 
 namespace rockstack {
@@ -28,8 +27,7 @@ struct Guard {
   int interface = 0;   ///< from 0; of topple the block
   int side = 0;        ///< of landing: which corner, −1 or 1
   bool below = false;  ///< of landing: a corner of the block below
-  /// Of landing and strike: how far the corner is inside the face's end on its side, m; and on the other
-  /// side.
+  /// Of landing and strike: how far the corner is inside the face's end on its side, and on the other, m.
   Polynomial<Real> within = {}, within_other = {};
   Real rounding = 0;            ///< of these distances, m
   Polynomial<Real> other = {};  ///< of fall from flight: what is negative beside it
@@ -41,7 +39,6 @@ class GuardCollector {
  public:
   GuardCollector(const ContactModel<Real>& stack, const Joints<Real>& joints, const ModeSeries<Real>& series)
       : stack_(stack), joints_(joints), series_(series) {
-    using std::abs;
     for (std::size_t k = 0; k < joints.size(); ++k)
       inertia_ += 2 * stack.blocks[k].mass * series.bodies[k].centre[2].template lpNorm<1>();
   }
@@ -67,7 +64,6 @@ class GuardCollector {
   }
 
   void add_toppling(int k, const Real& angle) {
-    using std::abs;
     const Polynomial<Real>& lean = series_.bodies[k].angle;
     if (abs(lean[0]) + reach(lean) < angle) return;
     push_if_needed(line(angle, -1, lean), Change::topple, k);
@@ -79,9 +75,11 @@ class GuardCollector {
     for (int other = -1; other < k - 1; ++other) {
       if (lowest(k) > highest(other)) continue;
       for (const int side : {-1, 1}) {
-        add_strike({other, k, side * stack_.half_width(k), -stack_.half_height(k), 1}, k);
+        push_meeting({other, k, side * stack_.half_width(k), -stack_.half_height(k), 1}, Change::strike, 1,
+                     k);
         if (other >= 0)
-          add_strike({k, other, side * stack_.half_width(other), stack_.half_height(other), -1}, k);
+          push_meeting({k, other, side * stack_.half_width(other), stack_.half_height(other), -1},
+                       Change::strike, 1, k);
       }
     }
   }
@@ -91,8 +89,7 @@ class GuardCollector {
  private:
   const ForceSeries<Real>& force(int k) const { return series_.forces[k]; }
   Polynomial<Real> slip(int k) const {
-    const CornerOnFace<Real> point = stack_.held_point(k, joints_[k]);
-    return times(point.upward, series_.along[k]);
+    return times(stack_.held_point(k, joints_[k]).upward, series_.along[k]);
   }
   /// Of a pivot.
   Polynomial<Real> opening_angle(int k) const {
@@ -110,7 +107,6 @@ class GuardCollector {
   }
   /// A force, or one times `factor`. Of blocks that fly side by side it is rounding: no event may come of it.
   void push_force(const Polynomial<Real>& force, const Real& factor, int k) {
-    using std::abs;
     const Real rounding = tolerance<Real>(1e-14) * factor * inertia_;
     if (std::any_of(force.begin(), force.end(), [&](const Real& part) { return abs(part) > rounding; }))
       push_if_needed(force, Change::force, k);
@@ -126,7 +122,6 @@ class GuardCollector {
   /// corners asks one of them of the upper face: with φ the angle between the faces, what is left there, μN'
   /// + side T', is N (μ cos φ − side sin φ) + T (μ sin φ + side cos φ).
   void add_friction(int k, const Hull<Real>& normal) {
-    using std::abs;
     const Joint<Real>& joint = joints_[k];
     const Real friction = stack_.friction[k];
     const Hull<Real> tangential = hull(force(k).tangential);
@@ -169,7 +164,6 @@ class GuardCollector {
   }
 
   void add_flat_ends(int k) {
-    using std::abs;
     for (const int side : {-1, 1}) {
       Polynomial<Real> ahead = times(ends_below(k, side) ? -1 : 1, overhang(k, side));
       // Corners that have just passed each other are even.
@@ -180,9 +174,8 @@ class GuardCollector {
 
   void add_pivot_ends(int k) {
     const Joint<Real>& joint = joints_[k];
-    const CornerOnFace<Real> point = stack_.held_point(k, joint);
     const Polynomial<Real>& along = series_.along[k];
-    const Real end = stack_.half_width(point.face);
+    const Real end = stack_.half_width(stack_.held_point(k, joint).face);
     // A pair of corners that slides along its face comes to a halt before it can be back.
     if (!is_corner_pair(stack_, k, joint) || slides_off(joint))
       push_if_needed(line(end, -joint.side(), along), Change::corner, k);
@@ -194,17 +187,9 @@ class GuardCollector {
       if (below && k == 0) continue;
       for (const int side : {-1, 1}) {
         const CornerOnFace<Real> point = stack_.corner(k, side, below);
-        const FaceSeries<Real> place = corner_series(stack_, series_, point);
-        Guard<Real>& guard =
-            push(line(-stack_.half_height(point.face), point.upward, place.above), Change::landing, k);
-        guard.side = side;
+        Guard<Real>& guard = push_meeting(point, Change::landing, side, k);
         guard.below = below;
-        guard.rounding = rounding_along(k);
-        if (point.face < 0) continue;
-        const Real end = stack_.half_width(point.face);
-        guard.within = line(end, -side, place.along);
-        guard.within_other = line(end, side, place.along);
-        if (below) continue;
+        if (below || point.face < 0) continue;
         // A block falls that is wholly beyond an end of the face below, and no longer above it.
         const Polynomial<Real> height = guard.series, inside = guard.within_other;
         push(inside, Change::fall, k).other = height;
@@ -213,19 +198,21 @@ class GuardCollector {
     }
   }
 
-  void add_strike(const CornerOnFace<Real>& point, int k) {
+  /// A corner meets a face, whose ends on one side and on the other it is inside.
+  Guard<Real>& push_meeting(const CornerOnFace<Real>& point, Change change, int side, int k) {
     const FaceSeries<Real> place = corner_series(stack_, series_, point);
-    Guard<Real>& guard =
-        push(line(-stack_.half_height(point.face), point.upward, place.above), Change::strike, k);
+    Guard<Real>& guard = push(line(-stack_.half_height(point.face), point.upward, place.above), change, k);
+    guard.side = side;
     guard.rounding = rounding_along(k);
-    if (point.face < 0) return;
-    guard.within = line(stack_.half_width(point.face), -1, place.along);
-    guard.within_other = line(stack_.half_width(point.face), 1, place.along);
+    if (point.face < 0) return guard;
+    const Real end = stack_.half_width(point.face);
+    guard.within = line(end, -side, place.along);
+    guard.within_other = line(end, side, place.along);
+    return guard;
   }
 
   /// How much a corner's turn may move it up or down, m.
   Real swing(int k) const {
-    using std::abs;
     const Polynomial<Real>& angle = series_.bodies[k].angle;
     return (stack_.half_width(k) + abs(stack_.centre(k).x())) * (abs(angle[0]) + reach(angle));
   }

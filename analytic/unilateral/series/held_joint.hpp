@@ -11,8 +11,7 @@ namespace rockstack {
 template <class Real>
 class HeldJoint {
  public:
-  /// What is held: a gradient over the blocks below and above, with zeros for the ground, and what a unit of
-  /// the force that holds it makes of their motion.
+  /// What is held: a gradient over the blocks below, zeros of the ground, and above; what unit forces do.
   struct Row {
     Eigen::Matrix<Real, 6, 1> gradient, effect;
     int first;  ///< where the body below is in a ChainVector
@@ -41,10 +40,10 @@ class HeldJoint {
 
   HeldJoint() {}  // of a list that has room for it
 
-  /// `face` and `body` have their order 0.
+  /// Bodies have their order 0.
   void start(const ContactModel<Real>& stack, const Joint<Real>& joint, std::size_t interface,
-             const GrowingPoint<Real>& point) {
-    point_ = point;
+             const ModeSeries<Real>& series) {
+    point_ = {stack, series, stack.held_point(static_cast<int>(interface), joint)};
     interface_ = interface;
     flat_ = joint.touch == Contact::closed;
     slip_ = joint.slip;
@@ -71,16 +70,12 @@ class HeldJoint {
 
   /// Bodies have their order 1.
   void begin() {
-    if (sticks()) {
-      extend_arm(1);
-      return;
-    }
+    if (sticks()) return extend_arm(1);
     point_.extend(1);
     point_.place[1].x() = 0;
   }
 
-  /// Coefficient m of places and m − 2 of the force. What is left of the gap, and of the slip where it
-  /// sticks, bodies have to take away.
+  /// Coefficient m of places and m − 2 of the force; what bodies have to take from the gap and the slip.
   void begin(const ForceSeries<Real>& force, std::size_t m) {
     point_.extend_force(force, m - 2, m - 2);
     Point<Real> left;
@@ -99,8 +94,7 @@ class HeldJoint {
     rows_[2].left = point_.corner.upward * left.y();
   }
 
-  /// Adds coefficient n of the force as far as lower ones tell it. What is at one place has no lever that
-  /// changes.
+  /// Adds coefficient n of the force as far as lower ones tell it. The lever of one place does not change.
   void add_force(const ForceSeries<Real>& force, std::size_t n, ChainVector<Real>& forces) const {
     point_.add_force(force, sticks() ? 0 : n, n, forces);
   }
@@ -122,14 +116,13 @@ class HeldJoint {
     const Point<Real> apart = point_.apart[m];
     point_.extend_apart(m);
     const Point<Real> change = point_.apart[m] - apart;
-    point_.place[m] = {Real(0), point_.corner.upward * rows_[2].left + change.x() * cosine() -
-                                    change.y() * sine() - point_.face->angle[m] * point_.place[0].x()};
+    const Point<Real>& up = point_.face->up[0];  // the sine and the cosine of the face's angle
+    point_.place[m] = {Real(0), point_.corner.upward * rows_[2].left + change.x() * up.y() -
+                                    change.y() * up.x() - point_.face->angle[m] * point_.place[0].x()};
   }
 
  private:
   void extend_arm(std::size_t m) { point_.arm[m] = turned(*point_.body, point_.body_arm, m); }
-  const Real& cosine() const { return point_.face->up[0].y(); }
-  const Real& sine() const { return point_.face->up[0].x(); }
 
   void add_rows(const ContactModel<Real>& stack) {
     const CornerOnFace<Real>& corner = point_.corner;

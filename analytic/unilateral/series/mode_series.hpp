@@ -9,8 +9,7 @@ namespace rockstack {
 template <class Real>
 using PlaneSeries = Polynomial<Real, Point<Real>>;
 
-/// A block's pose over a step, with the directions of its axes on those of the ground: along its faces, (cos
-/// θ, −sin θ), and up, (sin θ, cos θ).
+/// A block's pose over a step, its axes on the ground's: along, (cos θ, −sin θ), and up, (sin θ, cos θ).
 template <class Real>
 struct BodySeries {
   PlaneSeries<Real> centre;
@@ -62,8 +61,7 @@ inline const BodySeries<Real> ground_series = [] {
   return ground;
 }();
 
-/// A point over a face along a step: its place along the face and above the middle of the face's body, in
-/// that body's frame, m.
+/// A point over a face along a step: along the face and above the middle of its body, in that one's frame, m.
 template <class Real>
 struct FaceSeries {
   Polynomial<Real> along, above;
@@ -112,6 +110,32 @@ Real moment(const Series& force, std::size_t terms, const PlaneSeries<Real>& arm
   return sum;
 }
 
+/// The motion in one mode as Taylor series in s, the share of the step: 0 ≤ s ≤ 1.
+///
+/// Gaps that are held stay zero: each order of the accelerations and forces solves the same linear equations,
+/// those of respond(), with what lower orders add to forces and gaps on their right side.
+template <class Real>
+struct ModeSeries {
+  Real length = 0;      ///< s
+  Real force_unit = 0;  ///< of the series of forces, N; that of moments is N·m
+  ShortVector<BodySeries<Real>> bodies;
+  ShortVector<ForceSeries<Real>> forces;
+  ShortVector<Polynomial<Real>> along;  ///< the faces: of held points, m
+
+  const BodySeries<Real>* body(int k) const { return k < 0 ? &ground_series<Real> : &bodies[k]; }
+
+  Bodies<Real> at(const Real& s) const {
+    Bodies<Real> result{Poses<Real>(bodies.size()), Poses<Real>(bodies.size())};
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const auto centre = tangent(bodies[k].centre, s);
+      const auto angle = tangent(bodies[k].angle, s);
+      result.at[k] = {centre.height.x(), centre.height.y(), angle.height};
+      result.rate[k] = {centre.slope.x() / length, centre.slope.y() / length, angle.slope / length};
+    }
+    return result;
+  }
+};
+
 /// A point against a face while its series grow.
 template <class Real>
 struct GrowingPoint {
@@ -126,13 +150,13 @@ struct GrowingPoint {
   PlaneSeries<Real> force;  ///< on the point's body
 
   GrowingPoint() {}  // of a list that has room for it
-  GrowingPoint(const ContactModel<Real>& stack, const CornerOnFace<Real>& point,
-               const BodySeries<Real>* face_body, const BodySeries<Real>* point_body)
+  GrowingPoint(const ContactModel<Real>& stack, const ModeSeries<Real>& series,
+               const CornerOnFace<Real>& point)
       : corner(point),
         body_arm(Point<Real>(point.x, point.y) - stack.centre(point.body)),
         face_centre(stack.centre(point.face)),
-        face(face_body),
-        body(point_body) {}
+        face(series.body(point.face)),
+        body(series.body(point.body)) {}
 
   /// Coefficient n of places, from those of bodies.
   void extend(std::size_t n) {
@@ -153,8 +177,7 @@ struct GrowingPoint {
     return result;
   }
 
-  /// Coefficient n on the ground's axes of a force across and along the face, of which so many terms are
-  /// known.
+  /// Coefficient n on the ground's axes of a force across and along the face; so many terms are known.
   void extend_force(const ForceSeries<Real>& carried, std::size_t terms, std::size_t n) {
     force[n] = Real(corner.upward) * on_face(carried, terms, *face, n);
   }
@@ -177,43 +200,17 @@ struct GrowingPoint {
   }
 };
 
-/// The motion in one mode as Taylor series in s, the share of the step: 0 ≤ s ≤ 1.
-///
-/// Gaps that are held stay zero: each order of the accelerations and forces solves the same linear equations,
-/// those of respond(), with what lower orders add to forces and gaps on their right side.
-template <class Real>
-struct ModeSeries {
-  Real length = 0;      ///< s
-  Real force_unit = 0;  ///< of the series of forces, N; that of moments is N·m
-  ShortVector<BodySeries<Real>> bodies;
-  ShortVector<ForceSeries<Real>> forces;
-  ShortVector<Polynomial<Real>> along;  ///< the faces: of held points, m
-
-  Bodies<Real> at(const Real& s) const {
-    Bodies<Real> result{Poses<Real>(bodies.size()), Poses<Real>(bodies.size())};
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      const auto centre = tangent(bodies[k].centre, s);
-      const auto angle = tangent(bodies[k].angle, s);
-      result.at[k] = {centre.height.x(), centre.height.y(), angle.height};
-      result.rate[k] = {centre.slope.x() / length, centre.slope.y() / length, angle.slope / length};
-    }
-    return result;
-  }
-};
-
 /// Any corner over any face along a step.
 template <class Real>
 FaceSeries<Real> corner_series(const ContactModel<Real>& stack, const ModeSeries<Real>& series,
                                const CornerOnFace<Real>& corner) {
-  const auto of = [&](int body) { return body < 0 ? &ground_series<Real> : &series.bodies[body]; };
-  GrowingPoint<Real> point(stack, corner, of(corner.face), of(corner.body));
+  GrowingPoint<Real> point(stack, series, corner);
   const std::size_t terms = series.bodies.front().centre.terms;
   for (std::size_t n = 0; n < terms; ++n) point.extend(n);
   return point.place_from_middle(terms);
 }
 
-/// What an interface between blocks carries along and across the upper face, where `force` tells it of the
-/// lower one.
+/// What an interface between blocks carries along and across the upper face; `force` is of the lower one.
 template <class Real>
 ForceSeries<Real> on_upper_face(const ModeSeries<Real>& series, int interface,
                                 const ForceSeries<Real>& force) {

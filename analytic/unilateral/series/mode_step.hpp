@@ -14,8 +14,6 @@ class SeriesMaker {
   SeriesMaker(const ContactModel<Real>& stack, const Joints<Real>& joints, const Bodies<Real>& start,
               Known& known, ModeSeries<Real>& series)
       : stack_(stack), joints_(joints), start_(start), known_(known), series_(series) {
-    using std::cos;
-    using std::sin;
     series_.bodies.resize(joints.size());
     series_.forces.resize(joints.size());
     series_.along.resize(joints.size());
@@ -27,7 +25,17 @@ class SeriesMaker {
       body.up.terms = max_terms<Real>;
       set_axes<Real>(body, 0, {sin(at.angle), cos(at.angle)});
     }
-    hold();
+    std::size_t count = 0;
+    for (const Joint<Real>& joint : joints_) count += joint.touches();
+    held_.resize(count);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      if (!joints_[k].touches()) continue;
+      held_[at].start(stack_, joints_[k], k, series_);
+      held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
+    }
+    system_ =
+        LinearSystem<Real>(size_, [&](std::size_t i, std::size_t j) { return rows_[i]->dot(*rows_[j]); });
   }
 
   /// What is known before accelerations are, for a step of that length.
@@ -42,11 +50,10 @@ class SeriesMaker {
       turn<Real>(body, 1, rate.angle * length);
     }
     for (HeldJoint<Real>& joint : held_) joint.begin();
-    known_.begin([this](int body) { return body_of(body); }, length);
+    known_.begin(series_);
   }
 
-  /// The share of the step by whose end the first pivot has come back. `rate`: see landing(). The series has
-  /// its order 0.
+  /// The share of the step by whose end the first pivot has come back, from order 0. `rate`: see landing().
   Real first_landing(const Real& length, const Real& rate) const {
     Real first = 1;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
@@ -84,10 +91,8 @@ class SeriesMaker {
 
   /// The largest coefficient of order m, positions over a length, angles and directions as they are.
   Real size_of(std::size_t m, const Real& unit) const {
-    using std::abs;
     using std::max;
-    Real place = known_.size_of(m);
-    Real turn = 0;
+    Real place = known_.size_of(m), turn = 0;
     for (const BodySeries<Real>& body : series_.bodies) {
       place = max<Real>(place, max<Real>(abs(body.centre[m].x()), abs(body.centre[m].y())));
       turn =
@@ -98,7 +103,6 @@ class SeriesMaker {
 
   /// The largest coefficient of order n of forces.
   Real force_of(std::size_t n) const {
-    using std::abs;
     Real size = 0;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
       size = std::max<Real>(size, abs(series_.forces[k].normal[n]));
@@ -117,42 +121,19 @@ class SeriesMaker {
       series_.along[joint.interface()] =
           joint.point().place_from_middle(joint.sticks() ? 1 : orders + 2).along;
     }
-    if (ratio < 1) {
-      known_.rescale_by(ratio);
-      series_.length *= ratio;
-      for (BodySeries<Real>& body : series_.bodies) {
-        rescale(body.angle, ratio);
-        for (PlaneSeries<Real>* part : {&body.centre, &body.along, &body.up}) rescale(*part, ratio);
-      }
-      for (ForceSeries<Real>& force : series_.forces)
-        for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment})
-          rescale(*part, ratio);
-      for (Polynomial<Real>& along : series_.along) rescale(along, ratio);
+    if (!(ratio < 1)) return;
+    known_.rescale_by(ratio);
+    series_.length *= ratio;
+    for (BodySeries<Real>& body : series_.bodies) {
+      rescale(body.angle, ratio);
+      for (PlaneSeries<Real>* part : {&body.centre, &body.along, &body.up}) rescale(*part, ratio);
     }
+    for (ForceSeries<Real>& force : series_.forces)
+      for (Polynomial<Real>* part : {&force.normal, &force.tangential, &force.moment}) rescale(*part, ratio);
+    for (Polynomial<Real>& along : series_.along) rescale(along, ratio);
   }
 
  private:
-  const BodySeries<Real>* body_of(int body) const {
-    return body < 0 ? &ground_series<Real> : &series_.bodies[body];
-  }
-
-  void hold() {
-    std::size_t count = 0;
-    for (const Joint<Real>& joint : joints_) count += joint.touches();
-    held_.resize(count);
-    std::size_t at = 0;
-    for (int k = 0; k < stack_.size(); ++k) {
-      const Joint<Real>& joint = joints_[k];
-      if (!joint.touches()) continue;
-      const CornerOnFace<Real> corner = stack_.held_point(k, joint);
-      held_[at].start(stack_, joint, static_cast<std::size_t>(k),
-                      {stack_, corner, body_of(corner.face), body_of(corner.body)});
-      held_[at++].each_row([&](const auto& row) { rows_[size_++] = &row; });
-    }
-    system_ =
-        LinearSystem<Real>(size_, [&](std::size_t i, std::size_t j) { return rows_[i]->dot(*rows_[j]); });
-  }
-
   /// Coefficient n of accelerations by all forces, of contact forces by those that are known.
   void accelerate(std::size_t n, const ScaledBodyForce<Real>& body_force, ChainVector<Real>& motion) const {
     const Real x = coefficient(body_force.x, n), y = coefficient(body_force.y, n);
@@ -175,8 +156,7 @@ class SeriesMaker {
     }
   }
 
-  /// Changes coefficient n of accelerations so that what is held stays zero at order n + 2, and notes the
-  /// forces that do it.
+  /// Changes coefficient n of accelerations so that what is held stays so at order n + 2; notes its forces.
   void constrain(std::size_t n, const Real& factor, ChainVector<Real>& motion) {
     if (held_.empty()) return;
     std::array<Real, std::size_t{3} * max_blocks> conditions, unknowns;
@@ -200,8 +180,7 @@ class SeriesMaker {
   LinearSystem<Real> system_;
 };
 
-/// A step's series, of the length that was planned or of less. `lengthens` tells whether they reached that
-/// early.
+/// A step's series, of the length planned or of less. `lengthens`: they reached the length early.
 template <class Real>
 struct ModeStep {
   Real planned = 0;  ///< s
@@ -249,7 +228,6 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
     reached = of_forces <= 1 && of_position(orders + 1) <= 1 && of_position(orders) <= 1 &&
               orders > 2 + known.silent_orders();
   }
-  using std::pow;
   const auto excess = [&] { return std::max({of_position(orders + 1), of_position(orders), of_forces}); };
   const Real ratio = reached ? Real(1) : Real(0.9) * pow(1 / excess(), 1 / Real(most));
   maker.finish(orders, std::min(ratio, Real(1)));

@@ -1,9 +1,7 @@
 #pragma once
 
 #include "analytic/scene/spring_checks.hpp"
-#include "analytic/unilateral/springs/spring_energy.hpp"
 #include "analytic/unilateral/springs/spring_guards.hpp"
-#include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "analytic/unilateral/springs/static_equilibrium.hpp"
 
 namespace rockstack {
@@ -12,8 +10,7 @@ namespace rockstack {
 template <class Real>
 class SpringContacts {
  public:
-  /// Keeps a reference to `stack`. Puts blocks onto their springs, and takes the joints of soft interfaces
-  /// from rigid contacts.
+  /// Keeps a reference to `stack`. Puts blocks onto springs, which soft interfaces have in place of joints.
   SpringContacts(const Scene& scene, const ContactModel<Real>& stack, ContactState<Real>& state)
       : stack_(stack), lost_(stack.blocks.size()), shown_(state.joints) {
     if (stack.springs.empty()) return;
@@ -69,43 +66,27 @@ class SpringContacts {
   /// Changes a point as its guard says; not where another guard at the same time has changed it.
   void apply(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
     SpringPoint<Real>& point = points_[guard.point];
-    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
     if (guard.change >= SpringChange::bed_depth) return apply_to_bed(guard, bodies);
     if (point.press != pressed_before(guard.change)) return;
     const bool moves = point.slide != 0 || law.friction == 0;
     if (guard.change == SpringChange::slide ? moves : guard.change >= SpringChange::grip && !moves) return;
     const Real held = elastic_energy(stack_, point, bodies);
-    switch (guard.change) {
-      case SpringChange::touch:
-        point.corner_below = guard.below;
-        start_pushing(point, bodies);
-        point.at_face = is_at_face(point, bodies);
-        break;
-      case SpringChange::push_again:
-        start_pushing(point, bodies);
-        break;
-      case SpringChange::part:
-        point.slide = 0;
-        // However shallow a depth is, its spring is left behind: taken for zero, it would touch at once.
-        point.press = law.damping > 0 && !point.at_face ? Press::left_behind : Press::off;
-        point.at_face = point.press == Press::off;
-        break;
-      case SpringChange::leave:
-        point.press = Press::off;
-        point.at_face = true;
-        break;
-      case SpringChange::slide:
-        point.slide = guard.way;
-        break;
-      case SpringChange::grip:
-        point.slide = 0;
-        break;
-      case SpringChange::pass:
-        pass_to_other_corner(stack_, bodies, point);
-        break;
-      default:
-        break;
+    const auto is = [&](SpringChange change) { return guard.change == change; };
+    if (is(SpringChange::touch)) point.corner_below = guard.below;
+    if (is(SpringChange::touch) || is(SpringChange::push_again)) start_pushing(point, bodies);
+    if (is(SpringChange::touch))
+      point.at_face =
+          abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
+    if (is(SpringChange::part) || is(SpringChange::leave)) {
+      // However shallow a depth is, its spring is left behind: taken for zero, it would touch at once.
+      const bool stays = is(SpringChange::part) && law.damping > 0 && !point.at_face;
+      point.press = stays ? Press::left_behind : Press::off;
+      point.at_face = !stays;
     }
+    if (is(SpringChange::part) || is(SpringChange::grip)) point.slide = 0;
+    if (is(SpringChange::slide)) point.slide = guard.way;
+    if (is(SpringChange::pass)) pass_to_other_corner(stack_, bodies, point);
     losses(point).damped += held - elastic_energy(stack_, point, bodies);
     if (guard.change == SpringChange::pass) losses(point).rubbed += slip_at_once(stack_, bodies, point);
   }
@@ -148,7 +129,7 @@ class SpringContacts {
       state.reaction.tangential += force.tangential;
       // From the middle of the block above: its own corner, or where that of the block below is under it.
       state.reaction.centre += force.normal * (point.corner_below ? Real(-rows.slip) : corner.x);
-      if (point.is_bed()) state.reaction.centre += force.couple * bed_width(point);
+      if (point.is_bed()) state.reaction.centre += force.couple * (2 * stack_.half_width(corner.body));
       state.energy.elastic += elastic_energy(stack_, point, bodies);
     }
     for (std::size_t k = 0; k < result.size(); ++k) {
@@ -167,19 +148,12 @@ class SpringContacts {
     return bound(0) ? Contact::left : Contact::right;
   }
 
-  Real bed_width(const SpringPoint<Real>& point) const {
-    return 2 * stack_.half_width(corner_of(stack_, point).body);
-  }
-
-  /// A sign of a bed changes, not where another guard at the same time has changed it. The other end's does
-  /// so too where it is as near to zero as rounding.
+  /// A sign of a bed changes, if no other guard has changed it; at the other end too where that is rounding.
   void apply_to_bed(const SpringGuard<Real>& guard, const Bodies<Real>& bodies) {
-    using std::abs;
     SpringPoint<Real>& point = points_[guard.point];
     BedState& bed = point.bed;
-    const PointLaw<Real> law = law_of(stack_, point.interface);
-    const auto rows = bed_rows(stack_, point, bodies);
-    const GrowingBed<Real> now = bed_at(law, point, rows, vector_of(bodies.rate));
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
+    const GrowingBed<Real> now = bed_at(stack_, point, bodies);
     const Real held = elastic_energy(stack_, point, bodies);
     const bool above = guard.way > 0;
     const SpringRounding<Real> rounding(stack_, bodies);
@@ -213,24 +187,12 @@ class SpringContacts {
   }
 
   static Press pressed_before(SpringChange change) {
-    switch (change) {
-      case SpringChange::touch:
-        return Press::off;
-      case SpringChange::push_again:
-      case SpringChange::leave:
-        return Press::left_behind;
-      default:
-        return Press::pushing;
-    }
+    if (change == SpringChange::touch) return Press::off;
+    const bool behind = change == SpringChange::push_again || change == SpringChange::leave;
+    return behind ? Press::left_behind : Press::pushing;
   }
 
   BasicSpringEnergy<Real>& losses(const SpringPoint<Real>& point) { return lost_[point.interface]; }
-
-  /// Whether the depth is zero to rounding.
-  bool is_at_face(const SpringPoint<Real>& point, const Bodies<Real>& bodies) const {
-    using std::abs;
-    return abs(kinematics_of(stack_, bodies, point).gap) <= SpringRounding<Real>(stack_, bodies).place;
-  }
 
   void start_pushing(SpringPoint<Real>& point, const Bodies<Real>& bodies) {
     point.press = Press::pushing;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analytic/polynomials/crossing.hpp"
 #include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "analytic/unilateral/springs/spring_series.hpp"
 
@@ -56,11 +55,8 @@ struct FirstSpringChange {
 
   /// A fall from flight: beyond an end of the face, and no longer above it. m.
   void consider_fall(std::size_t point, const Polynomial<Real>& inside, const Polynomial<Real>& height) {
-    for (const auto& [series, other] : {std::pair(inside, height), std::pair(height, inside)}) {
-      SpringGuard<Real> guard{series, SpringChange::fall, point};
-      guard.other = other;
-      consider(std::move(guard), 0);
-    }
+    for (const auto& [series, other] : {std::pair(inside, height), std::pair(height, inside)})
+      consider({.series = series, .change = SpringChange::fall, .point = point, .other = other}, 0);
   }
 
   /// One that ends at `crossing`, if at all.
@@ -97,7 +93,7 @@ class SpringGuards {
   void add_pushing(const GrowingSpring<Real>& spring) {
     const std::size_t i = spring.index;
     const SpringPoint<Real>& start = spring.start;
-    const PointLaw<Real>& law = spring.law;
+    const SpringLaw<Real>& law = spring.law;
     if (!start.is_bed())
       found_.consider({spring.force.normal, SpringChange::part, i}, series_.unit() * rounding_.normal(law));
     if (law.friction == 0) return add_ends(spring, spring.slip);
@@ -109,7 +105,7 @@ class SpringGuards {
   }
 
   void add_sliding(const GrowingSpring<Real>& spring) {
-    const PointLaw<Real>& law = spring.law;
+    const SpringLaw<Real>& law = spring.law;
     const Polynomial<Real>& normal = spring.force.normal;
     // What parts has no force left along the face either: it does not slide just before.
     const std::optional<Real> parts = spring.start.is_bed() ? std::nullopt : first_crossing(normal);
@@ -130,14 +126,20 @@ class SpringGuards {
   void add_ends(const GrowingSpring<Real>& spring, const Polynomial<Real>& slider) {
     const CornerOnFace<Real>& corner = spring.point.corner;
     if (corner.face < 0) return;
-    if (spring.start.is_bed()) return add_bed_falling(spring.index, corner, slider);
     const Real end = stack_.half_width(corner.face);
+    if (spring.start.is_bed()) {  // it holds as long as its middle is over the other face
+      for (const int way : {-1, 1})
+        found_.consider({line(end, way, slider), SpringChange::fall, spring.index}, 0);
+      return;
+    }
     const int outward = spring.start.side * corner.upward;
     const int way = spring.start.slide * outward;  // zero where there is no friction, and no way it must go
+    SpringPoint<Real> other = spring.start;
+    other.corner_below = !other.corner_below;
     if (way >= 0)
-      found_.consider({combined(1, inside_of(spring.start), -1, inside_of(other_corner(spring.start))),
-                       SpringChange::pass, spring.index},
-                      rounding_.place);
+      found_.consider(
+          {combined(1, inside_of(spring.start), -1, inside_of(other)), SpringChange::pass, spring.index},
+          rounding_.place);
     if (way <= 0) found_.consider({line(end, outward, slider), SpringChange::fall, spring.index}, 0);
   }
 
@@ -147,26 +149,13 @@ class SpringGuards {
     return line(stack_.half_width(corner.face), -point.side, corner_series(stack_, motion_, corner).along);
   }
 
-  static SpringPoint<Real> other_corner(SpringPoint<Real> point) {
-    point.corner_below = !point.corner_below;
-    return point;
-  }
-
-  /// A bed holds as long as its middle is over the other face.
-  void add_bed_falling(std::size_t i, const CornerOnFace<Real>& middle, const Polynomial<Real>& along) {
-    const Real end = stack_.half_width(middle.face);
-    for (const int way : {-1, 1}) found_.consider({line(end, way, along), SpringChange::fall, i}, 0);
-  }
-
   void add_bed(std::size_t i) {
     const SpringPoint<Real>& point = points_[i];
-    const PointLaw<Real> law = law_of(stack_, point.interface);
-    const auto corners = bed_corners(stack_, point);
-    std::array<Polynomial<Real>, 2> depth;
-    std::array<Polynomial<Real>, 2> pressure;
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
+    std::array<Polynomial<Real>, 2> depth, pressure;
     for (std::size_t end = 0; end < 2; ++end) {
       const BedEnd& sign = point.bed.ends[end];
-      const CornerOnFace<Real>& corner = corners[end];
+      const CornerOnFace<Real> corner = bed_corner(stack_, point, end);
       depth[end] = depth_of(corner, corner_series(stack_, motion_, corner));
       if (sign.at_face) depth[end][0] = 0;
       pressure[end] =
@@ -177,7 +166,10 @@ class SpringGuards {
       if (law.damping > 0)
         consider_sign(i, SpringChange::bed_pressure, end, &BedEnd::presses, rounding_.normal(law), pressure);
     }
-    if (law.damping > 0 && has_crossing(point.bed)) add_crossing(i, depth, pressure, rounding_.normal(law));
+    // Depth and pressure both have a zero inside, not the same one.
+    const auto& [left, right] = point.bed.ends;
+    if (law.damping > 0 && left.deep != right.deep && left.presses != right.presses)
+      add_crossing(i, depth, pressure, rounding_.normal(law));
     const CornerOnFace<Real> middle = corner_of(stack_, point);
     if (middle.face < 0 || point.pushes()) return;
     const FaceSeries<Real> place = corner_series(stack_, motion_, middle);
@@ -190,19 +182,15 @@ class SpringGuards {
   /// other end, its zero between them must not be lost in what it is taken to round by.
   void consider_sign(std::size_t i, SpringChange change, std::size_t end, bool BedEnd::*above,
                      const Real& rounding, const std::array<Polynomial<Real>, 2>& quantity) {
-    using std::abs;
     const auto& ends = points_[i].bed.ends;
     const int way = ends[end].*above ? 1 : -1;
-    SpringGuard<Real> guard{times(way, quantity[end]), change, i, way};
-    guard.end = end;
     const bool alike = ends[end].*above == ends[1 - end].*above;
-    found_.consider(std::move(guard),
+    found_.consider({times(way, quantity[end]), change, i, way, end},
                     alike ? rounding : std::min<Real>(rounding, abs(quantity[1 - end][0]) / 8));
   }
 
   void add_crossing(std::size_t i, const std::array<Polynomial<Real>, 2>& depth,
                     const std::array<Polynomial<Real>, 2>& pressure, const Real& rounding) {
-    using std::abs;
     const int way = points_[i].bed.crossed ? 1 : -1;
     const Polynomial<Real> difference =
         combined(1, product(pressure[0], depth[1]), -1, product(pressure[1], depth[0]));
@@ -219,7 +207,7 @@ class SpringGuards {
     const SpringPoint<Real>& point = points_[i];
     const CornerOnFace<Real> corner = corner_of(stack_, point);
     const Polynomial<Real> depth = depth_of(corner, corner_series(stack_, motion_, corner));
-    const PointLaw<Real> law = law_of(stack_, point.interface);
+    const SpringLaw<Real>& law = stack_.springs[point.interface];
     found_.consider({depth, SpringChange::leave, i}, rounding_.place);
     const Polynomial<Real> force =
         combined(law.stiffness, depth, law.damping / motion_.length, derivative(depth));
@@ -234,23 +222,19 @@ class SpringGuards {
       candidate.corner_below = below;
       const CornerOnFace<Real> corner = corner_of(stack_, candidate);
       const FaceSeries<Real> place = corner_series(stack_, motion_, corner);
-      SpringGuard<Real> guard{times(-1, depth_of(corner, place)), SpringChange::touch, i};
-      guard.below = below;
+      SpringGuard<Real> guard{times(-1, depth_of(corner, place)), SpringChange::touch, i, 0, 0, below};
       if (corner.face >= 0) {
         const Real end = stack_.half_width(corner.face);
         guard.within = line(end, -1, place.along);
         guard.within_other = line(end, 1, place.along);
-        if (!below && lies_open(point.interface))
+        const auto pushes_here = [&](const SpringPoint<Real>& other) {
+          return other.interface == point.interface && other.pushes();
+        };
+        if (!below && std::none_of(points_.begin(), points_.end(), pushes_here))
           found_.consider_fall(i, line(end, point.side, place.along), guard.series);
       }
       found_.consider(std::move(guard), rounding_.place);
     }
-  }
-
-  bool lies_open(int interface) const {
-    return std::none_of(points_.begin(), points_.end(), [&](const SpringPoint<Real>& point) {
-      return point.interface == interface && point.pushes();
-    });
   }
 
   const ContactModel<Real>& stack_;

@@ -1,13 +1,11 @@
 #pragma once
 
 #include "analytic/unilateral/contact/contact_kinematics.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/winkler_bed.hpp"
 
 namespace rockstack {
 
-/// Whether a corner pushes: not where it is off its face, nor where it leaves a spring behind that would have
-/// to pull.
+/// Whether a corner pushes: not off its face, nor where it leaves a spring behind that would have to pull.
 enum class Press : std::int8_t { off, left_behind, pushing };
 
 /// An end of an interface with a spring and a dashpot across the face, N = max(0, kδ + cδ̇) where the depth δ
@@ -52,40 +50,27 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   return kinematics_of(stack, bodies, corner_of(stack, point));
 }
 
-/// The law of a point, with its friction.
+/// An end of a bed, 0 left or 1 right, against the face of the other block.
 template <class Real>
-struct PointLaw {
-  Real stiffness, damping;                        ///< across the face, N/m and N·s/m
-  Real tangential_stiffness, tangential_damping;  ///< along it
-  Real friction;
-};
-
-template <class Real>
-PointLaw<Real> law_of(const ContactModel<Real>& stack, int interface) {
-  const SpringLaw<Real>& law = stack.springs[interface];
-  return {law.stiffness, law.damping, law.stiffness * law.tangential, law.damping * law.tangential,
-          stack.friction[interface]};
-}
-
-/// The ends of a bed, left and right, against the face of the other block.
-template <class Real>
-std::array<CornerOnFace<Real>, 2> bed_corners(const ContactModel<Real>& stack,
-                                              const SpringPoint<Real>& point) {
-  const auto at = [&](int side) { return stack.corner(point.interface, side, point.corner_below); };
-  return {at(-1), at(1)};
+CornerOnFace<Real> bed_corner(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                              std::size_t end) {
+  return stack.corner(point.interface, end == 0 ? -1 : 1, point.corner_below);
 }
 
 template <class Real>
 std::array<ContactKinematics<Real>, 2> bed_rows(const ContactModel<Real>& stack,
                                                 const SpringPoint<Real>& point, const Bodies<Real>& bodies) {
-  const auto corners = bed_corners(stack, point);
-  return {kinematics_of(stack, bodies, corners[0]), kinematics_of(stack, bodies, corners[1])};
+  return {kinematics_of(stack, bodies, bed_corner(stack, point, 0)),
+          kinematics_of(stack, bodies, bed_corner(stack, point, 1))};
 }
 
 /// A bed at one instant.
 template <class Real>
-GrowingBed<Real> bed_at(const PointLaw<Real>& law, const SpringPoint<Real>& point,
-                        const std::array<ContactKinematics<Real>, 2>& rows, const FreeVector<Real>& rates) {
+GrowingBed<Real> bed_at(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                        const Bodies<Real>& bodies) {
+  const SpringLaw<Real>& law = stack.springs[point.interface];
+  const auto rows = bed_rows(stack, point, bodies);
+  const FreeVector<Real> rates = vector_of(bodies.rate);
   GrowingBed<Real> bed;
   bed.stretch = stretch_of(point.bed);
   for (std::size_t end = 0; end < 2; ++end) {
@@ -96,8 +81,7 @@ GrowingBed<Real> bed_at(const PointLaw<Real>& law, const SpringPoint<Real>& poin
   return bed;
 }
 
-/// What a point that pushes does to the block above, N, across the face and along it; and the couple of a
-/// bed.
+/// What a point that pushes does to the block above, N, across and along the face; and the couple of a bed.
 template <class Real>
 struct PointForce {
   Real normal, tangential;
@@ -108,11 +92,11 @@ template <class Real>
 PointForce<Real> force_of(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
                           const Bodies<Real>& bodies, const ContactKinematics<Real>& rows) {
   if (!point.pushes()) return {0, 0};
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   const FreeVector<Real> rates = vector_of(bodies.rate);
   PointForce<Real> force{-(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates)), 0};
   if (point.is_bed()) {
-    const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack, point, bodies), rates);
+    const GrowingBed<Real> bed = bed_at(stack, point, bodies);
     force = {bed.normal[0], 0, bed.couple[0]};
   }
   if (point.slide != 0) {
@@ -146,14 +130,10 @@ FreeVector<Real> forces_of(const ContactModel<Real>& stack, const SpringPoints<R
 template <class Real>
 Real fastest_rate(const ContactModel<Real>& stack, const SpringPoints<Real>& points,
                   const Bodies<Real>& bodies) {
-  using std::abs;
-  using std::sqrt;
-  Real square = 0;
-  Real damped = 0;
-  Real relaxing = 0;
+  Real square = 0, damped = 0, relaxing = 0;
   for (const SpringPoint<Real>& point : points) {
     if (!point.pushes()) continue;
-    const PointLaw<Real> law = law_of(stack, point.interface);
+    const SpringLaw<Real>& law = stack.springs[point.interface];
     const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
     Real across = stack.effect(rows.gap_row, rows.gap_row);
     if (point.is_bed()) {

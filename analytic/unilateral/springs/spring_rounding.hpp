@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analytic/polynomials/crossing.hpp"
-#include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 
 namespace rockstack {
@@ -16,16 +15,14 @@ namespace rockstack {
 // tᵏ behind dashpots, and with t²ᵏ without them.
 //
 // The rule: what is within its rounding of zero has no sign. A point goes on with what it does until one of
-// its quantities has left that range, to either side. The change is late by the time that takes, but the
-// forces that act meanwhile are wrong by no more than they round to.
+// its quantities has left that range, to either side.
 //
 // It also ends what would stick and slip without end. Where a slider starts or stops, the force along the
 // face and the rate of its stretch are continuous in places, velocities and stretches: behind a dashpot as
 // the force is clamped to ±μN, without one as the stretch is (a sweeping process). So accelerations are, and
 // F has one rate on both sides of F = 0. Filippov's sliding, where either side drives F back to zero, does
-// not occur. A slider that is at F = 0 for a while, as where N and T vanish together, creeps: it sticks or
-// slips, whichever it did, while F is within its rounding, and the difference is one of rounding. Between two
-// changes F goes through twice that.
+// not occur. A slider at F = 0 for a while, as where N and T vanish together, creeps: it sticks or slips,
+// whichever it did, while F is within its rounding. Between two changes F goes through twice that.
 
 /// What roundings make of places and velocities, and so of the quantities of points. SI units.
 template <class Real>
@@ -34,7 +31,6 @@ struct SpringRounding {
   Real speed = 0;  ///< ν, m/s
 
   SpringRounding(const ContactModel<Real>& stack, const Bodies<Real>& bodies) {
-    using std::abs;
     const Real height = stack.height();
     Real fastest = 0;
     for (const Pose<Real>& rate : bodies.rate)
@@ -44,15 +40,15 @@ struct SpringRounding {
   }
 
   /// Of a normal force, N.
-  Real normal(const PointLaw<Real>& law) const { return law.stiffness * place + law.damping * speed; }
+  Real normal(const SpringLaw<Real>& law) const { return law.stiffness * place + law.damping * speed; }
 
   /// Of what a point's friction has left, N.
-  Real strength(const PointLaw<Real>& law) const {
+  Real strength(const SpringLaw<Real>& law) const {
     return law.friction * normal(law) + law.tangential_stiffness * place + law.tangential_damping * speed;
   }
 
   /// Of a slider's rate, m/s: (k_t τ + c_t τ̇ − μN)/c_t of the slip, or without dashpots τ̇ − μkδ̇/k_t.
-  Real slider_rate(const PointLaw<Real>& law) const {
+  Real slider_rate(const SpringLaw<Real>& law) const {
     if (law.tangential_damping > 0) return strength(law) / law.tangential_damping;
     return speed * (1 + law.friction * law.stiffness / law.tangential_stiffness);
   }
@@ -62,7 +58,6 @@ struct SpringRounding {
 /// that range downwards, or, once it has left it upwards, where it is zero.
 template <class Real>
 std::optional<Real> told_crossing(Polynomial<Real> series, const Real& rounding) {
-  using std::abs;
   if (series.terms == 0 || !(abs(series[0]) <= rounding)) return first_crossing(series);
   series[0] = std::max<Real>(series[0], 0);
   const std::optional<Real> crossing = first_crossing(series);
@@ -82,8 +77,7 @@ std::optional<Real> told_crossing(Polynomial<Real> series, const Real& rounding)
 //
 // While a slider moves outward, the corner pushes that is farther inside its face. Both are as far inside
 // where a = δ tan(φ/2), and there they are as deep, δ′ = δ. So the springs across both faces hold the same;
-// and as the stretch τ goes over, so do those along them, and |k_t τ| against μN is what it was: the law is
-// continuous.
+// and as the stretch τ goes over, so do those along them, and |k_t τ| stays to μN: the law is continuous.
 //
 // A slider that stands still may be left behind by its corner, as by that of a block of equal width, which
 // starts at a = 0. As it comes to move outward, the corner may be beyond that place, and the depth changes at
@@ -103,8 +97,6 @@ std::optional<Real> told_crossing(Polynomial<Real> series, const Real& rounding)
 template <class Real>
 void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
                           SpringPoint<Real>& point) {
-  using std::copysign;
-  using std::sqrt;
   const ContactKinematics<Real> before = kinematics_of(stack, bodies, point);
   const Real stretch = before.slip - point.slider;
   point.corner_below = !point.corner_below;
@@ -115,7 +107,7 @@ void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& b
     point.slide = 0;
     return;
   }
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   if (law.friction == 0) return;
   const Real freed = (before.gap - after.gap) * (before.gap + after.gap);
   const Real square = stretch * stretch + law.stiffness / law.tangential_stiffness * freed;
@@ -126,8 +118,7 @@ void pass_to_other_corner(const ContactModel<Real>& stack, const Bodies<Real>& b
 /// holds it, or stands still where it holds already. Returns what that rubs, J.
 template <class Real>
 Real slip_at_once(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
-  using std::abs;
-  const PointLaw<Real> law = law_of(stack, point.interface);
+  const SpringLaw<Real>& law = stack.springs[point.interface];
   if (!point.pushes() || point.slide == 0 || law.tangential_damping > 0) return 0;
   const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
   const Real stretch = rows.slip - point.slider;

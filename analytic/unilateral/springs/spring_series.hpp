@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/scene/history.hpp"
 #include "analytic/unilateral/series/mode_series.hpp"
 #include "analytic/unilateral/springs/spring_point.hpp"
 
@@ -17,7 +18,7 @@ template <class Real>
 struct GrowingSpring {
   std::size_t index;  ///< of the point
   SpringPoint<Real> start;
-  PointLaw<Real> law;
+  SpringLaw<Real> law;
   GrowingPoint<Real> point;
   ForceSeries<Real> force = {};               ///< in the unit of the step's series
   Polynomial<Real> depth = {}, slip = {};     ///< m
@@ -26,8 +27,7 @@ struct GrowingSpring {
   GrowingBed<Real> bed = {};
 };
 
-/// The forces of springs along a step: coefficient n of a force is that of kδ + cδ̇, which the places' up to
-/// n + 1 make.
+/// The forces of springs along a step: coefficient n is that of kδ + cδ̇, by those of places up to n + 1.
 template <class Real>
 class SpringSeries {
  public:
@@ -35,11 +35,9 @@ class SpringSeries {
   SpringSeries(const ContactModel<Real>& stack, const SpringPoints<Real>& points, const Bodies<Real>& bodies)
       : stack_(stack), points_(points), bodies_(bodies) {}
 
-  /// `body_of` tells a body's series.
-  template <class BodyOf>
-  void begin(const BodyOf& body_of, const Real& length) {
-    length_ = length;
-    unit_ = length * length;
+  void begin(const ModeSeries<Real>& motion) {
+    length_ = motion.length;
+    unit_ = length_ * length_;
     growing_.clear();
     growing_.reserve(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -47,13 +45,12 @@ class SpringSeries {
       if (!point.pushes()) continue;
       const CornerOnFace<Real> corner = corner_of(stack_, point);
       GrowingSpring<Real>& spring = growing_.emplace_back(GrowingSpring<Real>{
-          i, point, law_of(stack_, point.interface),
-          GrowingPoint<Real>(stack_, corner, body_of(corner.face), body_of(corner.body))});
+          i, point, stack_.springs[point.interface], GrowingPoint<Real>(stack_, motion, corner)});
       const ContactKinematics<Real> rows = kinematics_of(stack_, bodies_, corner);
       put(spring.depth, 0, point.at_face ? Real(0) : Real(-rows.gap));
       put(spring.slip, 0, rows.slip);
       put(spring.stretch, 0, rows.slip - point.slider);
-      if (point.is_bed()) begin_bed(body_of, point, spring);
+      if (point.is_bed()) begin_bed(motion, point, spring);
     }
     extend_places(0);
     extend_places(1);
@@ -62,23 +59,20 @@ class SpringSeries {
   void extend_places(std::size_t m) {
     for (GrowingSpring<Real>& spring : growing_) {
       spring.point.extend(m);
+      for (BedEndSeries<Real>& end : spring.ends) end.point.extend(m);
       if (m == 0) continue;
       const int sign = spring.point.corner.upward;
       put(spring.depth, m, -sign * spring.point.place[m].x());
       put(spring.slip, m, sign * spring.point.place[m].y());
+      for (std::size_t end = 0; end < spring.ends.size(); ++end)
+        put(spring.bed.depth[end], m, -sign * spring.ends[end].point.place[m].x());
     }
-    for (GrowingSpring<Real>& spring : growing_)
-      for (std::size_t end = 0; end < spring.ends.size(); ++end) {
-        GrowingPoint<Real>& point = spring.ends[end].point;
-        point.extend(m);
-        if (m > 0) put(spring.bed.depth[end], m, -point.corner.upward * point.place[m].x());
-      }
   }
 
   /// Coefficient n of forces, which it adds to those of interfaces.
   void extend_forces(std::size_t n, ShortVector<ForceSeries<Real>>& forces) {
     for (GrowingSpring<Real>& spring : growing_) {
-      const PointLaw<Real>& law = spring.law;
+      const SpringLaw<Real>& law = spring.law;
       const Real normal = spring.start.is_bed() ? extend_bed(spring, n) : pressure(law, spring.depth, n);
       Real tangential = 0;
       if (spring.start.slide != 0) {
@@ -102,14 +96,12 @@ class SpringSeries {
   void add_forces(std::size_t n, ChainVector<Real>& result) const {
     for (const GrowingSpring<Real>& spring : growing_) {
       spring.point.add_force(spring.force, n + 1, n, result);
-      if (!spring.start.is_bed()) continue;
       for (const BedEndSeries<Real>& end : spring.ends) end.point.add_force(end.force, n + 1, n, result);
     }
   }
 
   /// The largest coefficient m of a stretch that goes by a law of its own, m.
   Real size_of(std::size_t m) const {
-    using std::abs;
     Real size = 0;
     for (const GrowingSpring<Real>& spring : growing_)
       if (spring.start.slide != 0) size = std::max<Real>(size, abs(coefficient(spring.stretch, m - 1)));
@@ -140,14 +132,12 @@ class SpringSeries {
   const Real& unit() const { return unit_; }  ///< one over that of forces, s²
 
  private:
-  template <class BodyOf>
-  void begin_bed(const BodyOf& body_of, const SpringPoint<Real>& point, GrowingSpring<Real>& spring) const {
+  void begin_bed(const ModeSeries<Real>& motion, const SpringPoint<Real>& point,
+                 GrowingSpring<Real>& spring) const {
     spring.bed.stretch = stretch_of(point.bed);
-    const auto corners = bed_corners(stack_, point);
     for (std::size_t end = 0; end < 2; ++end) {
-      const CornerOnFace<Real>& corner = corners[end];
-      spring.ends.push_back(
-          {GrowingPoint<Real>(stack_, corner, body_of(corner.face), body_of(corner.body)), {}});
+      const CornerOnFace<Real> corner = bed_corner(stack_, point, end);
+      spring.ends.push_back({GrowingPoint<Real>(stack_, motion, corner), {}});
       const Real gap = kinematics_of(stack_, bodies_, corner).gap;
       put(spring.bed.depth[end], 0, point.bed.ends[end].at_face ? Real(0) : Real(-gap));
     }
@@ -169,7 +159,7 @@ class SpringSeries {
   }
 
   /// Coefficient n of kδ + cδ̇, N.
-  Real pressure(const PointLaw<Real>& law, const Polynomial<Real>& depth, std::size_t n) const {
+  Real pressure(const SpringLaw<Real>& law, const Polynomial<Real>& depth, std::size_t n) const {
     return law.stiffness * depth[n] + law.damping * rate(depth, n);
   }
 
@@ -180,7 +170,7 @@ class SpringSeries {
 
   /// While the slider moves, k_t τ + c_t τ̇ = ±μN.
   void extend_sliding(GrowingSpring<Real>& spring, std::size_t n, const Real& normal) const {
-    const PointLaw<Real>& law = spring.law;
+    const SpringLaw<Real>& law = spring.law;
     const Real limit = spring.start.slide * law.friction * normal;
     if (law.tangential_damping > 0) {
       put(spring.stretch, n + 1,
@@ -194,9 +184,78 @@ class SpringSeries {
   const ContactModel<Real>& stack_;
   const SpringPoints<Real>& points_;
   const Bodies<Real>& bodies_;
-  Real length_ = 0;
-  Real unit_ = 0;
+  Real length_ = 0, unit_ = 0;
   std::vector<GrowingSpring<Real>> growing_;
 };
+
+/// What the springs of an interface do at one time; of a rigid interface nothing.
+template <class Real>
+struct SpringState {
+  BasicReaction<Real> reaction;
+  BasicSpringEnergy<Real> energy;
+};
+
+/// ∫ first · second ds from 0 to s, without loss of terms.
+template <class Real>
+Real integral_of_product(const Polynomial<Real>& first, const Polynomial<Real>& second, const Real& s) {
+  std::array<Real, 2 * max_terms<Real>> weights;
+  Real power = s;
+  for (std::size_t m = 0; m < weights.size(); ++m, power *= s) weights[m] = power / Real(m + 1);
+  Real sum = 0;
+  for (std::size_t i = first.terms; i-- > 0;) {
+    Real inner = 0;
+    for (std::size_t j = second.terms; j-- > 0;) inner += second[j] * weights[i + j];
+    sum += first[i] * inner;
+  }
+  return sum;
+}
+
+template <class Real>
+Real elastic_energy_of_bed(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                           const Bodies<Real>& bodies) {
+  const auto rows = bed_rows(stack, point, bodies);
+  return elastic_energy_of_bed<Real>(stack.springs[point.interface].stiffness, {-rows[0].gap, -rows[1].gap});
+}
+
+/// What a point's springs hold, J; one that is left behind by its depth, until its corner has backed away.
+template <class Real>
+Real elastic_energy(const ContactModel<Real>& stack, const SpringPoint<Real>& point,
+                    const Bodies<Real>& bodies) {
+  if (point.press == Press::off && !point.is_bed()) return 0;
+  const SpringLaw<Real>& law = stack.springs[point.interface];
+  const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
+  Real energy = point.is_bed() ? elastic_energy_of_bed(stack, point, bodies)
+                               : Real(law.stiffness * rows.gap * rows.gap / 2);
+  if (point.pushes() && law.friction > 0) {
+    const Real stretch = rows.slip - point.slider;
+    energy += law.tangential_stiffness * stretch * stretch / 2;
+  }
+  return energy;
+}
+
+/// Adds what a point that pushes loses up to s of a step; of a bed the work done on it, with what it holds.
+template <class Real>
+void add_losses(const GrowingSpring<Real>& spring, const SpringSeries<Real>& series, const Real& s,
+                BasicSpringEnergy<Real>& lost) {
+  const SpringLaw<Real>& law = spring.law;
+  const auto dissipated = [&](const Real& damping, const Polynomial<Real>& place) -> Real {
+    if (damping == 0) return 0;
+    const Polynomial<Real> rate = derivative(place);
+    return damping / series.length() * integral_of_product(rate, rate, s);
+  };
+  if (spring.start.is_bed()) {
+    const GrowingBed<Real>& bed = spring.bed;
+    const Polynomial<Real> turning = combined(1, bed.depth[1], -1, bed.depth[0]);
+    lost.damped += integral_of_product(bed.normal, derivative(spring.depth), s) +
+                   integral_of_product(bed.couple, derivative(turning), s);
+  } else {
+    lost.damped += dissipated(law.damping, spring.depth);
+  }
+  if (law.friction == 0) return;
+  lost.damped += dissipated(law.tangential_damping, spring.stretch);
+  if (spring.start.slide == 0) return;
+  const Polynomial<Real> slider = combined(1, spring.slip, -1, spring.stretch);
+  lost.rubbed -= integral_of_product(spring.force.tangential, derivative(slider), s) / series.unit();
+}
 
 }  // namespace rockstack

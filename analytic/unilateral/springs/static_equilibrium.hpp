@@ -13,11 +13,10 @@ using SquareMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 /// Signs of a bed's ends by where bodies are and go.
 template <class Real>
 void note_signs(const ContactModel<Real>& stack, const Bodies<Real>& bodies, SpringPoint<Real>& point) {
-  const PointLaw<Real> law = law_of(stack, point.interface);
-  const GrowingBed<Real> bed = bed_at(law, point, bed_rows(stack, point, bodies), vector_of(bodies.rate));
+  const GrowingBed<Real> bed = bed_at(stack, point, bodies);
   for (std::size_t end = 0; end < 2; ++end)
     point.bed.ends[end] = {bed.depth[end][0] > 0, bed.pressure[end][0] > 0};
-  point.bed.crossed = law.damping > 0 && bed.crosses();
+  point.bed.crossed = stack.springs[point.interface].damping > 0 && bed.crosses();
   point.press = stretch_of(point.bed).presses ? Press::pushing : Press::off;
 }
 
@@ -25,9 +24,8 @@ void note_signs(const ContactModel<Real>& stack, const Bodies<Real>& bodies, Spr
 template <class Real>
 SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, const Joint<Real>& joint,
                               const Bodies<Real>& bodies) {
-  SpringPoint<Real> point;
-  point.interface = interface;
-  point.corner_below = stack.half_width(interface - 1) < stack.half_width(interface);
+  SpringPoint<Real> point{.interface = interface,
+                          .corner_below = stack.half_width(interface - 1) < stack.half_width(interface)};
   note_signs(stack, bodies, point);
   for (const int side : {-1, 1})
     if (joint.touch == Contact::closed || joint.side() == side)
@@ -38,8 +36,7 @@ SpringPoint<Real> initial_bed(const ContactModel<Real>& stack, int interface, co
   return point;
 }
 
-/// The points of soft interfaces, where rigid contacts would touch; they push, but not yet. Those that slip
-/// from the start slide.
+/// The points of soft interfaces, where rigid contacts would touch, yet without load. Those that slip slide.
 template <class Real>
 SpringPoints<Real> initial_points(const ContactModel<Real>& stack, const ContactState<Real>& state) {
   SpringPoints<Real> points;
@@ -51,10 +48,7 @@ SpringPoints<Real> initial_points(const ContactModel<Real>& stack, const Contact
       continue;
     }
     for (const int side : {-1, 1}) {
-      SpringPoint<Real> point;
-      point.interface = k;
-      point.side = side;
-      point.corner_below = corner_is_below<Real>(stack, k, joint.offset, side);
+      SpringPoint<Real> point{k, side, corner_is_below<Real>(stack, k, joint.offset, side)};
       if (joint.touch == Contact::closed || joint.side() == side) {
         point.press = Press::pushing;
         point.slide = stack.friction[k] > 0 ? joint.slip : 0;
@@ -96,9 +90,9 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
         -Real(block.mass) * Real(gravity.across), Real(0);
   }
   const auto foot = [&](std::size_t k) -> Point<Real> {
-    const Point<Real> arm =
-        turned<Real>(Point<Real>(0, -stack.half_height(k)) - stack.centre(k), bodies.at[k].angle);
-    return {bodies.at[k].x + arm.x(), bodies.at[k].y + arm.y()};
+    const Pose<Real>& at = bodies.at[k];
+    return Point<Real>(at.x, at.y) +
+           turned<Real>(Point<Real>(0, -stack.half_height(k)) - stack.centre(k), at.angle);
   };
   SpringPoints<Real> standing = points;
   for (SpringPoint<Real>& point : standing) point.slide = 0;
@@ -122,10 +116,9 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     using Row = Eigen::Matrix<Real, 1, Eigen::Dynamic>;
     SquareMatrix<Real> stiffness = SquareMatrix<Real>::Zero(size, size);
     for (const SpringPoint<Real>& point : standing) {
-      const PointLaw<Real> law = law_of(stack, point.interface);
+      const SpringLaw<Real>& law = stack.springs[point.interface];
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, point);
-      const Row across = rows.gap_row * motions;
-      const Row along = rows.slip_row * motions;
+      const Row across = rows.gap_row * motions, along = rows.slip_row * motions;
       stiffness += law.tangential_stiffness * along.transpose() * along;
       if (!point.is_bed()) {
         stiffness += law.stiffness * across.transpose() * across;
@@ -151,39 +144,25 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     before = largest;
   }
   for (const SpringPoint<Real>& point : standing) {
-    using std::abs;
-    const PointLaw<Real> law = law_of(stack, point.interface);
+    const SpringLaw<Real>& law = stack.springs[point.interface];
     const PointForce<Real> force = force_of(stack, point, bodies, kinematics_of(stack, bodies, point));
     if (!(force.normal > 0) || abs(force.tangential) > law.friction * force.normal) return std::nullopt;
   }
   return bodies.at;
 }
 
-/// How deep a bed's lower end is under a weight, m, where the other is higher by `rise`, from its stiffness
-/// in all: a trapezium of pressure, or a triangle.
-template <class Real>
-Real depth_under(const Real& weight, const Real& stiffness, const Real& rise) {
-  using std::sqrt;
-  const Real level = weight / stiffness;
-  return 2 * level > rise ? Real(level + rise / 2) : Real(sqrt(2 * level * rise));
-}
-
 /// How far a soft interface gives way under a weight, m; how many of its points bear it.
 template <class Real>
-struct GivingWay {
-  Real depth;
-  int points;
-};
-
-template <class Real>
-GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Real& weight,
-                         const std::vector<SpringPoint<Real>*>& ends) {
+std::pair<Real, int> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Real& weight,
+                              const std::vector<SpringPoint<Real>*>& ends) {
   const SpringPoint<Real>& first = *ends.front();
-  const PointLaw<Real> law = law_of(stack, first.interface);
+  const SpringLaw<Real>& law = stack.springs[first.interface];
   if (first.is_bed()) {
     const auto rows = bed_rows(stack, first, bodies);
     const Real lower = std::min(rows[0].gap, rows[1].gap);
-    return {lower + depth_under<Real>(weight, law.stiffness, std::max(rows[0].gap, rows[1].gap) - lower), 1};
+    const Real rise = std::max(rows[0].gap, rows[1].gap) - lower, level = weight / law.stiffness;
+    // A trapezium of pressure, or a triangle.
+    return {lower + (2 * level > rise ? Real(level + rise / 2) : Real(sqrt(2 * level * rise))), 1};
   }
   SpringPoint<Real>& other = *ends.back();
   if (other.pushes()) return {weight / law.stiffness / 2, 2};
@@ -200,7 +179,7 @@ GivingWay<Real> give_way(const ContactModel<Real>& stack, const Bodies<Real>& bo
 template <class Real>
 void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, std::size_t interface,
                        Bodies<Real>& bodies, SpringPoints<Real>& points) {
-  const PointLaw<Real> law = law_of(stack, interface);
+  const SpringLaw<Real>& law = stack.springs[interface];
   std::vector<SpringPoint<Real>*> ends;
   for (SpringPoint<Real>& point : points)
     if (point.interface == static_cast<int>(interface)) ends.push_back(&point);
@@ -227,8 +206,7 @@ void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, 
   }
 }
 
-/// Puts blocks onto their springs. A stack that is upright and still goes to its equilibrium, if it has one.
-/// Any other keeps its angles.
+/// Puts blocks onto their springs. A still, upright stack goes to its equilibrium; others keep their angles.
 template <class Real>
 void preload(const Scene& scene, const ContactModel<Real>& stack, ContactState<Real>& state,
              SpringPoints<Real>& points) {

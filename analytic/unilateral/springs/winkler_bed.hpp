@@ -14,8 +14,7 @@ struct BedEnd {
 };
 
 /// Where a Winkler bed presses. Each part of it pushes with p = κδ + γδ̇ a length, where δ > 0 and p > 0;
-/// depth and p go linearly along the face. So it presses on one stretch between an end or a zero of either
-/// and another.
+/// depth and p go linearly along the face. So it presses on one stretch between two ends or zeros of either.
 struct BedState {
   std::array<BedEnd, 2> ends;  ///< left and right, of the narrower face
   /// With p and δ of the left and the right end, p_l δ_r > p_r δ_l: which of two zeros lies where.
@@ -52,12 +51,6 @@ inline BedStretch stretch_of(const BedState& bed) {
   stretch.near = bound_of(bed, from_left ? 0 : 1);
   stretch.far = bound_of(bed, from_left ? 1 : 0);
   return stretch;
-}
-
-/// Whether depth and pressure both have a zero inside, not the same one.
-inline bool has_crossing(const BedState& bed) {
-  const auto& [left, right] = bed.ends;
-  return left.deep != right.deep && left.presses != right.presses;
 }
 
 /// What a bed does as series, order by order, from depth and pressure of its ends: the force of all of it at
@@ -125,19 +118,12 @@ struct GrowingBed {
   Polynomial<Real> width_, middle_, mean_, rise_, force_, square_;
 };
 
-/// ½ ∫ ξⁿ dξ for n = 0, 1 and 2 over the part of a bed that is deep, ξ = −1 … 1 along the face; over all of
-/// it where it bears nothing yet.
+/// ½ ∫ ξⁿ dξ, n = 0, 1 and 2, over the deep part of a bed, ξ = −1 … 1 along the face; over all where none is.
 template <class Real>
-struct BedMoments {
-  Real whole, first, second;
-};
-
-template <class Real>
-BedMoments<Real> moments_in_contact(const Real& left, const Real& right) {
+std::array<Real, 3> moments_in_contact(const Real& left, const Real& right) {
   if (!(left > 0) && !(right > 0)) return {1, 0, Real(1) / 3};
   const auto zero = [&] { return Real((left + right) / (left - right)); };
-  const Real low = left > 0 ? Real(-1) : zero();
-  const Real high = right > 0 ? Real(1) : zero();
+  const Real low = left > 0 ? Real(-1) : zero(), high = right > 0 ? Real(1) : zero();
   return {(high - low) / 2, (high * high - low * low) / 4, (high * high * high - low * low * low) / 6};
 }
 

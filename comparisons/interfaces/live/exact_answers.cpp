@@ -14,8 +14,6 @@
 namespace rockstack::live {
 namespace {
 
-using plots::packed;
-
 /// Of the bodies, with what springs of law `compliant` hold.
 std::vector<double> exact_energies(const Scene& scene, const History& history) {
   std::vector<double> values = energies(scene, history);
@@ -34,17 +32,11 @@ std::pair<History, std::string> followed(const Scene& scene, const SolveOptions&
   }
 }
 
-SolveOptions options_for(const Scene& scene, double interval) {
-  SolveOptions options;
-  options.sample_times = regular_times(interval, scene.duration);
-  return options;
-}
-
 /// The motions beside that of solve() that obey as well, from the start on.
-Json other_motions(const Scene& scene, double interval) {
+Json other_motions(const Scene& scene, const SolveOptions& options) {
   constexpr std::size_t most = 4;
   Json list = Json::array();
-  const BranchTree tree = solve_branches(scene, options_for(scene, interval), most);
+  const BranchTree tree = solve_branches(scene, options, most);
   for (std::size_t i = 1; i < tree.branches.size(); ++i)
     list.push_back(
         plots::player_track(plots::with_events(tree.branches[i].history), 1,
@@ -53,8 +45,7 @@ Json other_motions(const Scene& scene, double interval) {
   return list;
 }
 
-Json whole_answer(const Scene& scene, double interval) {
-  SolveOptions options = options_for(scene, interval);
+Json whole_answer(const Scene& scene, SolveOptions options) {
   options.validity = options.peaks = true;
   const auto [history, failure] = followed(scene, options);
   Json answer = Json::object();
@@ -65,7 +56,7 @@ Json whole_answer(const Scene& scene, double interval) {
   add_track(answer,
             plots::player_track(plots::with_events(history), 1, {"exact", "#1a1a1a", "solid", true, true}),
             reported_impacts(history, chatter_speed(scene)));
-  plots::add_forces(plots::forces_of(scene, history), history.blocks, 1, answer["track"]);
+  plots::add_forces(scene, history, 1, answer["track"]);
   add_energies(answer, scene, history.times, exact_energies(scene, history), 1);
   answer["verdict"] = motion_verdict(scene, history);
   answer["end"] = {{"angles", history.angles_at(history.size() - 1)},
@@ -74,8 +65,7 @@ Json whole_answer(const Scene& scene, double interval) {
 }
 
 /// Times and angles alone.
-Json member_answer(const Scene& scene, double interval) {
-  SolveOptions options = options_for(scene, interval);
+Json member_answer(const Scene& scene, SolveOptions options) {
   options.events = EventsKept::summed;
   return {{"track", plots::player_track(followed(scene, options).first, 1)}};
 }
@@ -96,19 +86,19 @@ void add_energies(Json& answer, const Scene& scene, const std::vector<double>& t
                   std::vector<double> values, std::size_t stride) {
   const double scale = energy_scale(scene);
   for (double& value : values) value /= scale;
-  answer["energy_times"] = packed(times, 1, stride);
-  answer["energy"] = packed(values, 1, stride);
+  answer["energy_times"] = plots::packed(times, 1, stride);
+  answer["energy"] = plots::packed(values, 1, stride);
 }
 
 std::string exact_answer(const std::string& question) {
   const Json asked = parse_json(question, "the question ");
   MotionLibrary library;
   const Scene scene = make_scene({scene_document(asked.at("scene")), {}, "Live scene"}, library);
-  const double interval = asked.at("interval");
+  const SolveOptions options{.sample_times = regular_times(asked.at("interval"), scene.duration)};
   const int member = asked.value("member", 0);
-  Json answer = member == 0 ? whole_answer(scene, interval)
-                            : member_answer(perturbed(scene, {member, asked.at("spread")}, member), interval);
-  if (asked.value("branches", false)) answer["others"] = other_motions(scene, interval);
+  Json answer = member == 0 ? whole_answer(scene, options)
+                            : member_answer(perturbed(scene, {member, asked.at("spread")}, member), options);
+  if (asked.value("branches", false)) answer["others"] = other_motions(scene, options);
   return answer.dump();
 }
 

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 
 namespace rockstack::live {

@@ -11,22 +11,15 @@
 #include "analytic/scene/messages/one_line.hpp"
 #include "comparisons/interfaces/live/exact_answers.hpp"
 
-namespace {
-
-void write_all(const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t written = write(3, text.data() + done, text.size() - done);
-    if (written <= 0) throw std::runtime_error("the answer cannot be written");
-    done += static_cast<std::size_t>(written);
-  }
-}
-
-}  // namespace
-
 int main() {
   try {
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    write_all(rockstack::live::exact_answer(text));
+    const std::string answer = rockstack::live::exact_answer(text);
+    for (std::size_t done = 0; done < answer.size();) {
+      const ssize_t written = write(3, answer.data() + done, answer.size() - done);
+      if (written <= 0) throw std::runtime_error("the answer cannot be written");
+      done += static_cast<std::size_t>(written);
+    }
     return 0;
   } catch (const std::exception& error) {
     std::fputs((rockstack::one_line(error.what()) + "\n").c_str(), stderr);

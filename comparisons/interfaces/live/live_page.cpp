@@ -33,10 +33,9 @@ Json scene_of(const fs::path& file, const std::vector<std::string>& overrides,
 }
 
 Json shipped_scenes(std::set<std::string>& records) {
-  Json list = Json::array();
-  for (const std::string& name : shipped_names("scenes"))
-    list.push_back({{"name", name}, {"scene", scene_of(find_file(name, "scenes"), {}, records)}});
-  return list;
+  return each_of(shipped_names("scenes"), [&](const std::string& name) {
+    return Json{{"name", name}, {"scene", scene_of(find_file(name, "scenes"), {}, records)}};
+  });
 }
 
 Json setting_json(const Setting& setting) {
@@ -46,13 +45,9 @@ Json setting_json(const Setting& setting) {
 }
 
 Json engine_list() {
-  Json list = Json::array();
-  for (const WorkerEngine& engine : engines()) {
-    Json settings = Json::array();
-    for (const Setting& setting : engine.settings) settings.push_back(setting_json(setting));
-    list.push_back({{"name", engine.full_name()}, {"settings", settings}});
-  }
-  return list;
+  return each_of(engines(), [](const WorkerEngine& engine) {
+    return Json{{"name", engine.full_name()}, {"settings", each_of(engine.settings, setting_json)}};
+  });
 }
 
 Json lesson_list(const PageStart& start, std::set<std::string>& records) {
@@ -102,10 +97,6 @@ CourseFiles course_files(const fs::path& folder) {
 
 }  // namespace
 
-bool has_course_files(const fs::path& folder) {
-  return fs::exists(folder / "course.json") || fs::exists(folder / "lesson.json");
-}
-
 LivePage make_live_page(const PageStart& start) {
   LivePage page;
   for (const auto& record : start.records) page.records.insert(fs::absolute(record));
@@ -124,8 +115,8 @@ LivePage make_live_page(const PageStart& start) {
                    {"pages", page.course.lessons},
                    {"blocks", most_blocks}};
   const std::string player =
-      plots::filled_in(plots::player_html, {{"id", "player"}, {"title", "the scene"}, {"data", "null"}});
-  page.text = plots::filled_in(
+      filled_in(plots::player_html, {{"id", "player"}, {"title", "the scene"}, {"data", "null"}});
+  page.text = filled_in(
       live_html,
       {{"css", std::string(plots::page_css) + std::string(plots::player_css) + std::string(live_css)},
        {"player", player},

@@ -28,9 +28,6 @@ struct CourseFiles {
   std::map<std::string, std::filesystem::path> files;  ///< every file of the folder, by its path within it
 };
 
-/// Whether it is a folder of `rockstack teach`: of one lesson, or of all.
-bool has_course_files(const std::filesystem::path& folder);
-
 /// The whole page, the records that its scenes may name, and the lessons beside it.
 struct LivePage {
   std::string text;

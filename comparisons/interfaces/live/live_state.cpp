@@ -10,15 +10,11 @@
 namespace rockstack::live {
 namespace {
 
-constexpr const char* infinite = "inf";
-
 /// A text, a number or an array of them as TOML.
 std::string toml_value(const Json& value) {
-  if (value.is_string()) return value == infinite ? infinite : toml_text(value.get<std::string>());
+  if (value.is_string()) return value == "inf" ? "inf" : toml_text(value.get<std::string>());
   if (value.is_number()) return number_text(value.get<double>());
-  std::string list;
-  for (const Json& entry : value) list += (list.empty() ? "" : ", ") + toml_value(entry);
-  return "[" + list + "]";
+  return "[" + text_of_each(value, toml_value, ", ") + "]";
 }
 
 bool is_tables(const Json& value) {
@@ -73,13 +69,6 @@ Scene read_live_scene(const Node& scene, const std::set<std::string>& records, M
   return made;
 }
 
-Parameters read_changes(const Node& root) {
-  Parameters changes;
-  if (const Node* table = find(root, "parameters"))
-    for (const Node& change : table->children) changes[change.name] = number(change);
-  return changes;
-}
-
 double read_step(const Node& root, double duration) {
   const Node* node = find(root, "dt");
   const double dt = node == nullptr ? 1e-3 : number_above_zero(*node);
@@ -98,14 +87,10 @@ EngineSeries read_series(const Node& root, double dt) {
   const Node* node = find(root, "settings");
   const std::string settings =
       node == nullptr ? "tuned" : choice<std::string>(*node, {{"default", "default"}, {"tuned", "tuned"}});
-  return make_series(find_engine(engine->text), settings, {dt}, read_changes(root));
-}
-
-double read_spread(const Node& root) {
-  const double spread = number_or(root, "spread", 0);
-  if (!(spread >= 0) || spread > widest_spread)
-    throw wrong_value(*find(root, "spread"), fmt::format("0 to {}", widest_spread));
-  return spread;
+  Parameters changes;
+  if (const Node* table = find(root, "parameters"))
+    for (const Node& change : table->children) changes[change.name] = number(change);
+  return make_series(find_engine(engine->text), settings, {dt}, changes);
 }
 
 }  // namespace
@@ -118,7 +103,9 @@ LiveState read_state(const Json& json, const std::set<std::string>& records, Mot
   state.scene = read_live_scene(scene_document(scene), records, library);
   state.dt = read_step(root, state.scene.duration);
   state.series = read_series(root, state.dt);
-  state.spread = read_spread(root);
+  state.spread = number_or(root, "spread", 0);
+  if (!(state.spread >= 0) || state.spread > widest_spread)
+    throw wrong_value(*find(root, "spread"), fmt::format("0 to {}", widest_spread));
   return state;
 }
 
@@ -135,8 +122,7 @@ std::string state_scene_text(const Json& json) {
 
 std::string state_suite_text(const Json& json, const LiveState& state, const std::string& name, int runs) {
   const auto is_plain = [](char letter) {
-    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-           (letter >= '0' && letter <= '9') || letter == '-';
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-';
   };
   constexpr std::size_t longest = 60;
   if (name.empty() || name.size() > longest || !std::ranges::all_of(name, is_plain))

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <set>
-#include <string>
-
 #include "analytic/scene/ground/motion_library.hpp"
-#include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack::live {

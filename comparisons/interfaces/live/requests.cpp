@@ -7,6 +7,7 @@
 #include "comparisons/interfaces/live/live_state.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/runs/execution/executor.hpp"
+#include "engines/worker/installation.hpp"
 #include "plots/pages/player_data.hpp"
 
 namespace rockstack::live {
@@ -49,10 +50,6 @@ LiveRequest read_request(const std::string& text, const std::set<std::string>& r
   return request;
 }
 
-Json failure(const std::string& reason) {
-  return {{"failure", reason}};
-}
-
 /// An engine's run as exact_answers.hpp has a motion, of `stride` samples one; of a member of a cloud times
 /// and angles alone.
 Json told(const LiveState& state, const WorkerRun& run, std::size_t stride, bool member) {
@@ -71,17 +68,18 @@ Json told(const LiveState& state, const WorkerRun& run, std::size_t stride, bool
   return answer;
 }
 
-Json solved(const std::filesystem::path& solver, const LiveRequest& request, const Limits& limits) {
+Json solved(const LiveRequest& request, const Limits& limits) {
   const LiveState& state = request.read;
   const Json asked{{"scene", request.state.at("scene")},
                    {"interval", static_cast<double>(kept_stride(state)) * state.dt},
                    {"member", request.member},
                    {"spread", state.spread}};
-  const ProcessEnd end = run_process(solver, asked.dump(), limits);
+  const ProcessEnd end = run_process(worker_folder() / "rockstack_exact", asked.dump(), limits);
   if (end.unwanted) return {{"dropped", true}};
-  if (end.timed_out) return failure(fmt::format("not done after {} s", limits.time));
+  if (end.timed_out) return {{"failure", fmt::format("not done after {} s", limits.time)}};
   if (end.signal != 0 || end.exit_code != 0)
-    return failure(end.last_words.empty() ? "more memory or time than a live page has" : end.last_words);
+    return {
+        {"failure", end.last_words.empty() ? "more memory or time than a live page has" : end.last_words}};
   return parse_json(end.reply, "the exact solver's answer ");
 }
 
@@ -93,7 +91,7 @@ Json simulated(const LiveRequest& request, const Limits& limits) {
   const WorkerRun run =
       run_in_worker(*state.series.engine, scene, state.dt, state.series.parameters, 0, limits, !member);
   if (run.status == "stopped") return {{"dropped", true}};
-  if (run.status != "done") return failure(run.status + ": " + run.reason);
+  if (run.status != "done") return {{"failure", run.status + ": " + run.reason}};
   return told(state, run, kept_stride(state), member);
 }
 
@@ -127,10 +125,8 @@ void Scheduler::serve(Kind kind, const std::function<bool()>& cancelled, const s
   run();
 }
 
-Requests::Requests(std::filesystem::path solver, std::set<std::string> records)
-    : solver_(std::move(solver)),
-      records_(std::move(records)),
-      scheduler_(std::max(2, static_cast<int>(all_cores()))) {}
+Requests::Requests(std::set<std::string> records)
+    : records_(std::move(records)), scheduler_(std::max(2, static_cast<int>(all_cores()))) {}
 
 std::string Requests::answer(const std::string& text, const std::function<bool()>& gone) {
   const auto start = std::chrono::steady_clock::now();
@@ -142,7 +138,7 @@ std::string Requests::answer(const std::string& text, const std::function<bool()
   Json answer{{"dropped", true}};
   scheduler_.serve(request.client.kind, cancelled, [&] {
     const bool exact = request.client.kind == Kind::exact || request.read.series.engine == nullptr;
-    answer = exact ? solved(solver_, request, limits) : simulated(request, limits);
+    answer = exact ? solved(request, limits) : simulated(request, limits);
   });
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   answer["milliseconds"] = taken.count();

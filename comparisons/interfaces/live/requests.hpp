@@ -2,15 +2,8 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <deque>
-#include <filesystem>
 #include <functional>
-#include <map>
-#include <mutex>
 #include <semaphore>
-#include <set>
-#include <string>
 
 #include "analytic/scene/ground/motion_library.hpp"
 #include "comparisons/interfaces/live/live_page.hpp"
@@ -50,8 +43,8 @@ class Scheduler {
 /// Answers what pages ask, each run in a process of its own that ends once its request is cancelled.
 class Requests {
  public:
-  /// `solver`: the program of exact_worker.cpp; `records`: that scenes may name.
-  Requests(std::filesystem::path solver, std::set<std::string> records);
+  /// `records`: that scenes may name.
+  explicit Requests(std::set<std::string> records);
 
   /// {"page", "sequence", "kind": "exact", "engine" or "cloud", "member", "state"}: what live_state.hpp says,
   /// with "milliseconds", or "failure" with the reason, or "dropped" for what is cancelled: superseded, or
@@ -63,7 +56,6 @@ class Requests {
   std::string files(const std::string& text);
 
  private:
-  std::filesystem::path solver_;
   std::set<std::string> records_;
   MotionLibrary library_{std::size_t{16} << 20U};
   Scheduler scheduler_;
@@ -74,7 +66,6 @@ class Requests {
 /// of limited length and time. `port` 0: any that is free.
 /// `listening` is told the address, with a token that is drawn anew each time: of the lessons, where there
 /// are any, else of the page. @throws std::runtime_error where the port is taken.
-void serve(Requests& requests, LivePage page, int port,
-           const std::function<void(const std::string& address)>& listening);
+void serve(LivePage page, int port, const std::function<void(const std::string& address)>& listening);
 
 }  // namespace rockstack::live

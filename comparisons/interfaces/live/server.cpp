@@ -1,23 +1,12 @@
-#include "comparisons/interfaces/live/requests.hpp"
-
-#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <httplib.h>
 #include <poll.h>
 #include <sys/ioctl.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
-#include <chrono>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <utility>
 
 #include "analytic/scene/input/document.hpp"
-#include "comparisons/interfaces/live/connections.hpp"
+#include "comparisons/interfaces/live/requests.hpp"
 
 namespace rockstack::live {
 namespace {
@@ -84,15 +73,14 @@ class BoundedStream : public httplib::Stream {
   /// All of it, or −1.
   ssize_t write(const char* from, std::size_t size) override {
     const Clock::time_point end = Clock::now() + reading_time;
-    std::size_t done = 0;
-    while (done < size) {
+    for (std::size_t done = 0; done < size;) {
       if (!wait_for(socket_, POLLOUT, end)) return -1;
       const ssize_t count = send(socket_, from + done, size - done, MSG_NOSIGNAL | MSG_DONTWAIT);
       if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
       if (count <= 0) return -1;
       done += static_cast<std::size_t>(count);
     }
-    return static_cast<ssize_t>(done);
+    return static_cast<ssize_t>(size);
   }
 
   void get_remote_ip_and_port(std::string& ip, int& port) const override {
@@ -108,17 +96,58 @@ class BoundedStream : public httplib::Stream {
   Clock::time_point end_ = Clock::now() + reading_time;
 };
 
-/// The library's threads, which tell how many connections there are.
-class Threads : public httplib::ThreadPool {
+/// The library's threads, and the connections that have not yet shown that they may ask. Where more are open
+/// than there are threads, the one that has been silent for longest makes room, so that no number of idle
+/// ones keeps a request waiting.
+class Connections : public httplib::ThreadPool {
  public:
-  explicit Threads(Connections& connections) : httplib::ThreadPool(threads), connections_(connections) {}
+  Connections() : httplib::ThreadPool(threads) {}
+
+  /// One more is open, and has no thread yet.
   void enqueue(std::function<void()> serve) override {
-    connections_.queue();
+    {
+      const std::lock_guard lock(mutex_);
+      ++open_;
+      make_room(-1);
+    }
     httplib::ThreadPool::enqueue(std::move(serve));
   }
 
+  /// It has a thread now.
+  void enter(int socket) {
+    const std::lock_guard lock(mutex_);
+    sockets_.push_back(socket);
+    make_room(socket);
+  }
+
+  /// It may ask.
+  void admit(int socket) {
+    const std::lock_guard lock(mutex_);
+    std::erase(sockets_, socket);
+  }
+
+  /// Before it is closed.
+  void leave(int socket) {
+    const std::lock_guard lock(mutex_);
+    std::erase(sockets_, socket);
+    --open_;
+  }
+
  private:
-  Connections& connections_;
+  void make_room(int except) {
+    if (open_ <= threads) return;
+    const auto silent = std::ranges::find_if(sockets_, [&](int socket) {
+      int bytes = 0;
+      return socket != except && ioctl(socket, FIONREAD, &bytes) == 0 && bytes == 0;
+    });
+    if (silent == sockets_.end()) return;
+    ::shutdown(*silent, SHUT_RDWR);
+    sockets_.erase(silent);
+  }
+
+  std::mutex mutex_;
+  std::size_t open_ = 0;
+  std::vector<int> sockets_;  ///< of those with a thread, in the order in which they came
 };
 
 /// The connection that this thread serves.
@@ -155,8 +184,8 @@ const char* media_type(const std::filesystem::path& file) {
 
 class LiveServer : public httplib::Server {
  public:
-  LiveServer(Requests& requests, LivePage page, int port) : page_(std::move(page)) {
-    new_task_queue = [this] { return new Threads(connections_); };
+  LiveServer(LivePage page, int port) : page_(std::move(page)) {
+    new_task_queue = [this] { return connections_ = new Connections(); };
     // Without the port being shared, which is what the library sets.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
@@ -189,12 +218,12 @@ class LiveServer : public httplib::Server {
       if (!in) return refuse(response, 404, "the file is no longer there");
       response.set_content(std::string{std::istreambuf_iterator<char>(in), {}}, media_type(file->second));
     });
-    Post("/answer", [&requests](const httplib::Request& request, httplib::Response& response) {
+    Post("/answer", [this](const httplib::Request& request, httplib::Response& response) {
       const auto has_left = [] { return !current->is_writable(); };
-      answer_with(response, [&] { return requests.answer(request.body, has_left); });
+      answer_with(response, [&] { return requests_.answer(request.body, has_left); });
     });
-    Post("/files", [&requests](const httplib::Request& request, httplib::Response& response) {
-      answer_with(response, [&] { return requests.files(request.body); });
+    Post("/files", [this](const httplib::Request& request, httplib::Response& response) {
+      answer_with(response, [&] { return requests_.files(request.body); });
     });
   }
 
@@ -232,37 +261,37 @@ class LiveServer : public httplib::Server {
       refuse(response, 403, "token: must be that of the address that this `rockstack live` has printed");
       return false;
     }
-    connections_.admit(current->socket());
+    connections_->admit(current->socket());
     return true;
   }
 
   /// In the place of the library's own: a connection of bounded length and time, for one request.
   bool process_and_close_socket(socket_t socket) override {
     BoundedStream stream(socket);
-    connections_.enter(socket);
+    connections_->enter(socket);
     current = &stream;
     bool closed = false;
     // Packing an answer takes ten times as long as making it.
     const bool done = process_request(
         stream, true, closed, [](httplib::Request& request) { request.headers.erase("Accept-Encoding"); });
     current = nullptr;
-    connections_.leave(socket);
+    connections_->leave(socket);
     shutdown(socket, SHUT_RDWR);
     close(socket);
     return done;
   }
 
   LivePage page_;
-  Connections connections_{threads};
+  Requests requests_{page_.records};
+  Connections* connections_ = nullptr;  ///< the library's, for as long as it serves
   std::string token_ = drawn_token();
   int port_ = 0;
 };
 
 }  // namespace
 
-void serve(Requests& requests, LivePage page, int port,
-           const std::function<void(const std::string& address)>& listening) {
-  LiveServer server(requests, std::move(page), port);
+void serve(LivePage page, int port, const std::function<void(const std::string& address)>& listening) {
+  LiveServer server(std::move(page), port);
   listening(server.address());
   server.listen_after_bind();
 }

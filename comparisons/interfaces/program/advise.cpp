@@ -60,22 +60,17 @@ AdviceListener listener(const AdviceRequest& request, const Common& common) {
   return listener;
 }
 
-/// What holds after histories have parted.
-void print_beyond(const Advice& advice) {
-  for (const DistributionDistance& one : advice.beyond)
-    fmt::print("  whole scene, {}: exact mean {:.4g}, this solver {:.4g}; distance {:.2f}, {}\n",
-               one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
-               one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
-}
-
 void print_advice(const Advice& advice, const AdviseArguments& arguments, const AdviceRequest& request,
                   double duration, const Common& common) {
   fmt::print("\n{}\n", fmt::join(advice_sentences(request, advice, duration), "\n"));
   if (advice.pick < 0) return;
-  print_beyond(advice);
+  for (const DistributionDistance& one : advice.beyond)  // after histories have parted
+    fmt::print("  whole scene, {}: exact mean {:.4g}, this solver {:.4g}; distance {:.2f}, {}\n",
+               one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
+               one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
   const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
-  std::string changes;
-  for (const std::string& change : common.overrides) changes += " --set " + shell_word(change);
+  const std::string changes = text_of_each(
+      common.overrides, [](const std::string& change) { return " --set " + shell_word(change); });
   fmt::print("rockstack simulate {}{} --engine {}:{} --dt {}\n", shell_word(arguments.scene), changes,
              pick.engine, pick.solver, pick.dt.value_or(0));
 }
@@ -94,11 +89,8 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   request.limits.time = std::min(arguments.time_limit, arguments.within);
   if (common.talks()) print_legend(request);
   const Advice advice = advise(scene, request, arguments.out, common.command, listener(request, common));
-  if (common.json) {
-    fmt::print("{}\n", advice_json(scene, request, advice, common.command).dump(2));
-  } else if (!common.quiet) {
+  if (in_words(advice_json(scene, request, advice, common.command), common))
     print_advice(advice, arguments, request, scene.scene.duration, common);
-  }
   show_report(arguments.out, common);
   return advice.pick < 0 ? 1 : 0;
 }

@@ -22,15 +22,12 @@ struct Finding {
 /// A worker that does not answer costs a row.
 const Limits limits;
 
-Parameters parameters_of(const WorkerEngine& engine, const std::string& settings) {
-  return settings == "tuned" ? engine.tuned_parameters() : engine.default_parameters();
-}
-
 /// `warnings` counts those of all runs.
 Adapter adapter_of(const WorkerEngine& engine, const std::string& settings, std::size_t& warnings) {
   const Capabilities& able = engine.capabilities;
   return {able.single_precision, settings == "tuned" ? able.tuned_lead : able.lead,
-          parameters_of(engine, settings), [&engine, &warnings](const Setup& setup, const Parameters& given) {
+          make_series(engine, settings, {}).parameters,
+          [&engine, &warnings](const Setup& setup, const Parameters& given) {
             Trajectory made = run(engine, setup, given, true, limits);
             warnings += made.warnings;
             return made;
@@ -42,14 +39,16 @@ Finding judge(const WorkerEngine& engine, const std::string& settings, const Che
   const std::string limit = known_limit(engine.name, engine.solver, settings, check.name);
   try {
     const Judgement verdict = check.judge(adapter_of(engine, settings, finding.warnings));
-    finding.verdict = verdict.holds() ? "holds" : limit.empty() ? "fails" : "known limit";
+    finding.verdict = verdict.holds() ? "holds" : "fails";
     finding.value = verdict.value;
     finding.limit = verdict.limit;
-    finding.what = verdict.holds() || limit.empty() ? verdict.what : limit;
+    finding.what = verdict.what;
   } catch (const std::exception& error) {
-    if (!limit.empty()) finding.verdict = "known limit";
-    finding.what = limit.empty() ? error.what() : limit;
+    finding.what = error.what();
   }
+  if (finding.verdict == "holds" || limit.empty()) return finding;
+  finding.verdict = "known limit";
+  finding.what = limit;
   return finding;
 }
 
@@ -68,22 +67,6 @@ std::vector<Check> checks_named(const std::vector<std::string>& names) {
   return list;
 }
 
-/// What a run of a resting block tells that is asked for everything that an answer may have.
-struct FirstRun {
-  bool tells_contacts = false;
-  double step_time = 0;       ///< wall time of a step, s
-  double processor_time = 0;  ///< of the whole worker for a hundred steps and as many timed ones, s
-};
-
-/// @throws std::runtime_error where it is not done.
-FirstRun first_run(const WorkerEngine& engine, const std::string& settings) {
-  const Scene scene = at_rest({make_block(1, 1, 2500)}, 0.1);
-  const WorkerRun made = run_in_worker(engine, scene, 1e-3, parameters_of(engine, settings), 1, limits, true);
-  if (made.status != "done") throw std::runtime_error(made.status + ": " + made.reason);
-  return {made.run.bodies->contacts.has_value(),
-          made.seconds.front() / static_cast<double>(made.run.history.size() - 1), made.processor_time};
-}
-
 /// The finest step and the longest scene that come with the program: 0.1 ms and 25 s.
 constexpr double most_steps = 250000;
 
@@ -94,30 +77,32 @@ std::string slowness(double step_time) {
                      most_steps * step_time, limits.time);
 }
 
-Json capabilities_json(const WorkerEngine& engine, const FirstRun& first) {
+/// What an engine says of itself, and what a run of a resting block tells that is asked for everything that
+/// an answer may have: the wall time of a step and the processor time of the whole worker for a hundred steps
+/// and as many timed ones, s. @throws std::runtime_error where it is not done.
+Json capabilities_json(const WorkerEngine& engine, const std::string& settings) {
+  const Scene scene = at_rest({make_block(1, 1, 2500)}, 0.1);
+  const Parameters parameters = make_series(engine, settings, {}).parameters;
+  const WorkerRun made = run_in_worker(engine, scene, 1e-3, parameters, 1, limits, true);
+  if (made.status != "done") throw std::runtime_error(made.status + ": " + made.reason);
   const Capabilities& able = engine.capabilities;
-  Json json{{"engine", engine.full_name()},
-            {"version", engine.version},
-            {"licence", engine.licence},
-            {"worker", engine.program.string()},
-            {"largest_friction", std::isfinite(able.largest_friction) ? Json(able.largest_friction) : Json()},
-            {"single_precision", able.single_precision},
-            {"planar", able.planar},
-            {"lead", able.lead},
-            {"tuned_lead", able.tuned_lead},
-            {"moves_ground", engine.default_parameters().count("shaking") != 0},
-            {"tells_contacts", first.tells_contacts},
-            {"step_time", first.step_time},
-            {"processor_time", first.processor_time},
-            {"settings", Json::array()}};
-  for (const Setting& setting : engine.settings)
-    json["settings"].push_back({{"name", setting.name},
-                                {"unit", setting.unit},
-                                {"default", setting.standard},
-                                {"tuned", setting.tuned},
-                                {"least", setting.least},
-                                {"most", setting.most}});
-  return json;
+  return {{"engine", engine.full_name()},
+          {"version", engine.version},
+          {"licence", engine.licence},
+          {"worker", engine.program.string()},
+          {"largest_friction", std::isfinite(able.largest_friction) ? Json(able.largest_friction) : Json()},
+          {"single_precision", able.single_precision},
+          {"planar", able.planar},
+          {"lead", able.lead},
+          {"tuned_lead", able.tuned_lead},
+          {"moves_ground", engine.default_parameters().count("shaking") != 0},
+          {"tells_contacts", made.run.bodies->contacts.has_value()},
+          {"step_time", made.seconds.front() / static_cast<double>(made.run.history.size() - 1)},
+          {"processor_time", made.processor_time},
+          {"settings", each_of(engine.settings, [](const Setting& setting) {
+             return Json{{"name", setting.name},   {"unit", setting.unit},   {"default", setting.standard},
+                         {"tuned", setting.tuned}, {"least", setting.least}, {"most", setting.most}};
+           })}};
 }
 
 void print_capabilities(const Json& able) {
@@ -158,7 +143,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   Json report{{"engines", Json::array()}, {"checks", Json::array()}};
   std::size_t broken = 0, count = 0;
   const std::vector<Check> chosen = checks_named(arguments.checks);
-  const std::vector<std::string> sets = both_if_empty(arguments.settings);
+  const std::vector<std::string>& sets = arguments.settings;
   const auto tell = [&](const Finding& finding) {
     ++count;
     if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;
@@ -167,7 +152,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   };
   for (const WorkerEngine* engine : engines_named(arguments.engine)) {
     try {
-      report["engines"].push_back(capabilities_json(*engine, first_run(*engine, sets.front())));
+      report["engines"].push_back(capabilities_json(*engine, sets.front()));
     } catch (const std::exception& error) {
       tell({engine->full_name(), sets.front(), "FirstRun", error.what()});
       continue;
@@ -185,8 +170,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
     }
   }
   report["broken"] = broken;
-  if (common.json) fmt::print("{}\n", report.dump(2));
-  if (common.talks()) fmt::print("{} of {} checks do not hold\n", broken, count);
+  if (in_words(report, common)) fmt::print("{} of {} checks do not hold\n", broken, count);
   return broken == 0 ? 0 : 1;
 }
 

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cstdio>
 
-#include "comparisons/measures/results/build.hpp"
 #include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
@@ -24,17 +23,10 @@ std::string waiting_time(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-std::vector<std::string> both_if_empty(const std::vector<std::string>& settings) {
-  return settings.empty() ? std::vector<std::string>{"default", "tuned"} : settings;
-}
-
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
-  std::vector<const WorkerEngine*> list = chosen_engines(name);
+  const std::vector<const WorkerEngine*> list = chosen_engines(name);
   if (name.find_first_of(":/") != std::string::npos) return list;
-  const EngineList solvers = engines_called(list.front()->name);
-  list.clear();
-  for (const WorkerEngine& engine : solvers) list.push_back(&engine);
-  return list;
+  return each_of(engines_called(list.front()->name), [](const WorkerEngine& engine) { return &engine; });
 }
 
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
@@ -63,6 +55,11 @@ void require_positive_option(const char* option, double value) {
 void refuse_overrides(const Common& common, const char* reason) {
   if (!common.overrides.empty())
     throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
+}
+
+bool in_words(const Json& result, const Common& common) {
+  if (common.json) fmt::print("{}\n", result.dump(2));
+  return common.talks();
 }
 
 std::string shell_word(const std::string& word) {
@@ -111,10 +108,6 @@ void show_report(const std::filesystem::path& folder, const Common& common) {
   plots::show(folder);
 #endif
   print_report(folder, common);
-}
-
-std::string version_text() {
-  return fmt::format("rockstack {}", build::version);
 }
 
 }  // namespace rockstack

@@ -1,19 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "comparisons/runs/compare.hpp"
-#include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/diff/changes.hpp"
-#include "comparisons/suites/suite.hpp"
-#include "engines/worker/registry.hpp"
 
 namespace CLI {
 class App;
@@ -140,14 +128,14 @@ int keys_command(const KindArguments& arguments, const Common& common);
 
 struct CheckEngineArguments {
   std::string engine;
-  std::vector<std::string> settings;  ///< empty: both
-  std::vector<std::string> checks;    ///< their names; empty: all
+  std::vector<std::string> settings{"default", "tuned"};
+  std::vector<std::string> checks;  ///< their names; empty: all
 };
 int check_engine_command(const CheckEngineArguments& arguments, const Common& common);
 
 struct CanonArguments {
-  std::vector<std::string> engines;   ///< empty: all
-  std::vector<std::string> settings;  ///< empty: both
+  std::vector<std::string> engines;  ///< empty: all
+  std::vector<std::string> settings{"default", "tuned"};
   std::filesystem::path out;
 };
 int canon_command(const CanonArguments& arguments, const Common& common);
@@ -159,11 +147,6 @@ struct NewArguments {
 };
 int new_command(const NewArguments& arguments, const Common& common);
 
-/// Runs a study of stability, writes and draws its maps, and says how many runs have which verdict.
-/// `replicates`: as CompareArguments::replicates.
-int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
-                      int replicates, const Common& common);
-
 // What several commands share.
 
 /// All solvers of an engine: of a worker program named by its path, or of a name that `list engines` shows;
@@ -173,9 +156,6 @@ std::vector<const WorkerEngine*> engines_named(const std::string& name);
 /// The same of several names; where there is none, those of `otherwise`.
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
                                                EngineList (*otherwise)());
-
-/// Those given, or "default" and "tuned" where none is.
-std::vector<std::string> both_if_empty(const std::vector<std::string>& settings);
 
 /// @throws InputError also where the input names a suite.
 NamedScene read_one_scene(const std::string& input, const Common& common);
@@ -190,6 +170,9 @@ void refuse_overrides(const Common& common, const char* reason);
 std::unique_ptr<Executor> make_executor(std::size_t threads);
 
 // What the program says on standard output; progress goes to standard error, and only to a terminal.
+
+/// Prints a result where it is wanted as JSON. Returns whether it is wanted in words.
+bool in_words(const Json& result, const Common& common);
 
 /// A word as a shell reads it back.
 std::string shell_word(const std::string& word);
@@ -223,16 +206,8 @@ void print_legend(const std::vector<Suite>& suites, const Common& common);
 /// Has rows printed as they are told. `common` must outlive the options.
 void print_rows(const std::vector<Suite>& suites, const Common& common, CompareOptions& options);
 
-/// A subcommand with what it does once its options are read.
-struct Command {
-  CLI::App* app;
-  std::function<int()> run;
-};
-
-/// Adds every subcommand with its options to the program, which must outlive what is returned.
-std::vector<Command> add_commands(CLI::App& app, const Common& common);
-
-/// The program's name and version.
-std::string version_text();
+/// Adds every subcommand with its options to the program, which must outlive what is returned: what each does
+/// once its options are read.
+std::map<const CLI::App*, std::function<int()>> add_commands(CLI::App& app, const Common& common);
 
 }  // namespace rockstack

@@ -14,10 +14,8 @@
 namespace rockstack {
 namespace {
 
-/// The suite or scene that an input of `compare` names.
-std::filesystem::path find_input(const std::string& input) {
-  return input_file(input, {"suites", "scenes"});
-}
+/// The kinds of inputs of `compare`.
+const std::vector<std::string> input_kinds{"suites", "scenes"};
 
 /// A suite says by itself what it runs.
 void refuse_choice(const std::string& suite, const SceneChoice& choice) {
@@ -31,7 +29,7 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
 }
 
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
-  const auto file = find_input(input);
+  const auto file = input_file(input, input_kinds);
   const InputKind kind = kind_of(file);
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
   refuse_choice(input, arguments.choice);
@@ -78,17 +76,11 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
                        const Common& common) {
   const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
-  if (common.json) {
-    Json list = Json::array();
-    for (const ImpactShare& kind : kinds)
-      list.push_back({{"kind", name(kind.kind)},
-                      {"impacts", kind.impacts},
-                      {"differ", kind.differ},
-                      {"none", kind.none}});
-    fmt::print("{}\n", Json{{"kinds", list}, {"folder", folder.string()}}.dump(2));
-    return;
-  }
-  if (common.quiet) return;
+  const Json list = each_of(kinds, [](const ImpactShare& kind) {
+    return Json{
+        {"kind", name(kind.kind)}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}};
+  });
+  if (!in_words({{"kinds", list}, {"folder", folder.string()}}, common)) return;
   fmt::print("{:<18} {:>8} {:>9} {:>9}\n", "impact", "number", "differ", "none");
   for (const ImpactShare& kind : kinds)
     fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", name(kind.kind), kind.impacts,
@@ -120,17 +112,38 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   return failed ? 1 : 0;
 }
 
+void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,
+                    const Common& common) {
+  if (common.quiet) return;
+  std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
+  for (const StabilityRun& row : rows)
+    if (row.row.dt) ++counts[name(row.verdict.soundness)];
+  if (!in_words({{"verdicts", counts}, {"folder", out.string()}}, common)) return;
+  for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
+  fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
+}
+
+int stability_command(const std::filesystem::path& file, const CompareArguments& arguments,
+                      Executor& executor, const Common& common) {
+  StabilityStudy study = read_stability_study(file, common.overrides);
+  if (arguments.replicates > 0) set_runs(study.suite.replicates, arguments.replicates);
+  require_comparable({study.suite});
+  const ResultsFolder folder(arguments.out, Results::stability);
+  const std::vector<StabilityRun> rows = run_stability(
+      study, arguments.out, executor, {.command = common.command, .progress = progress(common)});
+  print_verdicts(rows, arguments.out, common);
+  show_report(arguments.out, common);
+  const auto failed =
+      std::ranges::count_if(rows, [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
+  return end_of_runs(static_cast<std::size_t>(failed), rows.size(), "stability.csv");
+}
+
 /// The verdict, what was left out, and where the results are; or all of it as JSON.
 void print_comparison(const CompareResult& result, const std::filesystem::path& folder,
                       const Common& common) {
-  if (common.json) {
-    fmt::print(
-        "{}\n",
-        Json{{"headline", result.verdict.headline}, {"rows", result.rows}, {"folder", folder.string()}}.dump(
-            2));
+  if (!in_words({{"headline", result.verdict.headline}, {"rows", result.rows}, {"folder", folder.string()}},
+                common))
     return;
-  }
-  if (common.quiet) return;
   fmt::print("\n");
   if (std::ranges::any_of(result.rows,
                           [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
@@ -153,7 +166,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     return 0;
   }
   for (const std::string& input : arguments.inputs) {
-    const auto file = find_input(input);
+    const auto file = input_file(input, input_kinds);
     const InputKind kind = kind_of(file);
     if (kind == InputKind::scene || kind == InputKind::suite) continue;
     refuse_choice(input, arguments.choice);
@@ -164,8 +177,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
     if (arguments.record)
       throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));
-    if (kind == InputKind::stability_study)
-      return stability_command(file, arguments.out, *executor, arguments.replicates, common);
+    if (kind == InputKind::stability_study) return stability_command(file, arguments, *executor, common);
     return study_command(file, arguments.out, common);
   }
   const std::vector<Suite> suites = read_inputs(arguments, common);

@@ -129,9 +129,7 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
     write_file(arguments.out / "diff.csv", changes_csv(result));
     write_file(arguments.out / "diff.json", json.dump(2) + "\n");
   }
-  if (common.json) {
-    fmt::print("{}\n", json.dump(2));
-  } else if (!common.quiet) {
+  if (in_words(json, common)) {
     print_change(result, options);
     if (!arguments.out.empty()) fmt::print("results: {}\n", arguments.out.string());
   }

@@ -8,24 +8,19 @@
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/stability/study.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
 namespace {
 
-/// A kind of input file with its tables.
-struct FileKeys {
-  const char* file;
-  std::initializer_list<const KeyTable*> tables;
-};
-
 constexpr std::initializer_list<const KeyTable*> measured_tables{&measured_keys};
 
-constexpr std::initializer_list<FileKeys> files{{"scene", scene_tables},      {"scene", measured_tables},
-                                                {"suite", suite_tables},      {"suite", stability_tables},
-                                                {"suite", impact_law_tables}, {"ensemble", ensemble_tables}};
+/// The kinds of input files with their tables.
+constexpr std::initializer_list<std::pair<const char*, std::initializer_list<const KeyTable*>>> files{
+    {"scene", scene_tables},     {"scene", measured_tables},   {"suite", suite_tables},
+    {"suite", stability_tables}, {"suite", impact_law_tables}, {"ensemble", ensemble_tables}};
 
 void print_table(const KeyTable& table) {
   const std::string_view header = table.header;
@@ -37,17 +32,12 @@ void print_table(const KeyTable& table) {
   }
 }
 
-Json table_json(const FileKeys& file, const KeyTable& table) {
-  Json json{
-      {"file", file.file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", Json::array()}};
-  for (const InputKey& key : table.keys)
-    json["keys"].push_back({{"key", key.name},
-                            {"unit", key.unit},
-                            {"range", key.range},
-                            {"default", key.standard},
-                            {"meaning", key.meaning},
-                            {"example", key.example}});
-  return json;
+Json table_json(const char* file, const KeyTable& table) {
+  const auto keys = each_of(table.keys, [](const InputKey& key) {
+    return Json{{"key", key.name},         {"unit", key.unit},       {"range", key.range},
+                {"default", key.standard}, {"meaning", key.meaning}, {"example", key.example}};
+  });
+  return {{"file", file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", keys}};
 }
 
 /// A table of a template with the values that differ from its examples.
@@ -106,17 +96,16 @@ std::vector<Section> scene_sections(const std::optional<std::filesystem::path>& 
   std::vector<Section> sections{{&scene_keys, {{"title", "\"A column\""}}}, {&block_keys}, {&block_keys}};
   sections[1].values = {{"width", "0.6"}, {"height", "1.6"}};
   sections[2].values = {{"width", "0.5"}, {"height", "1.2"}};
-  if (!record) {
+  if (record) {
+    const Record motion = read_record(*record);
+    const double length = motion.interval * static_cast<double>(motion.samples.size());
+    sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
+    const std::string path = std::filesystem::proximate(*record, folder).string();
+    sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
+  } else {
     sections.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
     sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
-    sections.push_back({&surface_keys, {}, true});
-    return sections;
   }
-  const Record motion = read_record(*record);
-  const double length = motion.interval * static_cast<double>(motion.samples.size());
-  sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
-  const std::string path = std::filesystem::proximate(*record, folder).string();
-  sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
   sections.push_back({&surface_keys, {}, true});
   return sections;
 }
@@ -172,30 +161,20 @@ std::vector<Listed> listed_engines() {
 }
 
 std::vector<Listed> listed(const std::string& kind) {
-  std::vector<Listed> list;
   if (kind == "engines") return listed_engines();
-  if (kind == "lessons") {
-    for (const Lesson& lesson : lessons()) list.push_back({lesson.name, title(lesson)});
-    return list;
-  }
-  for (const std::string& name : shipped_names(kind)) {
+  if (kind == "lessons")
+    return each_of(lessons(), [](const Lesson& lesson) { return Listed{lesson.name, title(lesson)}; });
+  return each_of(shipped_names(kind), [&](const std::string& name) {
     const Node root = read_toml(find_file(name, kind));
     const Node* title = find(root, "title");
-    list.push_back({name, title != nullptr ? title->text : ""});
-  }
-  return list;
+    return Listed{name, title != nullptr ? title->text : ""};
+  });
 }
 
 void print_list(const std::vector<Listed>& list, const std::string& indent) {
   std::size_t width = 0;
   for (const Listed& one : list) width = std::max(width, one.name.size());
   for (const Listed& one : list) fmt::print("{}{:<{}}  {}\n", indent, one.name, width, one.title);
-}
-
-Json to_json(const std::vector<Listed>& list) {
-  Json json = Json::array();
-  for (const Listed& one : list) json.push_back({{"name", one.name}, {"title", one.title}});
-  return json;
 }
 
 }  // namespace
@@ -205,9 +184,9 @@ int keys_command(const KindArguments& arguments, const Common& common) {
   Json list = Json::array();
   if (!common.json)
     fmt::print("  {:<20} {:<11} {:<28} {}\n", "KEY", "UNIT", "DEFAULT", "RANGE, and below it MEANING");
-  for (const FileKeys& file : files) {
-    if (!arguments.kind.empty() && arguments.kind != file.file) continue;
-    for (const KeyTable* table : file.tables) {
+  for (const auto& [file, tables] : files) {
+    if (!arguments.kind.empty() && arguments.kind != file) continue;
+    for (const KeyTable* table : tables) {
       if (common.json)
         list.push_back(table_json(file, *table));
       else
@@ -245,7 +224,9 @@ int list_command(const KindArguments& arguments, const Common& common) {
   for (const std::string kind : {"scenes", "suites", "ensembles", "lessons", "engines"}) {
     if (!only.empty() && kind != only) continue;
     if (common.json) {
-      (only.empty() ? all[kind] : all) = to_json(listed(kind));
+      (only.empty() ? all[kind] : all) = each_of(listed(kind), [](const Listed& one) {
+        return Json{{"name", one.name}, {"title", one.title}};
+      });
     } else {
       if (only.empty()) fmt::print("{}\n", kind);
       print_list(listed(kind), only.empty() ? "  " : "");

@@ -11,7 +11,6 @@
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "engines/worker/installation.hpp"
 
 namespace rockstack {
 namespace {
@@ -29,8 +28,9 @@ live::PageStart start_of(const LiveArguments& arguments, const Common& common) {
   if (const EngineList usual = usual_engines(); !usual.empty()) start.engine = usual.front().get().name;
   start.records = arguments.records;
   for (const Lesson& lesson : lessons()) start.lessons[lesson.name] = lesson_scene(lesson.name);
-  if (live::has_course_files(arguments.input)) {
-    start.course = arguments.input;
+  const std::filesystem::path folder = arguments.input;
+  if (std::filesystem::exists(folder / "course.json") || std::filesystem::exists(folder / "lesson.json")) {
+    start.course = folder;
     start.scene = find_file(LiveArguments().input, "scenes");
   } else if (const auto lesson = start.lessons.find(arguments.input); lesson != start.lessons.end()) {
     std::tie(start.lesson, start.scene) = *lesson;
@@ -82,9 +82,7 @@ int live_command(const LiveArguments& arguments, const Common& common) {
     fragment = asked.input.substr(sign);
     asked.input = LiveArguments().input;
   }
-  live::LivePage page = live::make_live_page(start_of(asked, common));
-  live::Requests requests(worker_folder() / "rockstack_exact", page.records);
-  live::serve(requests, std::move(page), asked.port, [&](const std::string& here) {
+  live::serve(live::make_live_page(start_of(asked, common)), asked.port, [&](const std::string& here) {
     const std::string address = here + fragment;
     print_address(address, common);
     if (asked.browser) open_browser(address);

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/results/build.hpp"
 
 namespace {
 
@@ -37,39 +38,34 @@ void require_temporary_folder() {
   if (error) throw InputError(fmt::format("TMPDIR = {}: must be a folder", std::getenv("TMPDIR")));
 }
 
-/// The command that is given, or none.
-const Command* parsed(const std::vector<Command>& commands) {
-  for (const Command& command : commands)
-    if (command.app->parsed()) return &command;
-  return nullptr;
-}
-
 /// What a command needs and was not given, all of it.
-std::string missing(const Command& command) {
+std::string missing(const CLI::App& command) {
   std::string names;
-  for (const CLI::Option* option : command.app->get_options())
+  for (const CLI::Option* option : command.get_options())
     if (option->get_required() && option->count() == 0)
       names += (names.empty() ? "" : ", ") + option->get_name();
-  return fmt::format("{}: {}: missing", command.app->get_name(), names);
+  return fmt::format("{}: {}: missing", command.get_name(), names);
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  return each_of(app.get_subcommands({}), &CLI::App::get_name);
 }
 
 /// The first word that nobody expected, and what it may have been meant for.
-void refuse_unexpected(const CLI::App& app, const Command* given) {
+void refuse_unexpected(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining(true);
   if (words.empty()) return;
   std::vector<std::string> names;
-  if (given == nullptr) {
-    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  } else {
-    for (const CLI::App* owner : std::initializer_list<const CLI::App*>{&app, given->app})
+  for (const CLI::App* given : app.get_subcommands())
+    for (const CLI::App* owner : {&app, given})
       for (const CLI::Option* option : owner->get_options()) names.push_back(option->get_name());
-  }
+  if (names.empty()) names = command_names(app);
   throw std::invalid_argument(words.front() + ": not expected" + did_you_mean(words.front(), names));
 }
 
 int run(int count, char** arguments) {
   CLI::App app{"Stacked rocking blocks: the exact theory beside physics engines", "rockstack"};
-  app.set_version_flag("--version", version_text());
+  app.set_version_flag("--version", fmt::format("rockstack {}", build::version));
   app.require_subcommand(0, 1);
   app.fallthrough();
   Common common;
@@ -82,18 +78,18 @@ int run(int count, char** arguments) {
       app.add_flag("--json", common.json, "print the result as JSON"),
       app.add_option("--workers", common.workers,
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
-  const std::vector<Command> commands = add_commands(app, common);
-  for (const Command& command : commands)
-    command.app->footer(CLI::Formatter().make_group("Common options", false, common_options));
+  const auto commands = add_commands(app, common);
+  for (CLI::App* command : app.get_subcommands({}))
+    command->footer(CLI::Formatter().make_group("Common options", false, common_options));
   try {
     app.parse(count, arguments);
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::RequiredError&) {
-    refuse_unexpected(app, parsed(commands));
-    throw std::invalid_argument(missing(*parsed(commands)));
+    refuse_unexpected(app);
+    throw std::invalid_argument(missing(*app.get_subcommands().front()));
   } catch (const CLI::ExtrasError&) {
-    refuse_unexpected(app, parsed(commands));
+    refuse_unexpected(app);
     throw;
   } catch (const CLI::ConversionError& error) {
     const std::string text = error.what();
@@ -104,10 +100,9 @@ int run(int count, char** arguments) {
   require_folders("--workers", common.workers);
   if (!common.workers.empty()) setenv(workers_variable, common.workers.c_str(), 1);
   require_temporary_folder();
-  if (const Command* given = parsed(commands)) return given->run();
-  std::string names;
-  for (const Command& command : commands) names += " " + command.app->get_name();
-  throw std::invalid_argument("a command must be given, one of" + names);
+  if (const auto given = app.get_subcommands(); !given.empty()) return commands.at(given.front())();
+  throw std::invalid_argument(
+      fmt::format("a command must be given, one of {}", fmt::join(command_names(app), " ")));
 }
 
 /// Where a standard stream is closed, the first file that is opened would take its number and get its text. A

@@ -13,55 +13,41 @@
 namespace rockstack {
 namespace {
 
-/// What is said of other motions that obey.
-struct Branches {
-  std::vector<std::string> lines = {};
-  Json json = Json::object();  ///< added to that of the motion
-};
-
-/// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are.
+/// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are; in between
+/// what is said of other motions that obey.
 void print_history(const Scene& scene, const History& history, const Support& support,
-                   const std::filesystem::path& folder, const Common& common, const Branches& branches = {}) {
+                   const std::filesystem::path& folder, const Common& common,
+                   const std::vector<std::string>& lines_of_others = {},
+                   const Json& others = Json::object()) {
   std::map<std::string, int> events;
   for (const Event& event : history.events) ++events[name(event.kind)];
   const std::string verdict = motion_verdict(scene, history, support);
   const std::vector<double> peaks = peak_angles(history);
   const std::vector<std::string> warnings = validity_warnings(scene, history);
-  if (common.json) {
-    Json json{{"verdict", verdict},
-              {"events", events},
-              {"peak_angles", peaks},
-              {"warnings", warnings},
-              {"folder", folder.string()}};
-    json.update(branches.json);
-    fmt::print("{}\n", json.dump(2));
-  } else if (!common.quiet) {
-    fmt::print("{}\n", verdict);
-    for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
-    for (std::size_t k = 0; const double peak : peaks)
-      fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
-    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
-    for (const std::string& line : branches.lines) fmt::print("{}\n", line);
-    fmt::print("results: {}\n", folder.string());
-  }
+  Json json{{"verdict", verdict},
+            {"events", events},
+            {"peak_angles", peaks},
+            {"warnings", warnings},
+            {"folder", folder.string()}};
+  json.update(others);
+  if (!in_words(json, common)) return;
+  fmt::print("{}\n", verdict);
+  for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
+  for (std::size_t k = 0; const double peak : peaks)
+    fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
+  for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& line : lines_of_others) fmt::print("{}\n", line);
+  fmt::print("results: {}\n", folder.string());
 }
 
 /// Follows all motions; returns 1 where one was given up.
 int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
   const BranchTree tree = solve_branches_into(job, most);
   const Scene& scene = job.scene.scene;
-  print_history(scene, tree.branches.front().history, {}, job.folder, common,
-                {branch_lines(scene, tree, most),
-                 {{"branches", branches_json(scene, tree)}, {"branches_left_out", tree.left_out}}});
+  print_history(scene, tree.branches.front().history, {}, job.folder, common, branch_lines(scene, tree, most),
+                {{"branches", branches_json(scene, tree)}, {"branches_left_out", tree.left_out}});
   const auto given_up = [](const Branch& branch) { return !branch.unfinished.empty(); };
   return std::ranges::any_of(tree.branches, given_up) ? 1 : 0;
-}
-
-/// Which one it was where a name stands for several.
-void print_first_of(const std::vector<const WorkerEngine*>& engines, const Common& common) {
-  if (!common.talks()) return;
-  const std::vector<std::string> solvers = each_of(engines, &WorkerEngine::solver);
-  fmt::print("engine: {}, the first of {}\n", engines.front()->full_name(), fmt::join(solvers, ", "));
 }
 
 }  // namespace
@@ -99,7 +85,9 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::motion);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
-  if (named.size() > 1) print_first_of(named, common);
+  if (named.size() > 1 && common.talks())
+    fmt::print("engine: {}, the first of {}\n", engine.full_name(),
+               fmt::join(each_of(named, &WorkerEngine::solver), ", "));
   print_history(scene.scene, history, support, arguments.out, common);
   if (arguments.plots) show_report(arguments.out, common);
   return 0;

@@ -4,7 +4,7 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/histories.hpp"
+#include "comparisons/measures/results/tables.hpp"
 
 namespace rockstack {
 namespace {
@@ -256,8 +256,8 @@ void add_new(CLI::App& command, NewArguments& arguments) {
 
 }  // namespace
 
-std::vector<Command> add_commands(CLI::App& app, const Common& common) {
-  std::vector<Command> commands;
+std::map<const CLI::App*, std::function<int()>> add_commands(CLI::App& app, const Common& common) {
+  std::map<const CLI::App*, std::function<int()>> commands;
   // `add` gives a subcommand its options, which fill arguments of its own.
   const auto command = [&]<class Arguments>(const char* name, const char* what,
                                             void (*add)(CLI::App&, Arguments&),
@@ -265,7 +265,7 @@ std::vector<Command> add_commands(CLI::App& app, const Common& common) {
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* made = app.add_subcommand(name, what);
     add(*made, *arguments);
-    commands.push_back({made, [arguments, run, &common] { return run(*arguments, common); }});
+    commands[made] = [arguments, run, &common] { return run(*arguments, common); };
   };
   command("solve", "solve a scene exactly", add_solve, solve_command);
   command("simulate", "run a scene in one physics engine", add_simulate, simulate_command);

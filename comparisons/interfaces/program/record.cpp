@@ -112,16 +112,6 @@ std::string spectrum_csv(const GroundMotion& motion) {
   return csv.text();
 }
 
-void write_results(const MeasuredRecord& record, Json json, const RecordArguments& arguments,
-                   const Common& common) {
-  json["spectrum_damping"] = spectrum_damping;
-  json["command"] = common.command;
-  json["environment"] = environment({});
-  write_file(arguments.out / "record.csv", record_csv(record.motion));
-  write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
-  write_file(arguments.out / "record.json", json.dump(2) + "\n");
-}
-
 }  // namespace
 
 int record_command(const RecordArguments& arguments, const Common& common) {
@@ -131,11 +121,15 @@ int record_command(const RecordArguments& arguments, const Common& common) {
   std::optional<ResultsFolder> folder;
   if (!arguments.out.empty()) {
     folder.emplace(arguments.out, Results::record);
-    write_results(record, json, arguments, common);
+    Json whole = json;
+    whole["spectrum_damping"] = spectrum_damping;
+    whole["command"] = common.command;
+    whole["environment"] = environment({});
+    write_file(arguments.out / "record.csv", record_csv(record.motion));
+    write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
+    write_file(arguments.out / "record.json", whole.dump(2) + "\n");
   }
-  if (common.json) {
-    fmt::print("{}\n", json.dump(2));
-  } else if (!common.quiet) {
+  if (in_words(json, common)) {
     print_text(record, arguments.base_line);
     if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
   }

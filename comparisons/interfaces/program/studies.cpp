@@ -8,7 +8,6 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/studies/fit/fit.hpp"
-#include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
 
@@ -59,32 +58,16 @@ std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const 
 
 /// Runs done, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
-  if (common.json) {
-    fmt::print("{}\n", Json{{"runs", result.runs},
-                            {"done", result.done},
-                            {"computed", result.computed},
-                            {"failed", result.failed},
-                            {"seconds", result.seconds},
-                            {"folder", folder.string()}}
-                           .dump(2));
-  } else if (!common.quiet) {
-    fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
-    fmt::print("results: {}\n", folder.string());
-  }
-}
-
-void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,
-                    const Common& common) {
-  if (common.quiet) return;
-  std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
-  for (const StabilityRun& row : rows)
-    if (row.row.dt) ++counts[name(row.verdict.soundness)];
-  if (common.json) {
-    fmt::print("{}\n", Json{{"verdicts", counts}, {"folder", out.string()}}.dump(2));
+  if (!in_words({{"runs", result.runs},
+                 {"done", result.done},
+                 {"computed", result.computed},
+                 {"failed", result.failed},
+                 {"seconds", result.seconds},
+                 {"folder", folder.string()}},
+                common))
     return;
-  }
-  for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
-  fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
+  fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
+  fmt::print("results: {}\n", folder.string());
 }
 
 void print(const CanonRow& row, const CanonAnswer& answer) {
@@ -116,24 +99,8 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   return end_of_runs(result.failed, result.runs, "runs.csv");
 }
 
-int stability_command(const std::filesystem::path& file, const std::filesystem::path& out, Executor& executor,
-                      int replicates, const Common& common) {
-  StabilityStudy study = read_stability_study(file, common.overrides);
-  if (replicates > 0) set_runs(study.suite.replicates, replicates);
-  require_comparable({study.suite});
-  const ResultsFolder folder(out, Results::stability);
-  const std::vector<StabilityRun> rows =
-      run_stability(study, out, executor, {.command = common.command, .progress = progress(common)});
-  print_verdicts(rows, out, common);
-  show_report(out, common);
-  const auto failed = std::count_if(
-      rows.begin(), rows.end(), [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
-  return end_of_runs(static_cast<std::size_t>(failed), rows.size(), "stability.csv");
-}
-
 int fit_command(const FitArguments& arguments, const Common& common) {
-  std::vector<FitParameter> parameters;
-  for (const std::string& each : arguments.vary) parameters.push_back(fit_parameter(each));
+  const std::vector<FitParameter> parameters = each_of(arguments.vary, fit_parameter);
   const SceneDocument document = read_document(input_file(arguments.scene, {"scenes"}), common.overrides);
   if (!document.measured) throw missing_key(document.root, "measured", "given, a table of what was measured");
   MotionLibrary library;
@@ -142,8 +109,7 @@ int fit_command(const FitArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::fit);
   const Fit found = fit(document, measured, parameters);
   write_fit(scene.title, measured, found, arguments.out, common.command);
-  if (common.json) fmt::print("{}\n", fit_json(scene.title, measured, found, common.command).dump(2));
-  if (common.talks()) {
+  if (in_words(fit_json(scene.title, measured, found, common.command), common)) {
     std::string changes;
     for (const FittedParameter& one : found.parameters) {
       fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
@@ -160,18 +126,16 @@ int fit_command(const FitArguments& arguments, const Common& common) {
 int canon_command(const CanonArguments& arguments, const Common& common) {
   Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
   const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
-  const std::vector<std::string> sets = both_if_empty(arguments.settings);
   const ResultsFolder folder(arguments.out, Results::canon);
-  const bool talk = !common.quiet && !common.json;
-  if (talk)
+  if (common.talks())
     fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
                "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
   const auto show = progress(common);
-  const std::size_t total = asked.size() * sets.size() * suite.scenes.size();
+  const std::size_t total = asked.size() * arguments.settings.size() * suite.scenes.size();
   std::size_t done = 0, off = 0;
   std::vector<CanonRow> rows;
   for (const WorkerEngine* engine : asked) {
-    for (const std::string& settings : sets) {
+    for (const std::string& settings : arguments.settings) {
       CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
       for (const NamedScene& scene : suite.scenes) {
         const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
@@ -179,7 +143,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
         row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
         if (!follows_law(row.answers.back())) ++off;
         clear_progress(common);
-        if (talk) print(row, row.answers.back());
+        if (common.talks()) print(row, row.answers.back());
       }
     }
   }
@@ -188,7 +152,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   write_file(arguments.out / "canon.json", json);
   if (common.json) fmt::print("{}", json);
   show_report(arguments.out, common);
-  if (talk)
+  if (common.talks())
     fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
   return off == 0 ? 0 : 1;
 }

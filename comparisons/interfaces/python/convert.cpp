@@ -1,11 +1,7 @@
 #include "comparisons/interfaces/python/convert.hpp"
 
-#include <utility>
-
 namespace rockstack::python {
 namespace {
-
-void read(const py::handle& value, Node& target, int depth);
 
 std::string shown(const py::handle& value) {
   return one_line(py::str(value).cast<std::string>());
@@ -19,7 +15,7 @@ void read_table(const py::object& items, Node& target, int depth) {
       throw InputError(target.place + ": " + shown(pair.first) + ": a key must be a text");
     if (pair.second.is_none()) continue;
     Node child = make_child(target, pair.first.cast<std::string>(), target.place);
-    read(pair.second, child, depth + 1);
+    read_value(pair.second, child, depth + 1);
     target.children.push_back(std::move(child));
   }
 }
@@ -32,7 +28,7 @@ Node& add_entry(Node& array) {
 
 void read_sequence(const py::handle& values, Node& target, int depth) {
   target.kind = Node::Kind::array;
-  for (const py::handle value : values) read(value, add_entry(target), depth + 1);
+  for (const py::handle value : values) read_value(value, add_entry(target), depth + 1);
 }
 
 void read_numbers(const py::array_t<double>& numbers, Node& target) {
@@ -61,7 +57,7 @@ void read_array(const py::handle& value, Node& target, int depth) {
     throw InputError(target.place + ": " + one_line(target.key) +
                      ": has masked entries: must be filled first");
   const py::array array(py::reinterpret_borrow<py::object>(value));
-  if (array.ndim() == 0) return read(array.attr("item")(), target, depth + 1);
+  if (array.ndim() == 0) return read_value(array.attr("item")(), target, depth + 1);
   const bool numbers = std::string_view("fiu").find(array.dtype().kind()) != std::string_view::npos;
   if (array.ndim() == 1 && numbers)
     return read_numbers(py::array_t<double, py::array::forcecast>(array), target);
@@ -74,7 +70,9 @@ bool is_number(const py::handle& value, const py::handle& type) {
          (py::hasattr(type, "__float__") && !py::hasattr(type, "__array__") && !py::hasattr(type, "__len__"));
 }
 
-void read(const py::handle& value, Node& target, int depth) {
+}  // namespace
+
+void read_value(const py::handle& value, Node& target, int depth) {
   if (depth > most_levels)
     throw InputError(target.place + ": " + one_line(target.key) + ": must be nested at most " +
                      std::to_string(most_levels) + " deep");
@@ -100,16 +98,10 @@ void read(const py::handle& value, Node& target, int depth) {
   }
 }
 
-}  // namespace
-
-void read_value(const py::handle& value, Node& target) {
-  read(value, target, 0);
-}
-
 Node read_document(const py::handle& mapping, const std::string& place) {
   Node root;
   root.place = place;
-  read(mapping, root, 0);
+  read_value(mapping, root);
   return root;
 }
 

@@ -2,23 +2,13 @@
 
 #include <pybind11/numpy.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <type_traits>
-#include <vector>
 
-#include "analytic/scene/ground/ground_motion.hpp"
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/input/document.hpp"
+#include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/module.hpp"
 
 namespace rockstack::python {
-
-namespace py = pybind11;
 
 // Numbers as numpy has them.
 
@@ -43,8 +33,8 @@ py::array_t<Number> copied(const std::vector<Number>& numbers) {
 // Values as the readers of files take them.
 
 /// A value read into `target`: mappings are tables, sequences and arrays are arrays, and keys whose value is
-/// None are left out. @throws InputError for what no file can hold.
-void read_value(const py::handle& value, Node& target);
+/// None are left out. `depth`: in how many levels it lies. @throws InputError for what no file can hold.
+void read_value(const py::handle& value, Node& target, int depth = 0);
 
 /// The top of a document from a mapping; `place` is what messages say in place of file and line.
 Node read_document(const py::handle& mapping, const std::string& place);

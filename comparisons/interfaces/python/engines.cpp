@@ -17,17 +17,15 @@ namespace {
 
 using namespace py::literals;
 
-py::dict to_dict(const Setting& setting) {
+py::dict setting_dict(const Setting& setting) {
   return py::dict("name"_a = setting.name, "default"_a = setting.standard, "tuned"_a = setting.tuned,
                   "least"_a = setting.least, "most"_a = setting.most, "whole"_a = setting.whole,
                   "choices"_a = setting.choices, "unit"_a = setting.unit);
 }
 
-py::dict to_dict(const WorkerEngine& engine) {
-  py::list settings;
-  for (const Setting& setting : engine.settings) settings.append(to_dict(setting));
+py::dict engine_dict(const WorkerEngine& engine) {
   return py::dict("name"_a = engine.name, "solver"_a = engine.solver, "version"_a = engine.version,
-                  "licence"_a = engine.licence, "settings"_a = settings);
+                  "licence"_a = engine.licence, "settings"_a = each_of(engine.settings, setting_dict));
 }
 
 /// Without the interpreter's lock, as an engine may answer from another thread of it.
@@ -59,9 +57,8 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
   const EngineSeries series = make_series(engine, settings, {dt}, read_parameters(changes, engine));
   check_step(dt, scene->scene.duration);
   WorkerRun made;
-  beside_interpreter([&](const std::atomic<bool>& stop) {
-    const std::function<bool()> cancelled = [&] { return stop.load(); };
-    const Limits limits{.time = time_limit, .unwanted = &cancelled};
+  beside_interpreter([&](const std::function<bool()>& stopped) {
+    const Limits limits{.time = time_limit, .unwanted = &stopped};
     made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, true);
     if (made.status == "done") made.run.history.patterns = sampled_patterns(scene->scene, made.run.history);
   });
@@ -75,8 +72,9 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
                         warnings, record, py::none());
 }
 
-py::list canon(const std::string& engine_name, const std::string& settings,
-               const std::optional<std::vector<std::string>>& scenes, int draws, const py::object& tell) {
+std::vector<py::dict> canon(const std::string& engine_name, const std::string& settings,
+                            const std::optional<std::vector<std::string>>& scenes, int draws,
+                            const py::object& tell) {
   require_settings(settings);
   const WorkerEngine& engine = engine_named(engine_name);
   Suite suite = read_suite(find_file("canon", "suites"), {});
@@ -94,25 +92,23 @@ py::list canon(const std::string& engine_name, const std::string& settings,
   std::vector<CanonAnswer> list;
   ToldProgress progress{tell, 0, suite.scenes.size()};
   beside_interpreter(
-      [&](const std::atomic<bool>& stop) {
+      [&](const std::function<bool()>& stopped) {
         for (const NamedScene& scene : suite.scenes) {
-          if (stop) throw Cancelled();
+          if (stopped()) throw Cancelled();
           list.push_back(answer_canon(suite, scene, engine, settings));
           ++progress.done;
         }
       },
       progress);
-  py::list answers;
-  for (const CanonAnswer& answer : list) {
+  return each_of(list, [](const CanonAnswer& answer) {
     std::vector<double> amounts(canon_steps.size(), std::nan("")), steps_off = amounts;
     for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
       amounts[i] = answer.deviations[i].amount();
       steps_off[i] = answer.deviations[i].time / canon_steps[i];
     }
-    answers.append(py::dict("scene"_a = answer.scene, "verdict"_a = answer.verdict,
-                            "reason"_a = answer.reason, "amounts"_a = amounts, "steps_off"_a = steps_off));
-  }
-  return answers;
+    return py::dict("scene"_a = answer.scene, "verdict"_a = answer.verdict, "reason"_a = answer.reason,
+                    "amounts"_a = amounts, "steps_off"_a = steps_off);
+  });
 }
 
 /// A scene made in Python with its name and text, or what names a scene or a suite.
@@ -152,35 +148,27 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
   CompareResult result;
   ToldProgress progress{tell};
   beside_interpreter(
-      [&](const std::atomic<bool>& stop) {
+      [&](const std::function<bool()>& stopped) {
         const auto follow = [&](const Progress& of) {
           progress.done = of.done;
           progress.total = of.total;
-          if (stop) throw Cancelled();
+          if (stopped()) throw Cancelled();
         };
-        result = compare(suites, out, {.command = "rockstack.compare", .jobs = jobs, .progress = follow});
+        result =
+            compare(suites, out, *make_threads(jobs), {.command = "rockstack.compare", .progress = follow});
       },
       progress);
-  Json rows = Json::array();
-  for (const RunMetrics& row : result.rows) rows.push_back(row);
-  return rows.dump();
+  return Json(result.rows).dump();
 }
 
 }  // namespace
 
 void add_engines(py::module_& core) {
-  core.def("engines", [] {
-    py::list list;
-    for (const WorkerEngine& engine : engines()) list.append(to_dict(engine));
-    return list;
-  });
+  core.def("engines", [] { return each_of(engines(), engine_dict); });
   core.def("simulate", &simulate_one);
   core.def("canon", &canon);
   py::class_<SceneChoice>(core, "SceneChoice")
-      .def(py::init(
-          [](std::vector<std::string> engines, std::vector<double> steps, bool quick, bool softness) {
-            return SceneChoice{std::move(engines), std::move(steps), quick, softness};
-          }));
+      .def(py::init<std::vector<std::string>, std::vector<double>, bool, bool>());
   core.def("compare", &compare_all);
   core.def("column_meanings", [] {
     py::dict list;

@@ -15,12 +15,12 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// The key of a motion in messages, and what they say in place of file and line.
 constexpr const char* motion_key = "motion";
 
-std::shared_ptr<GroundMotion> make_ground(const py::object& mapping) {
+GroundMotion make_ground(const py::object& mapping) {
   const Node table = read_document(mapping, motion_key);
   MotionLibrary library;
   try {
-    auto motion = std::make_shared<GroundMotion>(read_ground_motion(table, {}, library));
-    validate(*motion, motion_key);
+    GroundMotion motion = read_ground_motion(table, {}, library);
+    validate(motion, motion_key);
     return motion;
   } catch (const FieldError& error) {
     throw InputError(error.what());
@@ -62,35 +62,25 @@ py::dict measures(const GroundMotion& motion) {
       "significant_5_75"_a = to_dict(measures.significant_5_75));
 }
 
-void require_period(const GroundMotion& motion, double period) {
-  const double least = motion.interval / 100;
-  if (!(period >= least && period <= largest_number))
-    throw InputError("periods: " + number_text(period) + " s: must be numbers from " + number_text(least) +
-                     " to " + number_text(largest_number));
-}
-
 /// Periods and pseudo-accelerations.
 std::pair<py::array_t<double>, py::array_t<double>> spectrum(
     const GroundMotion& motion, const std::optional<std::vector<double>>& periods, double damping) {
   sampled(motion);
   if (!(damping >= 0 && damping < 1))
     throw InputError("damping = " + number_text(damping) + ": must be a number from 0, below 1");
-  for (const double period : periods.value_or(std::vector<double>())) require_period(motion, period);
-  std::vector<double> at, heights;
+  const double least = motion.interval / 100;
+  for (const double period : periods.value_or(std::vector<double>()))
+    if (!(period >= least && period <= largest_number))
+      throw InputError("periods: " + number_text(period) + " s: must be numbers from " + number_text(least) +
+                       " to " + number_text(largest_number));
+  std::vector<Response> responses;
   {
     const py::gil_scoped_release free;
-    std::vector<Response> responses;
-    if (periods) {
-      for (const double period : *periods) responses.push_back(response(motion, period, damping));
-    } else {
-      responses = response_spectrum(motion, damping);
-    }
-    for (const Response& one : responses) {
-      at.push_back(one.period);
-      heights.push_back(one.pseudo_acceleration);
-    }
+    responses = periods ? each_of(*periods, [&](double period) { return response(motion, period, damping); })
+                        : response_spectrum(motion, damping);
   }
-  return {copied(at), copied(heights)};
+  return {copied(each_of(responses, &Response::period)),
+          copied(each_of(responses, &Response::pseudo_acceleration))};
 }
 
 std::pair<double, double> base_line(const GroundMotion& motion) {
@@ -105,14 +95,10 @@ void add_ground(py::module_& core) {
   py::class_<GroundMotion, std::shared_ptr<GroundMotion>>(core, "GroundMotion")
       .def_static("made", &make_ground)
       .def("packed", &packed<GroundMotion>)
-      .def_static("unpacked",
-                  [](const py::bytes& bytes) {
-                    return std::make_shared<GroundMotion>(unpacked<GroundMotion>(bytes));
-                  })
+      .def_static("unpacked", &unpacked<GroundMotion>)
       .def_static("of_scene",
                   [](const GivenScene& scene, const std::string& axis) {
-                    return std::make_shared<GroundMotion>(axis == "vertical" ? scene.scene.vertical
-                                                                             : scene.scene.horizontal);
+                    return axis == "vertical" ? scene.scene.vertical : scene.scene.horizontal;
                   })
       .def_property_readonly(
           "samples",

@@ -9,7 +9,7 @@
 
 #include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/measures/results/build.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 #include "engines/worker/installation.hpp"
@@ -77,14 +77,14 @@ std::function<bool()> interrupts() {
   };
 }
 
-void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work,
+void beside_interpreter(const std::function<void(const std::function<bool()>& stopped)>& work,
                         const ToldProgress& progress) {
   std::atomic<bool> stop = false;
   {
     const py::gil_scoped_release free;
     std::future<void> end = std::async(std::launch::async, [&] {
       try {
-        work(stop);
+        work([&] { return stop.load(); });
       } catch (const Cancelled&) {
         return;  // what has raised is thrown below
       }

@@ -3,11 +3,8 @@
 #include <pybind11/pybind11.h>
 
 #include <atomic>
-#include <cstddef>
 #include <functional>
-#include <memory>
 
-#include "analytic/scene/history.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 
@@ -44,10 +41,10 @@ struct ToldProgress {
 };
 
 /// Does work in a thread of its own, without the interpreter's lock, tells how far it has come, and looks at
-/// signals meanwhile. Once a handler or what is told has raised, `stop` becomes true, and what was raised is
-/// thrown when the work has ended.
+/// signals meanwhile. Once a handler or what is told has raised, `stopped` says so, from any thread, and what
+/// was raised is thrown when the work has ended.
 /// @throws what the work throws, but Cancelled.
-void beside_interpreter(const std::function<void(const std::atomic<bool>& stop)>& work,
+void beside_interpreter(const std::function<void(const std::function<bool()>& stopped)>& work,
                         const ToldProgress& progress = {});
 
 // What the files of this folder add to the module, as _core.pyi has it.

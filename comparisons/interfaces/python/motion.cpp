@@ -2,10 +2,8 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/lists.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/results/reactions.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {
@@ -14,13 +12,13 @@ namespace {
 /// What messages say where a file has its name and the line.
 constexpr const char* scene_place = "scene";
 
-std::shared_ptr<GivenScene> make(SceneDocument document) {
+GivenScene make(SceneDocument document) {
   MotionLibrary library;
   Scene scene = make_scene(document, library);
-  return std::make_shared<GivenScene>(GivenScene{std::move(document), std::move(scene)});
+  return {std::move(document), std::move(scene)};
 }
 
-std::shared_ptr<GivenScene> changed(const GivenScene& scene, const py::dict& values) {
+GivenScene changed(const GivenScene& scene, const py::dict& values) {
   SceneDocument document = scene.document;
   for (const auto& [key, value] : values) {
     Node node;
@@ -112,10 +110,9 @@ py::object reactions(const HeldMotion& motion) {
 }
 
 /// Times and interfaces of what the numbers could not tell.
-py::list doubts(const std::vector<BasicGraze<double>>& list) {
-  py::list result;
-  for (const auto& doubt : list) result.append(py::make_tuple(doubt.time, name(doubt.kind), doubt.interface));
-  return result;
+std::vector<py::tuple> doubts(const std::vector<BasicGraze<double>>& list) {
+  return each_of(
+      list, [](const auto& doubt) { return py::make_tuple(doubt.time, name(doubt.kind), doubt.interface); });
 }
 
 }  // namespace
@@ -159,7 +156,7 @@ void add_motion(py::module_& core) {
                   [](const ScenePointer& scene, const py::bytes& bytes) {
                     auto motion = unpacked<HeldMotion>(bytes);
                     motion.scene = scene;
-                    return std::make_shared<HeldMotion>(std::move(motion));
+                    return motion;
                   })
       .def_property_readonly(
           "times",

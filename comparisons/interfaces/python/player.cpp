@@ -3,14 +3,8 @@
 #include "comparisons/interfaces/python/module.hpp"
 
 #ifdef ROCKSTACK_WITH_PLOTS
-#include <array>
-#include <nlohmann/json.hpp>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
-#include "comparisons/measures/metrics/impacts.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player_data.hpp"
 
@@ -33,8 +27,7 @@ Json track_of(const Shown& shown, const std::string& colour) {
   for (const ImpactTime& impact :
        exact ? reported_impacts(history, chatter) : observed_impacts(history, chatter))
     track["impacts"].push_back(impact.time);
-  if (exact && history.patterns.size() == history.size())
-    plots::add_forces(plots::forces_of(scene, history), history.blocks, stride, track);
+  if (exact && history.patterns.size() == history.size()) plots::add_forces(scene, history, stride, track);
   return track;
 }
 
@@ -49,10 +42,10 @@ std::string player(const std::vector<Shown>& motions) {
   for (const Shown& shown : motions)
     data["tracks"].push_back(track_of(shown, colours[data["tracks"].size() % colours.size()]));
   const std::string& title = first.scene->scene.title;
-  return plots::page(title, "player",
-                     plots::filled_in(plots::player_html, {{"id", "player"},
-                                                           {"title", plots::escaped(title)},
-                                                           {"data", plots::for_script(data)}}));
+  return plots::page(
+      title, "player",
+      filled_in(plots::player_html,
+                {{"id", "player"}, {"title", plots::escaped(title)}, {"data", plots::for_script(data)}}));
 }
 
 }  // namespace

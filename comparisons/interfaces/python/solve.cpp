@@ -120,21 +120,20 @@ std::vector<Outcome> solve_all(const std::vector<ScenePointer>& scenes, const So
   std::vector<Outcome> outcomes(scenes.size());
   ToldProgress progress{tell, 0, scenes.size()};
   beside_interpreter(
-      [&](const std::atomic<bool>& stop) {
-        const std::function<bool()> cancelled = [&] { return stop.load(); };
+      [&](const std::function<bool()>& stopped) {
         std::atomic<std::size_t> taken = 0;
         const auto next = [&]() -> std::optional<std::size_t> {
           const std::size_t number = taken++;
-          return number < scenes.size() && !stop ? std::optional(number) : std::nullopt;
+          return number < scenes.size() && !stopped() ? std::optional(number) : std::nullopt;
         };
         const auto work = [&](std::size_t) {
           if (request.interval || !request.options.sample_times.empty()) {
             while (const auto number = next()) {
-              outcomes[*number] = solved(scenes[*number], request, cancelled);
+              outcomes[*number] = solved(scenes[*number], request, stopped);
               ++progress.done;
             }
           } else {
-            solve_side_by_side(scenes, request.of({}, cancelled), next, outcomes);
+            solve_side_by_side(scenes, request.of({}, stopped), next, outcomes);
           }
           return std::string();
         };

@@ -22,11 +22,10 @@ class SweepTable {
     std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
     std::ranges::stable_sort(columns, {}, [](const OutcomeColumn& column) { return column.value.index(); });
     for (const OutcomeColumn& column : columns) add_outcome(column);
-    for (const Axis& axis : ensemble.axes) {
-      py::list names;
-      for (const std::size_t v : axis.variations) names.append(ensemble.variations[v].name());
-      axes_.append(py::make_tuple(names, axis.length));
-    }
+    for (const Axis& axis : ensemble.axes)
+      axes_.append(py::make_tuple(
+          each_of(axis.variations, [&](std::size_t v) { return ensemble.variations[v].name(); }),
+          axis.length));
     axes_.append(py::make_tuple(py::list(), ensemble.samples));
   }
 
@@ -67,9 +66,7 @@ class SweepTable {
     add<std::int8_t>(column.name, [of = *mode](const RunResult& result) {
       return result.outcome ? static_cast<int>(result.outcome->*of) : -1;
     });
-    py::list names;
-    for (const MotionMode one : motion_modes) names.append(name(one));
-    words_[py::str(column.name)] = names;
+    words_[py::str(column.name)] = each_of(motion_modes, [](MotionMode one) { return name(one); });
   }
 
   /// The values that runs have of one variation: numbers, or texts by their number in a list.
@@ -103,18 +100,17 @@ py::tuple run(const Ensemble& ensemble, MotionLibrary& library, std::size_t thre
   std::vector<std::size_t> blocks((runs + size - 1) / size);
   std::iota(blocks.begin(), blocks.end(), 0);
   beside_interpreter(
-      [&](const std::atomic<bool>& stop) {
-        const std::function<bool()> cancelled = [&] { return stop.load(); };
+      [&](const std::function<bool()>& stopped) {
         const auto take = [&](const RunResult& result) {
-          if (stop) throw Cancelled();
+          if (stopped()) throw Cancelled();
           table.write(result);
           ++progress.done;
         };
         const auto compute = [&](std::size_t block) {
-          make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library, take, &cancelled);
+          make_runs(ensemble, block * size, std::min(runs, (block + 1) * size), library, take, &stopped);
           return std::string();
         };
-        make_threads(threads)->run(blocks, {compute, [](std::size_t, const std::string&) {}, cancelled});
+        make_threads(threads)->run(blocks, {compute, [](std::size_t, const std::string&) {}, stopped});
       },
       progress);
   return table.result();
@@ -145,18 +141,16 @@ std::optional<std::pair<double, double>> fit(const std::vector<double>& intensit
   return std::pair(curve->median, curve->beta);
 }
 
-std::pair<double, double> bounds(std::size_t toppled, std::size_t runs) {
-  const Bounds wilson = wilson_bounds(toppled, runs);
-  return {wilson.lower, wilson.upper};
-}
-
 }  // namespace
 
 void add_sweep(py::module_& core) {
   core.def("sweep_file", &sweep_file);
   core.def("sweep_made", &sweep_made);
   core.def("fit_fragility", &fit);
-  core.def("wilson_bounds", &bounds);
+  core.def("wilson_bounds", [](std::size_t toppled, std::size_t runs) {
+    const Bounds wilson = wilson_bounds(toppled, runs);
+    return std::pair(wilson.lower, wilson.upper);
+  });
 }
 
 }  // namespace rockstack::python

@@ -57,10 +57,6 @@ auto by(Less less, Member member) {
   return [=](const auto& a, const auto& b) { return less(invoke(member, a), invoke(member, b)); };
 }
 template <class Range, class Less = std::less<>, class Member = identity>
-void sort(Range& range, Less less = {}, Member member = {}) {
-  std::sort(range.begin(), range.end(), by(less, member));
-}
-template <class Range, class Less = std::less<>, class Member = identity>
 void stable_sort(Range& range, Less less = {}, Member member = {}) {
   std::stable_sort(range.begin(), range.end(), by(less, member));
 }

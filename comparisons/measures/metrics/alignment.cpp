@@ -1,103 +1,53 @@
 #include "comparisons/measures/metrics/alignment.hpp"
 
-#include <set>
-
 namespace rockstack {
 namespace {
 
-/// The best alignment of two tails: most pairs first, then least time difference.
-struct Score {
-  int pairs = 0;
-  double difference = 0;  ///< s
+/// How many pairs an alignment has, and less the sum of their time differences, s: the greater, the better.
+using Score = std::pair<int, double>;
 
-  bool better_than(const Score& other) const {
-    return pairs != other.pairs ? pairs > other.pairs : difference < other.difference;
-  }
-};
+/// The numbers of those of one interface.
+std::vector<std::size_t> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < impacts.size(); ++i)
+    if (impacts[i].interface == interface) numbers.push_back(i);
+  return numbers;
+}
 
-/// The impacts of one interface, by their numbers in both sequences.
-class InterfaceAlignment {
- public:
-  InterfaceAlignment(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
-                     const std::vector<double>& windows, int interface)
-      : exact_(exact),
-        engine_(engine),
-        windows_(windows),
-        exact_numbers_(of_interface(exact, interface)),
-        engine_numbers_(of_interface(engine, interface)),
-        columns_(engine_numbers_.size() + 1),
-        scores_((exact_numbers_.size() + 1) * columns_) {
-    for (std::size_t i = exact_numbers_.size(); i-- > 0;) {
-      for (std::size_t j = engine_numbers_.size(); j-- > 0;) {
-        Score best = at(i + 1, j);
-        if (at(i, j + 1).better_than(best)) best = at(i, j + 1);
-        if (fit(i, j) && paired(i, j).better_than(best)) best = paired(i, j);
-        scores_[i * columns_ + j] = best;
-      }
+void align_interface(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
+                     const std::vector<double>& windows, int interface, std::vector<AlignedImpact>& lines) {
+  const auto firsts = of_interface(exact, interface), seconds = of_interface(engine, interface);
+  std::vector<std::vector<Score>> best(firsts.size() + 1,  // of the tails from i and j
+                                       std::vector<Score>(seconds.size() + 1));
+  // Of the best alignment that starts with the pair (i, j); less than any where these cannot be a pair.
+  const auto paired = [&](std::size_t i, std::size_t j) -> Score {
+    const ImpactTime &one = exact[firsts[i]], &other = engine[seconds[j]];
+    const double apart = std::abs(one.time - other.time);
+    if (sign(one.side) * sign(other.side) < 0 || !(apart <= windows[firsts[i]])) return {-1, 0};
+    return {best[i + 1][j + 1].first + 1, best[i + 1][j + 1].second - apart};
+  };
+  for (std::size_t i = firsts.size(); i-- > 0;)
+    for (std::size_t j = seconds.size(); j-- > 0;)
+      best[i][j] = std::max({best[i + 1][j], best[i][j + 1], paired(i, j)});
+  for (std::size_t i = 0, j = 0; i < firsts.size() || j < seconds.size();) {
+    const bool both = i < firsts.size() && j < seconds.size();
+    const bool pair = both && best[i][j] == paired(i, j);
+    const bool takes_exact = pair || j == seconds.size() || (both && best[i + 1][j] >= best[i][j + 1]);
+    AlignedImpact& line = lines.emplace_back();
+    line.interface = interface;
+    if (pair || !takes_exact) {
+      const ImpactTime& impact = engine[seconds[j++]];
+      line.engine = impact.time;
+      line.engine_side = impact.side;
+    }
+    if (takes_exact) {
+      line.number = static_cast<int>(firsts[i]) + 1;
+      const ImpactTime& impact = exact[firsts[i++]];
+      line.exact = impact.time;
+      line.exact_side = impact.side;
     }
   }
-
-  void append_to(std::vector<AlignedImpact>& lines) const {
-    std::size_t i = 0, j = 0;
-    while (i < exact_numbers_.size() || j < engine_numbers_.size()) {
-      const bool both = i < exact_numbers_.size() && j < engine_numbers_.size();
-      const bool pair = both && starts_paired(i, j);
-      const bool takes_exact =
-          pair || j == engine_numbers_.size() || (both && !at(i, j + 1).better_than(at(i + 1, j)));
-      AlignedImpact line;
-      if (takes_exact) {
-        line.interface = exact_at(i).interface;
-        line.number = static_cast<int>(exact_numbers_[i]) + 1;
-        line.exact = exact_at(i).time;
-        line.exact_side = exact_at(i).side;
-      }
-      if (pair || !takes_exact) {
-        line.interface = engine_at(j).interface;
-        line.engine = engine_at(j).time;
-        line.engine_side = engine_at(j).side;
-        ++j;
-      }
-      if (takes_exact) ++i;
-      lines.push_back(line);
-    }
-  }
-
- private:
-  static std::vector<std::size_t> of_interface(const std::vector<ImpactTime>& impacts, int interface) {
-    std::vector<std::size_t> numbers;
-    for (std::size_t i = 0; i < impacts.size(); ++i)
-      if (impacts[i].interface == interface) numbers.push_back(i);
-    return numbers;
-  }
-
-  const ImpactTime& exact_at(std::size_t i) const { return exact_[exact_numbers_[i]]; }
-  const ImpactTime& engine_at(std::size_t j) const { return engine_[engine_numbers_[j]]; }
-
-  /// Of the tails from i and j.
-  const Score& at(std::size_t i, std::size_t j) const { return scores_[i * columns_ + j]; }
-
-  /// True where the best alignment of the tails from i and j starts with the pair (i, j).
-  bool starts_paired(std::size_t i, std::size_t j) const {
-    return fit(i, j) && !at(i + 1, j).better_than(paired(i, j)) && !at(i, j + 1).better_than(paired(i, j));
-  }
-
-  bool fit(std::size_t i, std::size_t j) const {
-    return sign(exact_at(i).side) * sign(engine_at(j).side) >= 0 &&
-           std::abs(exact_at(i).time - engine_at(j).time) <= windows_[exact_numbers_[i]];
-  }
-
-  Score paired(std::size_t i, std::size_t j) const {
-    const Score& rest = at(i + 1, j + 1);
-    return {rest.pairs + 1, rest.difference + std::abs(exact_at(i).time - engine_at(j).time)};
-  }
-
-  const std::vector<ImpactTime>& exact_;
-  const std::vector<ImpactTime>& engine_;
-  const std::vector<double>& windows_;
-  std::vector<std::size_t> exact_numbers_, engine_numbers_;
-  std::size_t columns_;
-  std::vector<Score> scores_;
-};
+}
 
 double time_of(const AlignedImpact& line) {
   return line.exact ? *line.exact : *line.engine;
@@ -109,10 +59,9 @@ constexpr double window_steps = 3;
 /// Half the time to the nearest exact impact of the same interface, s.
 double widest_window(const std::vector<ImpactTime>& exact, std::size_t number) {
   double widest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    if (i == number || exact[i].interface != exact[number].interface) continue;
-    widest = std::min(widest, 0.5 * std::abs(exact[i].time - exact[number].time));
-  }
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    if (i != number && exact[i].interface == exact[number].interface)
+      widest = std::min(widest, 0.5 * std::abs(exact[i].time - exact[number].time));
   return widest;
 }
 
@@ -121,24 +70,20 @@ double largest_relative(const Difference& apart, std::size_t interface, double b
   const auto first = std::ranges::lower_bound(apart.times, begin);
   double largest = 0;
   for (auto i = static_cast<std::size_t>(first - apart.times.begin());
-       i < apart.times.size() && apart.times[i] <= end; ++i) {
-    const std::span blocks(apart.values.data() + i * apart.blocks, apart.blocks);
-    largest = std::max(largest, std::abs(relative_at(blocks, interface)));
-  }
+       i < apart.times.size() && apart.times[i] <= end; ++i)
+    largest = std::max(largest, std::abs(relative_at(apart.at(i), interface)));
   return largest;
 }
 
 double window_of(const std::vector<ImpactTime>& exact, std::size_t number, const Difference& apart,
                  double dt) {
   const ImpactTime& impact = exact[number];
+  const auto interface = static_cast<std::size_t>(impact.interface - 1);
   const double least = window_steps * dt, widest = std::max(least, widest_window(exact, number));
   double window = least;
   while (window < widest) {
-    const double drift = 2 *
-                         largest_relative(apart, static_cast<std::size_t>(impact.interface - 1),
-                                          impact.time - window, impact.time) /
-                         impact.approach;
-    const double wider = least + drift;
+    const double apart_at_most = largest_relative(apart, interface, impact.time - window, impact.time);
+    const double wider = least + 2 * apart_at_most / impact.approach;
     if (wider <= window) break;
     window = wider;
   }
@@ -149,12 +94,9 @@ double window_of(const std::vector<ImpactTime>& exact, std::size_t number, const
 
 std::vector<AlignedImpact> align(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,
                                  const std::vector<double>& windows) {
-  std::set<int> interfaces;
-  for (const auto* impacts : {&exact, &engine})
-    for (const ImpactTime& impact : *impacts) interfaces.insert(impact.interface);
   std::vector<AlignedImpact> lines;
-  for (const int interface : interfaces)
-    InterfaceAlignment(exact, engine, windows, interface).append_to(lines);
+  for (int interface = 1; interface <= max_blocks; ++interface)
+    align_interface(exact, engine, windows, interface, lines);
   std::ranges::stable_sort(lines, {}, time_of);
   return lines;
 }
@@ -166,23 +108,15 @@ std::vector<AlignedImpact> up_to(std::vector<AlignedImpact> alignment, double ti
 
 AlignmentCounts count(const std::vector<AlignedImpact>& alignment) {
   AlignmentCounts counts;
-  for (const AlignedImpact& line : alignment)
-    ++(!line.engine ? counts.missed : !line.exact ? counts.extra : counts.matched);
-  return counts;
-}
-
-TimeDifferences time_differences(const std::vector<AlignedImpact>& alignment) {
-  TimeDifferences result;
   double squares = 0;
   for (const AlignedImpact& line : alignment) {
-    if (!line.exact || !line.engine) continue;
-    const double apart = *line.engine - *line.exact;
+    ++(!line.engine ? counts.missed : !line.exact ? counts.extra : counts.matched);
+    const double apart = line.exact && line.engine ? *line.engine - *line.exact : 0;
     squares += apart * apart;
-    result.largest = std::max(result.largest, std::abs(apart));
+    counts.largest_apart = std::max(counts.largest_apart, std::abs(apart));
   }
-  const int matched = count(alignment).matched;
-  if (matched > 0) result.root_mean_square = std::sqrt(squares / matched);
-  return result;
+  if (counts.matched > 0) counts.rms_apart = std::sqrt(squares / counts.matched);
+  return counts;
 }
 
 std::vector<double> matching_windows(const std::vector<ImpactTime>& exact, const Difference& apart,

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 
@@ -30,19 +27,13 @@ std::vector<AlignedImpact> up_to(std::vector<AlignedImpact> alignment, double ti
 
 struct AlignmentCounts {
   int matched = 0;
-  int missed = 0;  ///< exact impacts that the engine does not have
-  int extra = 0;   ///< engine impacts that the exact solution does not have
+  int missed = 0;            ///< exact impacts that the engine does not have
+  int extra = 0;             ///< engine impacts that the exact solution does not have
+  double rms_apart = 0;      ///< of the time differences of matched impacts, s; 0 where none are
+  double largest_apart = 0;  ///< likewise the largest absolute one
 };
 
 AlignmentCounts count(const std::vector<AlignedImpact>& alignment);
-
-/// Time differences of the matched impacts, s; both 0 where none are.
-struct TimeDifferences {
-  double root_mean_square = 0;
-  double largest = 0;  ///< absolute
-};
-
-TimeDifferences time_differences(const std::vector<AlignedImpact>& alignment);
 
 /// How far apart in time an exact impact and an engine's may be and still be the same one, s, for each exact
 /// impact: three steps, and the drift. A flight of duration T that ends at speed v is v τ (1 − τ/T) open the

@@ -26,15 +26,6 @@ std::vector<double> centres_of(const Scene& scene, const History& history) {
   return result;
 }
 
-Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
-                               const std::vector<double>& second, std::size_t blocks) {
-  Difference result{blocks, times, {}};
-  result.values.reserve(times.size() * blocks);
-  for (std::size_t i = 0; i < 2 * times.size() * blocks; i += 2)
-    result.values.push_back(std::hypot(second[i] - first[i], second[i + 1] - first[i + 1]));
-  return result;
-}
-
 double extent_of_motion(const Scene& scene, const History& history, const std::vector<double>& centres) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   double turn = 0, way = 0;
@@ -47,9 +38,7 @@ double extent_of_motion(const Scene& scene, const History& history, const std::v
 }
 
 double least_height(const std::vector<Block>& blocks) {
-  double height = std::numeric_limits<double>::infinity();
-  for (const Block& block : blocks) height = std::min(height, 2 * block.half_height);
-  return height;
+  return 2 * std::ranges::min_element(blocks, {}, &Block::half_height)->half_height;
 }
 
 std::vector<double> energies(const Scene& scene, const History& history) {
@@ -100,17 +89,6 @@ double largest_gain(const std::vector<double>& energy) {
     gain = std::max(gain, now - least);
   }
   return gain;
-}
-
-double deepest_sinking(const Scene& scene, const History& history, std::size_t sample) {
-  double deepest = 0, below = 0;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const Block& block = scene.blocks[k];
-    const double centre = history.centres[2 * (sample * scene.blocks.size() + k) + 1];
-    deepest = std::max(deepest, below + block.half_height + block.offset_y - centre);
-    below = centre + block.half_height - block.offset_y;
-  }
-  return deepest;
 }
 
 }  // namespace rockstack

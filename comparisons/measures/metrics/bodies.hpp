@@ -1,12 +1,7 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/kinematics.hpp"
-#include "analytic/scene/scene.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
 
 namespace rockstack {
 
@@ -27,11 +22,6 @@ Centres centres_at(const Stack<double>& stack, const History& history, std::size
 
 /// The centres alone at all samples, x and y in turn from the lowest block up, m. Precondition: likewise.
 std::vector<double> centres_of(const Scene& scene, const History& history);
-
-/// How far two motions' centres are apart at times of both, m. Precondition: centres as centres_of() has
-/// them, as many as times or more.
-Difference position_difference(const std::vector<double>& times, const std::vector<double>& first,
-                               const std::vector<double>& second, std::size_t blocks);
 
 /// How far a motion goes from where it starts: the largest change of an angle, rad, or the longest way of a
 /// centre as a share of the least block height, whichever is larger. `centres`: its own.
@@ -57,9 +47,5 @@ std::vector<double> energy_balance(const std::vector<double>& energy, const std:
 
 /// The largest rise above the least value before, J.
 double largest_gain(const std::vector<double>& energy);
-
-/// How far a centre is nearer to the one below than upright blocks that touch have it, at most, at one sample
-/// of a motion that tells centres, m.
-double deepest_sinking(const Scene& scene, const History& history, std::size_t sample);
 
 }  // namespace rockstack

@@ -10,12 +10,8 @@
 namespace rockstack {
 namespace {
 
-struct Ending {
-  std::string word;
-  double time;  ///< s
-};
-
-Ending ending_of(const Scene& scene, const Branch& branch) {
+/// How a branch ends, and when, s.
+std::pair<std::string, double> ending_of(const Scene& scene, const Branch& branch) {
   const History& history = branch.history;
   if (!branch.unfinished.empty())
     return {"given up", history.events.empty() ? 0.0 : history.events.back().time};
@@ -29,41 +25,26 @@ std::string verdict_of(const Scene& scene, const Branch& branch) {
   return branch.unfinished.empty() ? motion_verdict(scene, branch.history) : "given up: " + branch.unfinished;
 }
 
-Json row_of(const Scene& scene, const BranchTree& tree, std::size_t index) {
-  const Branch& branch = tree.branches[index];
-  Json row{{"branch", index + 1}};
-  for (const char* key : {"parent", "time", "takes", "instead_of", "like", "like_from", "mirrored"})
-    row[key] = {};
-  if (const auto& start = branch.start) {
-    row["parent"] = branch.parent + 1;
-    row["time"] = start->time;
-    row["takes"] = name(start->ways[start->taken]);
-    row["instead_of"] = name(start->ways.front());
-  }
-  if (const auto& like = branch.like) {
-    row["like"] = like->branch + 1;
-    row["like_from"] = like->from;
-    row["mirrored"] = like->mirrored;
-  }
-  const Ending end = ending_of(scene, branch);
-  row["ends"] = end.word;
-  row["end_time"] = end.time;
-  row["verdict"] = verdict_of(scene, branch);
-  return row;
-}
-
-/// "; from 1.2 s on the mirror image of branch 2", or nothing.
-std::string likeness_of(const Branch& branch) {
-  if (!branch.like) return "";
-  return fmt::format("; from {:.4g} s on {} branch {}", branch.like->from,
-                     branch.like->mirrored ? "the mirror image of" : "the same as", branch.like->branch + 1);
-}
-
 }  // namespace
 
 Json branches_json(const Scene& scene, const BranchTree& tree) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < tree.branches.size(); ++i) list.push_back(row_of(scene, tree, i));
+  for (const Branch& branch : tree.branches) {
+    const auto& start = branch.start;
+    const auto& like = branch.like;
+    const auto [ending, end_time] = ending_of(scene, branch);
+    list.push_back({{"branch", list.size() + 1},
+                    {"parent", start ? Json(branch.parent + 1) : Json()},
+                    {"time", start ? Json(start->time) : Json()},
+                    {"takes", start ? Json(name(start->ways[start->taken])) : Json()},
+                    {"instead_of", start ? Json(name(start->ways.front())) : Json()},
+                    {"like", like ? Json(like->branch + 1) : Json()},
+                    {"like_from", like ? Json(like->from) : Json()},
+                    {"mirrored", like ? Json(like->mirrored) : Json()},
+                    {"ends", ending},
+                    {"end_time", end_time},
+                    {"verdict", verdict_of(scene, branch)}});
+  }
   return list;
 }
 
@@ -76,8 +57,12 @@ std::vector<std::string> branch_lines(const Scene& scene, const BranchTree& tree
                                    branch.start->time, name(branch.start->ways[branch.start->taken]),
                                    name(branch.start->ways.front()))
                      : "";
-    lines.push_back(
-        fmt::format("branch {}: {}{}{}", i + 1, start, verdict_of(scene, branch), likeness_of(branch)));
+    const std::string likeness =
+        branch.like ? fmt::format("; from {:.4g} s on {} branch {}", branch.like->from,
+                                  branch.like->mirrored ? "the mirror image of" : "the same as",
+                                  branch.like->branch + 1)
+                    : "";
+    lines.push_back(fmt::format("branch {}: {}{}{}", i + 1, start, verdict_of(scene, branch), likeness));
   }
   if (tree.branches.size() == 1 && tree.left_out == 0) lines.push_back("no event leaves another motion");
   if (tree.left_out > 0)

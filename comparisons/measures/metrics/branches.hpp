@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "analytic/branches.hpp"
 #include "analytic/scene/input/json.hpp"
 

@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/scene/spring_checks.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack {
 namespace {
@@ -64,15 +66,16 @@ void add_open_questions(const History& history, std::vector<std::string>& lines)
   }
 }
 
-/// tr M⁻¹K for unit springs at both ends of each interface.
-double unit_trace(const Scene& scene) {
-  double sum = 0;
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    const double half_width = interface_half_width(scene, static_cast<int>(k));
-    sum += 2 * spring_compliance(scene.blocks[k], half_width, scene.springs.tangential);
-    if (k > 0) sum += 2 * spring_compliance(scene.blocks[k - 1], half_width, scene.springs.tangential);
+/// The state of a sample, whose closed interfaces have no relative motion but rounding.
+State<double> state_at(const History& history, std::size_t sample) {
+  State<double> state{history.patterns[sample], relative(vector_of(history.angles_at(sample))),
+                      relative(vector_of(history.velocities_at(sample)))};
+  for (int k = 0; k < history.blocks; ++k) {
+    if (state.pattern[k] != Contact::closed) continue;
+    state.angles[k] = 0;
+    state.velocities[k] = 0;
   }
-  return sum;
+  return state;
 }
 
 }  // namespace
@@ -88,12 +91,11 @@ std::vector<InterfaceSummary> contact_summary(const History& history) {
     if (!history.gaps.empty() && std::isfinite(history.gaps[i]))
       one.highest_lift = std::max(one.highest_lift, history.gaps[i]);
   }
-  for (const Event& event : history.events) {
+  for (const Event& event : history.events)
     for (std::size_t k = 0; k < blocks; ++k) {
       list[k].slips += event.from.slides[k] == 0 && event.to.slides[k] != 0;
       list[k].lift_offs += event.from.contacts[k] != Contact::apart && event.to.contacts[k] == Contact::apart;
     }
-  }
   return list;
 }
 
@@ -155,6 +157,25 @@ std::vector<std::string> validity_warnings(const Scene& scene, const History& hi
   return lines;
 }
 
+std::vector<Reaction> reactions_of(const Scene& scene, const History& history) {
+  if (!history.reactions.empty()) return history.reactions;
+  const Model<double> model = make_model<double>(scene);
+  std::vector<Reaction> rows;
+  rows.reserve(history.size() * static_cast<std::size_t>(history.blocks));
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const double time = history.times[i];
+    const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,
+                               acceleration(scene.vertical, time)};
+    const PatternSolution<double> solution = accelerate(model, state_at(history, i), ground);
+    const auto& [normal, tangential, moment] = solution.reactions;
+    for (int k = 0; k < history.blocks; ++k) {
+      const bool carried = solution.pattern[k] == Contact::closed && normal[k] > solution.rounding[k];
+      rows.push_back({normal[k], tangential[k], carried ? -moment[k] / normal[k] : std::nan("")});
+    }
+  }
+  return rows;
+}
+
 double damping_ratio(const CornerSpring& spring, const Block& block) {
   const double inverse_mass = 1 / block.mass + block.half_width * block.half_width / block.inertia;
   return spring.damping / 2 * std::sqrt(inverse_mass / spring.stiffness);
@@ -191,7 +212,13 @@ Scene with_springs(Scene scene, const std::vector<double>& friction, const Corne
 }
 
 double spring_factor(const Scene& scene, const CornerSpring& spring, double most) {
-  const double per_rate = scene.duration / steps_per_rate / most, trace = unit_trace(scene);
+  double trace = 0;  // of M⁻¹K for unit springs at both ends of each interface
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const double half_width = interface_half_width(scene, static_cast<int>(k));
+    trace += 2 * spring_compliance(scene.blocks[k], half_width, scene.springs.tangential);
+    if (k > 0) trace += 2 * spring_compliance(scene.blocks[k - 1], half_width, scene.springs.tangential);
+  }
+  const double per_rate = scene.duration / steps_per_rate / most;
   const double damped = trace * spring.damping * per_rate;
   const double swinging = trace * spring.stiffness * per_rate * per_rate;
   return std::max({1.0, damped, swinging});

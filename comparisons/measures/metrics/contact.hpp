@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/scene.hpp"
@@ -42,6 +39,10 @@ Demand worst_of(const std::vector<Demand>& demands);
 /// openings to either side, impacts or modes that laws do not decide, springs that give way too far. Empty
 /// where the model holds throughout.
 std::vector<std::string> validity_warnings(const Scene& scene, const History& history);
+
+/// What each interface carries from the block below to the block above at every sample, row by row; open
+/// interfaces have no centre: there it is the pivot. Precondition: the history has patterns.
+std::vector<Reaction> reactions_of(const Scene& scene, const History& history);
 
 /// Spring and dashpot of a block's corner.
 struct CornerSpring {

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -30,9 +32,8 @@ std::size_t samples_up_to(const std::vector<double>& times, double time) {
 Difference difference(const History& first, const History& second) {
   const std::size_t count = common_samples(first, second);
   const auto blocks = static_cast<std::size_t>(first.blocks);
-  Difference result{blocks,
-                    {first.times.begin(), first.times.begin() + static_cast<std::ptrdiff_t>(count)},
-                    std::vector<double>(count * blocks)};
+  Difference result{blocks, first.times, std::vector<double>(count * blocks)};
+  result.times.resize(count);
   for (std::size_t i = 0; i < result.values.size(); ++i)
     result.values[i] = second.angles[i] - first.angles[i];
   return result;
@@ -63,9 +64,7 @@ History up_to(History history, double time) {
 }
 
 double largest(const Difference& difference) {
-  double result = 0;
-  for (const double angle : difference.values) result = std::max(result, std::abs(angle));
-  return result;
+  return largest_magnitude(difference.values);
 }
 
 double root_mean_square(const Difference& difference) {
@@ -85,12 +84,11 @@ std::optional<SlipDifference> slip_difference(const History& first, const Histor
   const std::size_t count = common_samples(first, second);
   SlipDifference result;
   for (std::size_t i = 0; i < count; ++i) {
+    const auto one = first.row(first.slips, i), other = second.row(second.slips, i);
     result.last.reset();
-    for (int k = 0; k < first.blocks; ++k) {
-      if (first.patterns[i][k] == Contact::apart) continue;
-      const std::size_t at = i * static_cast<std::size_t>(first.blocks) + static_cast<std::size_t>(k);
-      result.last = std::max(result.last.value_or(0), std::abs(second.slips[at] - first.slips[at]));
-    }
+    for (std::size_t k = 0; k < one.size(); ++k)
+      if (first.patterns[i].contacts[k] != Contact::apart)
+        result.last = std::max(result.last.value_or(0), std::abs(other[k] - one[k]));
     result.largest = std::max(result.largest, result.last.value_or(0));
   }
   return result;
@@ -100,19 +98,17 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
                                  const History& engine) {
   DifferenceParts parts{difference(exact, rigid), difference(rigid, soft), difference(soft, engine)};
   const std::size_t samples = std::min({exact.size(), rigid.size(), soft.size(), engine.size()});
-  for (Difference* part : {&parts.model, &parts.softness, &parts.step}) {
-    part->times.resize(samples);
-    part->values.resize(samples * part->blocks);
-  }
+  for (Difference* part : {&parts.model, &parts.softness, &parts.step})
+    *part = up_to(std::move(*part), exact.times[samples - 1]);
   return parts;
 }
 
-double share_of(const Difference& part, const Difference& whole) {
+std::optional<double> share_of(const Difference& part, const Difference& whole) {
   const auto product = [&](const Difference& other) {
     return std::inner_product(other.values.begin(), other.values.end(), whole.values.begin(), 0.0);
   };
   const double squares = product(whole);
-  return squares > 0 ? product(part) / squares : std::nan("");
+  return squares > 0 ? std::optional(product(part) / squares) : std::nullopt;
 }
 
 Difference whole_of(const DifferenceParts& parts) {

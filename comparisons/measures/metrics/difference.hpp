@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "analytic/scene/history.hpp"
 
@@ -13,6 +12,8 @@ struct Difference {
   std::size_t blocks = 0;
   std::vector<double> times;   ///< s
   std::vector<double> values;  ///< second minus first, rad; or distances, m; times.size() × blocks
+
+  std::span<const double> at(std::size_t sample) const { return {values.data() + sample * blocks, blocks}; }
 };
 
 /// Of angles. @throws std::invalid_argument where the histories are of different stacks or their common times
@@ -56,8 +57,8 @@ DifferenceParts difference_parts(const History& exact, const History& rigid, con
                                  const History& engine);
 
 /// A part as a share of the whole, Σ part·whole/Σ whole²: shares of parts add up to 1, and one is negative
-/// where its part works against the others. NaN where there is no difference.
-double share_of(const Difference& part, const Difference& whole);
+/// where its part works against the others. Nothing where there is no difference.
+std::optional<double> share_of(const Difference& part, const Difference& whole);
 
 /// The sum of all parts.
 Difference whole_of(const DifferenceParts& parts);

@@ -138,12 +138,10 @@ GroundMeasures measure_ground(const GroundMotion& motion) {
   measures.duration = motion.end();
   for (std::size_t i = 0; i < motion.samples.size(); ++i)
     raise(measures.acceleration, motion.samples[i], motion.interval * static_cast<double>(i));
-  const std::vector<Piece> all = pieces(motion);
-  for (const Piece& piece : all) raise_within(measures, piece);
-  if (!all.empty()) {
-    measures.final_velocity = all.back().velocity_at(motion.interval);
-    measures.final_displacement = all.back().displacement_at(motion.interval);
-  }
+  for (const Piece& piece : pieces(motion)) raise_within(measures, piece);
+  const GroundIntegrals path = ground_integrals(motion);
+  measures.final_velocity = path.velocities.back();
+  measures.final_displacement = path.displacements.back();
   const std::vector<double> energy = energies(motion);
   const auto passes = [&](double share) { return time_of_share(motion, energy, share); };
   measures.arias_intensity = std::numbers::pi / (2 * standard_gravity) * energy.back();

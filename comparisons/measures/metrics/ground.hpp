@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "analytic/scene/ground/ground_motion.hpp"
 

@@ -1,5 +1,7 @@
 #include "comparisons/measures/metrics/impacts.hpp"
 
+#include "analytic/scene/lists.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -13,41 +15,28 @@ double stack_height(const Scene& scene) {
 std::vector<Contact> contacts(const std::vector<double>& times, const std::vector<double>& angles,
                               double least_time) {
   const std::size_t count = angles.size();
-  std::vector<Contact> list(count, Contact::closed);
-  const auto open_side = [&](std::size_t i) {
-    return std::abs(angles[i]) <= open_angle ? Contact::closed : contact_of(angles[i] < 0 ? -1 : 1);
-  };
-  for (std::size_t i = 0; i < count; ++i) list[i] = open_side(i);
-  for (std::size_t i = 0; i < count;) {
-    if (list[i] != Contact::closed) {
-      ++i;
-      continue;
+  std::vector<Contact> list = each_of(angles, [](double angle) {
+    return std::abs(angle) <= open_angle ? Contact::closed : contact_of(angle < 0 ? -1 : 1);
+  });
+  for (std::size_t begin = 0, end = 0; begin < count; begin = end + 1) {
+    end = begin;
+    while (end < count && list[end] == Contact::closed) ++end;
+    if (begin == 0 || end == count || times[end] - times[begin - 1] >= least_time) continue;
+    Contact side = list[begin - 1];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (angles[i] * sign(list[end]) >= 0) side = list[end];
+      list[i] = side;
     }
-    std::size_t end = i;
-    while (end < count && open_side(end) == Contact::closed) ++end;
-    const bool passing = i > 0 && end < count && times[end] - times[i - 1] < least_time;
-    if (passing) {
-      Contact side = list[i - 1];
-      for (std::size_t j = i; j < end; ++j) {
-        if (angles[j] * sign(list[end]) >= 0) side = list[end];
-        list[j] = side;
-      }
-    }
-    i = end;
   }
   return list;
 }
 
-/// A pattern and when it begins.
-struct Passage {
-  double time = 0;  ///< s
-  Pattern pattern;
-};
-
-std::vector<Passage> passages(const std::vector<double>& times, const std::vector<Pattern>& patterns) {
-  std::vector<Passage> list;
+/// The times at which patterns begin, s, and which.
+std::vector<std::pair<double, Pattern>> passages(const std::vector<double>& times,
+                                                 const std::vector<Pattern>& patterns) {
+  std::vector<std::pair<double, Pattern>> list;
   for (std::size_t i = 0; i < times.size(); ++i)
-    if (list.empty() || !(list.back().pattern == patterns[i])) list.push_back({times[i], patterns[i]});
+    if (list.empty() || !(list.back().second == patterns[i])) list.emplace_back(times[i], patterns[i]);
   return list;
 }
 
@@ -155,13 +144,10 @@ double agreement(const std::vector<PatternShare>& shares) {
 double sequence_time(const std::vector<double>& times, const std::vector<Pattern>& exact,
                      const std::vector<Pattern>& engine) {
   const auto first = passages(times, exact), second = passages(times, engine);
-  const double end = times.back();
-  for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
-    const bool both = i < first.size() && i < second.size();
-    if (both && first[i].pattern == second[i].pattern) continue;
-    return std::min(i < first.size() ? first[i].time : end, i < second.size() ? second[i].time : end);
-  }
-  return end;
+  const auto alike = [](const auto& a, const auto& b) { return a.second == b.second; };
+  const auto [one, other] = std::mismatch(first.begin(), first.end(), second.begin(), second.end(), alike);
+  return std::min(one == first.end() ? times.back() : one->first,
+                  other == second.end() ? times.back() : other->first);
 }
 
 std::vector<ImpactTime> settlings(const Scene& scene, const History& history) {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 

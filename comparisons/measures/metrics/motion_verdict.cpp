@@ -14,14 +14,6 @@ constexpr double visible = 1e-9;  // m
 /// In the order of TopplingVerdict.
 constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
 
-/// When a block leans furthest among the samples, s.
-double peak_time(const History& history, std::size_t block) {
-  std::size_t furthest = 0;
-  for (std::size_t i = 0; i < history.size(); ++i)
-    if (std::abs(history.angles_at(i)[block]) > std::abs(history.angles_at(furthest)[block])) furthest = i;
-  return history.times[furthest];
-}
-
 /// When an interface would have to pull, by forces or by impulses; empty where none does.
 std::string pull(const History& history) {
   for (const auto* demands : {&history.forces, &history.impulses})
@@ -41,16 +33,9 @@ std::string demand(const History& history) {
                            : fmt::format("; needs friction {:.2g}", forces);
 }
 
-auto largest_of(const std::vector<InterfaceSummary>& interfaces, double InterfaceSummary::*value) {
-  return std::ranges::max_element(interfaces, {}, value);
-}
-
-/// A row of what a history has row by row, by blocks; nothing where it does not have it.
-std::span<const double> row_of(const History& history, const std::vector<double>& values,
-                               std::size_t sample) {
-  const auto blocks = static_cast<std::size_t>(history.blocks);
-  return values.size() < (sample + 1) * blocks ? std::span<const double>()
-                                               : std::span(values).subspan(sample * blocks, blocks);
+/// How far a block is above what is below it, m; 0 where the history does not tell it.
+double gap_at(const History& history, std::size_t sample, std::size_t block) {
+  return history.gaps.empty() ? 0 : history.row(history.gaps, sample)[block];
 }
 
 /// The first block that holds something, from 1.
@@ -61,7 +46,6 @@ std::optional<std::size_t> first_block(const History& history, const Holds& hold
   return {};
 }
 
-/// The block that slides in the last sample.
 std::optional<std::size_t> sliding_at_end(const History& history) {
   return first_block(
       history, [&](std::size_t k) { return !history.patterns.empty() && history.patterns.back().slides[k]; });
@@ -72,10 +56,9 @@ std::optional<std::size_t> sliding_at_end(const History& history) {
 std::string unsettled(const Scene& scene, const History& history) {
   if (history.times.empty()) return "";
   const std::size_t last = history.size() - 1;
-  const auto gaps = row_of(history, history.gaps, last);
   const auto angles = history.angles_at(last), velocities = history.velocities_at(last);
   if (const auto block =
-          first_block(history, [&](std::size_t k) { return !gaps.empty() && gaps[k] > visible; }))
+          first_block(history, [&](std::size_t k) { return gap_at(history, last, k) > visible; }))
     return fmt::format("block {} is in flight", *block);
   if (const auto block = sliding_at_end(history)) return fmt::format("block {} slides", *block);
   if (const auto block = first_block(history, [&](std::size_t k) {
@@ -87,7 +70,7 @@ std::string unsettled(const Scene& scene, const History& history) {
 
 /// The block that slips furthest, and where it is left.
 std::string slipping(const History& history, const std::vector<InterfaceSummary>& interfaces) {
-  const auto most = largest_of(interfaces, &InterfaceSummary::largest_slip);
+  const auto most = std::ranges::max_element(interfaces, {}, &InterfaceSummary::largest_slip);
   if (most->largest_slip <= visible) return "";
   std::string far = fmt::format("; block {} slips by up to {}", most - interfaces.begin() + 1,
                                 quantity_text(most->largest_slip, "m"));
@@ -98,9 +81,8 @@ std::string slipping(const History& history, const std::vector<InterfaceSummary>
 
 /// The block that rises furthest above where it starts.
 std::string lifting(const History& history, std::vector<InterfaceSummary> interfaces) {
-  const auto start = row_of(history, history.gaps, 0);
-  for (std::size_t k = 0; k < start.size(); ++k) interfaces[k].highest_lift -= start[k];
-  const auto most = largest_of(interfaces, &InterfaceSummary::highest_lift);
+  for (std::size_t k = 0; k < interfaces.size(); ++k) interfaces[k].highest_lift -= gap_at(history, 0, k);
+  const auto most = std::ranges::max_element(interfaces, {}, &InterfaceSummary::highest_lift);
   if (most->highest_lift <= visible) return "";
   return fmt::format("; block {} lifts by up to {}", most - interfaces.begin() + 1,
                      quantity_text(most->highest_lift, "m"));
@@ -111,8 +93,7 @@ std::string freedom(const History& history) {
   const std::vector<InterfaceSummary> interfaces = contact_summary(history);
   if (interfaces.empty()) return demand(history);
   const std::string text = slipping(history, interfaces) + lifting(history, interfaces);
-  const auto start = row_of(history, history.gaps, 0);
-  const bool held = std::ranges::all_of(start, [](double gap) { return gap <= visible; });
+  const bool held = !first_block(history, [&](std::size_t k) { return gap_at(history, 0, k) > visible; });
   const std::string doubt = doubt_of(history);
   return (text.empty() && held ? "; nothing slips or lifts" : text) + (doubt.empty() ? "" : "; " + doubt);
 }
@@ -124,18 +105,35 @@ std::string end_words(EventKind kind, int block) {
   return block < 3 ? "strikes the ground" : "strikes the ground or a block further down";
 }
 
-/// Of an exact motion whose springs are not loaded at the start, what its bodies would tell.
-Support support_of(const Scene& scene, const History& history) {
-  if (scene.law != Law::compliant || scene.initial.preloaded) return {};
-  std::vector<double> depths;
-  for (std::size_t i = 0; i < history.size(); ++i) depths.push_back(deepest_sinking(scene, history, i));
-  return rockstack::support_of(depths, {});
+/// How far a centre is nearer to the one below than upright blocks that touch have it, at most, at one sample
+/// of a motion that tells centres, m.
+double deepest_sinking(const Scene& scene, const History& history, std::size_t sample) {
+  double deepest = 0, below = 0;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Block& block = scene.blocks[k];
+    const double centre = history.centres[2 * (sample * scene.blocks.size() + k) + 1];
+    deepest = std::max(deepest, below + block.half_height + block.offset_y - centre);
+    below = centre + block.half_height - block.offset_y;
+  }
+  return deepest;
 }
 
-/// "sinks in by 86 mm", or nothing.
-std::string sinking(const Scene& scene, double depth) {
+/// "sinks in by 86 mm", or nothing. An exact motion whose springs are not loaded at the start tells itself
+/// what an engine's bodies would.
+std::string sinking(const Scene& scene, const History& history, double depth) {
+  std::vector<double> depths;
+  if (scene.law == Law::compliant && !scene.initial.preloaded)
+    for (std::size_t i = 0; i < history.size(); ++i) depths.push_back(deepest_sinking(scene, history, i));
+  if (!depths.empty()) depth = std::max(depth, support_of(depths, {}).sinking);
   return depth > told_sinking * least_height(scene.blocks) ? "sinks in by " + quantity_text(depth, "m", 2)
                                                            : "";
+}
+
+/// The first block that has fallen off what it stood on.
+std::string fallen_block(const std::vector<double>& unsupported_since) {
+  const auto first = std::ranges::min_element(unsupported_since);
+  if (first == unsupported_since.end() || std::isinf(*first)) return "";
+  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
 }
 
 }  // namespace
@@ -155,17 +153,10 @@ std::string reported_toppling(const History& history) {
 
 std::string observed_toppling(const Scene& scene, const History& history) {
   const auto last = history.angles_at(history.size() - 1);
-  for (std::size_t k = 0; k < last.size(); ++k) {
-    if (std::abs(last[k]) <= toppling_angle(scene, static_cast<int>(k))) continue;
-    return fmt::format("block {} at {} s", k + 1, history.times.back());
-  }
+  for (std::size_t k = 0; k < last.size(); ++k)
+    if (std::abs(last[k]) > toppling_angle(scene, static_cast<int>(k)))
+      return fmt::format("block {} at {} s", k + 1, history.times.back());
   return "";
-}
-
-std::string fallen_block(const std::vector<double>& unsupported_since) {
-  const auto first = std::ranges::min_element(unsupported_since);
-  if (first == unsupported_since.end() || std::isinf(*first)) return "";
-  return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
 }
 
 TopplingVerdict toppling_verdict(bool exact, bool engine) {
@@ -256,7 +247,7 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
     return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
                        support.fallen.substr(support.fallen.find(" at ")), freedom(history));
   const Lean most = largest_lean(scene, history);
-  const std::string sunk = sinking(scene, std::max(support.sinking, support_of(scene, history).sinking));
+  const std::string sunk = sinking(scene, history, support.sinking);
   const std::string going_on = unsettled(scene, history);
   if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
     return sunk.empty() ? "rests throughout" + freedom(history) : "rests, but " + sunk + freedom(history);
@@ -266,7 +257,7 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
       most.ratio < 1e-3 && !history.slips.empty()
           ? "; nothing rocks"
           : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
-                        most.ratio, peak_time(history, most.block));
+                        most.ratio, largest_swing(history, most.block).peak_time);
   const std::string state =
       going_on.empty() ? "stands" : fmt::format("{} at the end, {:.4g} s", going_on, history.times.back());
   return state + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(history);

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 
@@ -14,10 +11,6 @@ std::string reported_toppling(const History& history);
 /// The same of an engine's history, which ends early only where a block has toppled: the block and the time
 /// are those of its last sample.
 std::string observed_toppling(const Scene& scene, const History& history);
-
-/// Likewise of a block that has fallen off what it stood on, from since when each has had nothing below it, s
-/// (infinite where it has): the first that did.
-std::string fallen_block(const std::vector<double>& unsupported_since);
 
 /// Which of both topple.
 enum class TopplingVerdict { unknown, neither, both, exact_alone, engine_alone };
@@ -64,12 +57,12 @@ Lean largest_lean(const Scene& scene, const History& history);
 /// How blocks end on what they stand on, as an engine's bodies tell.
 struct Support {
   double sinking = 0;       ///< how deep one has sunk in, m
-  std::string fallen = {};  ///< fallen_block()
+  std::string fallen = {};  ///< "block 2 at 1.5 s" of the first that fell off what it stood on, or nothing
 };
 
 /// From the depth of the deepest overlap at each sample, m, of which the least over the last tenth is how far
 /// a block has sunk in, whatever impacts pressed it in for a moment; and from since when each block has had
-/// nothing below it, s.
+/// nothing below it, s (infinite where it has).
 Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since);
 
 /// Why a motion need not be the one that follows, after "it is": other motions obey as well, or, of a history

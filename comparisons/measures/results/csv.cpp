@@ -1,17 +1,23 @@
 #include "comparisons/measures/results/csv.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
+
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {
 
 using Cells = std::vector<std::string>;
+
+/// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
+/// guarded against that: it is written behind a ', which reading takes off again.
+bool needs_guard(std::string_view text) {
+  if (text.starts_with('\'')) return needs_guard(text.substr(1));
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
+}
 
 /// Takes one quoted cell from the front of `rest`, which starts with the opening quote.
 std::string take_quoted(std::string_view& rest, const std::string& where) {
@@ -33,13 +39,12 @@ std::string take_quoted(std::string_view& rest, const std::string& where) {
 void split(std::string_view rest, Cells& cells, const std::string& where) {
   cells.clear();
   for (bool more = true; more;) {
-    std::string quoted;
     const bool is_quoted = !rest.empty() && rest.front() == '"';
-    if (is_quoted) quoted = take_quoted(rest, where);
+    std::string& cell = cells.emplace_back(is_quoted ? take_quoted(rest, where) : "");
     const std::size_t end = std::min(rest.find(','), rest.size());
     if (is_quoted && end != 0) throw InputError(where + ": text after a closing quote");
-    cells.push_back(is_quoted ? std::move(quoted) : std::string(rest.substr(0, end)));
-    if (cells.back().starts_with('\'') && needs_guard(cells.back())) cells.back().erase(0, 1);
+    if (!is_quoted) cell = rest.substr(0, end);
+    if (cell.starts_with('\'') && needs_guard(cell)) cell.erase(0, 1);
     more = end < rest.size();
     rest.remove_prefix(more ? end + 1 : end);
   }
@@ -81,9 +86,7 @@ std::size_t CsvLine::index(const std::string& name) const {
 }
 
 CsvLine::Indices CsvLine::indices(const std::vector<std::string>& names) const {
-  Indices list;
-  for (const std::string& name : names) list.push_back(index(name));
-  return list;
+  return each_of(names, [&](const std::string& name) { return index(name); });
 }
 
 double CsvLine::value(std::size_t index) const {
@@ -123,15 +126,14 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 }
 
 std::vector<std::string> numbered(const std::string& stem, int count) {
-  std::vector<std::string> names;
-  for (int k = 1; k <= count; ++k) names.push_back(stem + std::to_string(k));
-  return names;
+  return numbered_in_turn({stem}, count);
 }
 
-bool needs_guard(std::string_view text) {
-  if (text.starts_with('\'')) return needs_guard(text.substr(1));
-  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
-         text.find_first_not_of("0123456789+-.eE ") != std::string_view::npos;
+std::vector<std::string> numbered_in_turn(const std::vector<std::string>& stems, int count) {
+  std::vector<std::string> names;
+  for (int k = 1; k <= count; ++k)
+    for (const std::string& stem : stems) names.push_back(stem + std::to_string(k));
+  return names;
 }
 
 std::optional<double> number_in(std::string_view cell) {
@@ -148,16 +150,6 @@ void CsvWriter::end_line() {
 void CsvWriter::separate() {
   if (begun_) text_ += ',';
   begun_ = true;
-}
-
-void CsvWriter::write(double number) {
-  separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
-}
-
-void CsvWriter::write(std::ptrdiff_t number) {
-  separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
 }
 
 void CsvWriter::write(std::string_view text) {

@@ -1,14 +1,13 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <ranges>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "analytic/scene/messages/input_error.hpp"
 
@@ -17,7 +16,7 @@ namespace rockstack {
 /// A small file of comma-separated values as text: one name a column, one vector of cells a row.
 struct Table {
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows = {};
 };
 
 /// Reads a file of comma-separated values with a header line; cells may be quoted, and hold no line breaks.
@@ -79,9 +78,8 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 /// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
 std::vector<std::string> numbered(const std::string& stem, int count);
 
-/// Whether a spreadsheet would take a text, not numbers alone, for something to compute, or for one that is
-/// guarded against that: it is written behind a ', which reading takes off again.
-bool needs_guard(std::string_view text);
+/// The same of several stems in turn: x_1, y_1, x_2, y_2.
+std::vector<std::string> numbered_in_turn(const std::vector<std::string>& stems, int count);
 
 /// A cell as a number, none where it is something else.
 std::optional<double> number_in(std::string_view cell);
@@ -91,7 +89,6 @@ std::optional<double> number_in(std::string_view cell);
 /// cell, and a range is a cell an element.
 class CsvWriter {
  public:
-  /// Adds cells to the line under way.
   template <class... Cells>
   void add(const Cells&... cells) {
     (add_one(cells), ...);
@@ -99,7 +96,6 @@ class CsvWriter {
 
   void end_line();
 
-  /// Adds cells and ends the line.
   template <class... Cells>
   void line(const Cells&... cells) {
     add(cells...);
@@ -111,25 +107,20 @@ class CsvWriter {
  private:
   template <class Cell>
   void add_one(const Cell& cell) {
-    if constexpr (std::is_same_v<Cell, bool>) {
-      write(std::string_view(cell ? "true" : "false"));
-    } else if constexpr (std::is_integral_v<Cell>) {
-      write(static_cast<std::ptrdiff_t>(cell));
-    } else if constexpr (std::is_floating_point_v<Cell>) {
-      write(static_cast<double>(cell));
+    if constexpr (std::is_arithmetic_v<Cell>) {
+      separate();
+      fmt::format_to(std::back_inserter(text_), "{}", cell);
     } else if constexpr (std::is_convertible_v<const Cell&, std::string_view>) {
-      write(std::string_view(cell));
+      write(cell);
     } else if constexpr (std::ranges::range<Cell>) {
       for (const auto& element : cell) add_one(element);
     } else if (cell) {
       add_one(*cell);
     } else {
-      write(std::string_view());
+      write("");
     }
   }
 
-  void write(double number);
-  void write(std::ptrdiff_t number);
   void write(std::string_view text);
   void separate();
 

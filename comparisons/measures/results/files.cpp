@@ -14,7 +14,6 @@
 #include <set>
 #include <sstream>
 #include <system_error>
-#include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
 
@@ -34,73 +33,38 @@ void write_all(int descriptor, std::string_view text, const std::filesystem::pat
   }
 }
 
-/// A file that grows beside its place, and goes away unless it is finished.
-class PartialFile {
- public:
-  explicit PartialFile(const std::filesystem::path& file) : file_(file), own_(file.string() + ".partial") {
-    // Made new: what a killed run has left goes, and a link leads nowhere.
-    unlink(own_.c_str());
-    descriptor_ = open(own_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail(file_);
-  }
-  ~PartialFile() {
-    if (descriptor_ < 0) return;
-    close(descriptor_);
-    unlink(own_.c_str());
-  }
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
-
-  void append(std::string_view text) { write_all(descriptor_, text, file_); }
-
-  /// On the disk first, then in its place: a machine that stops leaves it whole or not there.
-  void finish() {
-    const bool on_disk = fsync(descriptor_) == 0 || errno == EINVAL;  // where a file system cannot be asked
-    if (!on_disk || rename(own_.c_str(), file_.c_str()) != 0) fail(file_);
-    close(std::exchange(descriptor_, -1));
-  }
-
- private:
-  std::filesystem::path file_;
-  std::string own_;
-  int descriptor_ = -1;
-};
-
 struct Kind {
   const char* name;
-  std::vector<const char*> derived;  ///< from runs, or by a command that has none
+  std::initializer_list<const char*> derived;  ///< from runs, or by a command that has none
 };
 
 /// In the order of Results.
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> list{
-      {"one motion",
-       {"summary.json", "history.csv", "events.csv", "reactions.csv", "energies.csv", "corners.csv",
-        "ground.csv", "branches.csv", "branches", "figures", "report.html"}},
-      {"a comparison",
-       {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "spread.csv", "ranking.csv",
-        "ground", "figures", "report.html"}},
-      {"a lesson",
-       {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
-        "fits.csv", "distributions.csv", "ground", "figures", "report.html"}},
-      {"advice", {"advice.json", "advice.csv", "figures", "report.html"}},
-      {"a study of stability",
-       {"stability.json", "stability.csv", "steps.csv", "comparison.json", "comparison.csv", "fits.csv",
-        "distributions.csv", "ground", "figures", "report.html"}},
-      {"a study of impact laws",
-       {"impact-laws.json", "impact-laws.csv", "impact-laws-engines.csv", "figures", "report.html"}},
-      {"a sweep",
-       {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
-        "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}},
-      {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
-      {"results held together", {"diff.json", "diff.csv"}},
-      {"a canon", {"canon.json", "canon.csv", "report.html"}},
-      {"a course", {"index.html", "glossary.html", "course.json"}},
-      {"problem sheets", {}},
-      {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
-  };
-  return list;
-}
+constexpr Kind kinds[]{
+    {"one motion",
+     {"summary.json", "history.csv", "events.csv", "reactions.csv", "energies.csv", "corners.csv",
+      "ground.csv", "branches.csv", "branches", "figures", "report.html"}},
+    {"a comparison",
+     {"comparison.json", "comparison.csv", "fits.csv", "distributions.csv", "spread.csv", "ranking.csv",
+      "ground", "figures", "report.html"}},
+    {"a lesson",
+     {"lesson.html", "slides.html", "slides.pdf", "lesson.json", "comparison.json", "comparison.csv",
+      "fits.csv", "distributions.csv", "ground", "figures", "report.html"}},
+    {"advice", {"advice.json", "advice.csv", "figures", "report.html"}},
+    {"a study of stability",
+     {"stability.json", "stability.csv", "steps.csv", "comparison.json", "comparison.csv", "fits.csv",
+      "distributions.csv", "ground", "figures", "report.html"}},
+    {"a study of impact laws",
+     {"impact-laws.json", "impact-laws.csv", "impact-laws-engines.csv", "figures", "report.html"}},
+    {"a sweep",
+     {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
+      "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}},
+    {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
+    {"results held together", {"diff.json", "diff.csv"}},
+    {"a canon", {"canon.json", "canon.csv", "report.html"}},
+    {"a course", {"index.html", "glossary.html", "course.json"}},
+    {"problem sheets", {}},
+    {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
+};
 
 namespace fs = std::filesystem;
 
@@ -156,9 +120,8 @@ Descriptor::~Descriptor() {
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  const int number = descriptor_.number();
-  if (number >= 0 && flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    : Descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (number() >= 0 && flock(number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw InputError(
         fmt::format("--out {}: must be a folder that no other run writes into just now", folder.string()));
 }
@@ -185,14 +148,25 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
 }
 
 void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write) {
-  PartialFile partial(file);
-  write([&](std::string_view text) { partial.append(text); });
-  partial.finish();
+  const std::string own = file.string() + ".partial";
+  // Made new: what a killed run has left goes, and a link leads nowhere.
+  unlink(own.c_str());
+  const Descriptor partial(open(own.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (partial.number() < 0) fail(file);
+  try {
+    write([&](std::string_view text) { write_all(partial.number(), text, file); });
+    // On the disk first, then in its place: a machine that stops leaves it whole or not there.
+    const bool on_disk = fsync(partial.number()) == 0 || errno == EINVAL;  // where it cannot be asked
+    if (!on_disk || rename(own.c_str(), file.c_str()) != 0) fail(file);
+  } catch (...) {
+    unlink(own.c_str());
+    throw;
+  }
 }
 
 ResultsFolder::ResultsFolder(const fs::path& folder, Results results)
     : folder_(folder), made_(make_folders(folder)), lock_(folder) {
-  const Kind& kind = kinds().at(static_cast<std::size_t>(results));
+  const Kind& kind = kinds[static_cast<std::size_t>(results)];
   std::string found;
   std::getline(std::ifstream(folder / mark_name), found);
   if (!found.empty() && found != kind.name)

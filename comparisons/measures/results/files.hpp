@@ -26,14 +26,11 @@ class Descriptor {
 };
 
 /// Keeps a folder for this process until destroyed: two runs in one folder would spoil each other's files.
-class FolderLock {
+class FolderLock : Descriptor {
  public:
   /// @throws InputError where another process has the folder. Where the file system knows no locks there is
   /// none.
   explicit FolderLock(const std::filesystem::path& folder);
-
- private:
-  Descriptor descriptor_;
 };
 
 /// The 64-bit checksum FNV-1a of Fowler, Noll & Vo.

@@ -1,11 +1,11 @@
-#include "comparisons/measures/results/histories.hpp"
+#include "comparisons/measures/results/tables.hpp"
 
 #include <fmt/format.h>
 
 #include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/reactions.hpp"
 
 namespace rockstack {
 namespace {
@@ -53,24 +53,15 @@ std::vector<double> corners_of(const Scene& scene, const Points<double>& places,
   return result;
 }
 
-void add_spring_energies(const History& history, std::size_t sample, CsvWriter& csv) {
-  for (const auto part : {&SpringEnergy::elastic, &SpringEnergy::damped, &SpringEnergy::rubbed})
-    for (int k = 0; k < history.blocks; ++k)
-      csv.add(history.spring_energies[sample * static_cast<std::size_t>(history.blocks) +
-                                      static_cast<std::size_t>(k)].*
-              part);
-}
-
 }  // namespace
 
 std::string reactions_csv(const Scene& scene, const History& history) {
-  const auto blocks = static_cast<std::size_t>(history.blocks);
   const std::vector<Reaction> rows = reactions_of(scene, history);
   CsvWriter csv;
   csv.line("time", numbered("normal_", history.blocks), numbered("tangential_", history.blocks),
            numbered("centre_", history.blocks));
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const std::span<const Reaction> row(rows.data() + i * blocks, blocks);
+    const auto row = history.row(rows, i);
     csv.add(history.times[i]);
     for (const Reaction& reaction : row) csv.add(shortened(reaction.normal));
     for (const Reaction& reaction : row) csv.add(shortened(reaction.tangential));
@@ -119,7 +110,9 @@ std::string energies_csv(const Scene& scene, const History& history) {
               0.5 * stack.inertia[k] * velocities[k] * velocities[k]);
     for (int k = 0; k < stack.size(); ++k)
       csv.add(stack.mass[k] * (gravity.across * moved(1, k) - gravity.along * moved(0, k)));
-    if (springs) add_spring_energies(history, i, csv);
+    for (const auto part : {&SpringEnergy::elastic, &SpringEnergy::damped, &SpringEnergy::rubbed})
+      if (springs)
+        for (const SpringEnergy& energy : history.row(history.spring_energies, i)) csv.add(energy.*part);
     csv.end_line();
   }
   return csv.text();

@@ -19,25 +19,6 @@ std::string processor() {
   return "unknown";
 }
 
-std::string ground_of(const Scene& scene) {
-  std::string text = scene.horizontal.source;
-  if (!scene.vertical.empty()) text += (text.empty() ? "" : "; ") + scene.vertical.source + ", vertical";
-  return text;
-}
-
-/// Sizes and masses, bottom to top.
-Json stack_json(const Scene& scene) {
-  Json list = Json::array();
-  for (const Block& block : scene.blocks)
-    list.push_back({{"width", 2 * block.half_width},
-                    {"height", 2 * block.half_height},
-                    {"mass", block.mass},
-                    {"inertia", block.inertia},
-                    {"offset_x", block.offset_x},
-                    {"offset_y", block.offset_y}});
-  return list;
-}
-
 }  // namespace
 
 std::map<std::string, std::string> environment(const std::vector<const WorkerEngine*>& engines) {
@@ -53,12 +34,19 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
 }
 
 Json scene_json(const Scene& scene) {
+  std::string ground = scene.horizontal.source;
+  if (!scene.vertical.empty()) ground += (ground.empty() ? "" : "; ") + scene.vertical.source + ", vertical";
+  const auto block_json = [](const Block& block) {
+    return Json{
+        {"width", 2 * block.half_width}, {"height", 2 * block.half_height}, {"mass", block.mass},
+        {"inertia", block.inertia},      {"offset_x", block.offset_x},      {"offset_y", block.offset_y}};
+  };
   return {{"title", scene.title},
           {"blocks", scene.blocks.size()},
-          {"stack", stack_json(scene)},
+          {"stack", each_of(scene.blocks, block_json)},
           {"gravity", scene.gravity},
           {"duration", scene.duration},
-          {"ground", ground_of(scene)},
+          {"ground", ground},
           {"chatter_speed", chatter_speed(scene)},
           {"settling_duration", settling_duration(scene)},
           {"law", name(scene.law)},

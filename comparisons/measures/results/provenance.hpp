@@ -1,11 +1,6 @@
 #pragma once
 
-#include <map>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "engines/worker/worker_engine.hpp"
 
 namespace rockstack {

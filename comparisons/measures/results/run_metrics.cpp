@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_measures_texts.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -13,42 +16,47 @@ constexpr std::array<const char*, 6> status_names{"done",   "failed",     "not f
                                                   "signal", "time limit", "memory limit"};
 
 template <class Value>
-Json json_of(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json json_of(const std::string& value) {
-  return value;
-}
-
-template <class Enumeration>
-requires std::is_enum_v<Enumeration> Json json_of(Enumeration value) {
-  return name(value);
-}
-
-void read_cell(const Json& cell, std::optional<double>& value) {
-  if (!cell.is_null()) value = cell.get<double>();
+Json json_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return name(value);
+  else if constexpr (std::is_same_v<Value, std::string>)
+    return value;
+  else
+    return value ? Json(*value) : Json();
 }
 
 /// Counts stay whole: a median half way between two is rounded up.
-void read_cell(const Json& cell, std::optional<int>& value) {
-  if (!cell.is_null()) value = static_cast<int>(std::lround(cell.get<double>()));
+template <class Value>
+void read_cell(const Json& cell, Value& value) {
+  if constexpr (std::is_same_v<Value, RunStatus>)
+    value = run_status(cell.get<std::string>());
+  else if constexpr (std::is_same_v<Value, TopplingVerdict>)
+    value = named_verdict(cell.get<std::string>());
+  else if constexpr (std::is_same_v<Value, std::string>)
+    value = cell.get<std::string>();
+  else if (cell.is_null())
+    return;
+  else if constexpr (std::is_same_v<Value, std::optional<int>>)
+    value = static_cast<int>(std::lround(cell.get<double>()));
+  else
+    value = cell.get<double>();
 }
 
-void read_cell(const Json& cell, std::string& value) {
-  value = cell.get<std::string>();
-}
-
-void read_cell(const Json& cell, RunStatus& value) {
-  value = run_status(cell.get<std::string>());
-}
-
-void read_cell(const Json& cell, TopplingVerdict& value) {
-  value = named_verdict(cell.get<std::string>());
-}
-
-void put(RunMetrics& row, const Column::Field& field, const Json& cell) {
-  std::visit([&](auto member) { read_cell(cell, row.*member); }, field);
+/// Those of quartiles stand behind the one that they are of.
+std::vector<Column> all_columns() {
+  const std::map<std::string, Column::Field> fields{
+#include "comparisons/measures/results/run_metrics_fields.inc"
+  };
+  std::vector<Column> all;
+  for (const auto& [name, kind, meaning] : paragraphs(columns_txt)) {
+    const auto is = [&kind = kind](const char* word) { return kind.find(word) != std::string::npos; };
+    all.push_back({name, meaning, fields.at(name), is("measured"), is("median"), is("quartiles")});
+    if (!is("quartiles")) continue;
+    all.push_back(
+        {name + "_lower", "lower quartile of the same over replicates", fields.at(name + "_lower")});
+    all.push_back({name + "_upper", "upper quartile", fields.at(name + "_upper")});
+  }
+  return all;
 }
 
 }  // namespace
@@ -68,12 +76,18 @@ Json Column::cell(const RunMetrics& row) const {
 }
 
 void Column::set(RunMetrics& row, const Json& cell) const {
-  put(row, field, cell);
+  std::visit([&](auto member) { read_cell(cell, row.*member); }, field);
 }
 
-void Column::set_quartiles(RunMetrics& row, const Json& low, const Json& high) const {
-  if (lower) put(row, *lower, low);
-  if (upper) put(row, *upper, high);
+const std::vector<Column>& columns() {
+  static const std::vector<Column> list = all_columns();
+  return list;
+}
+
+const Column& column_named(const std::string& name) {
+  const auto found = std::ranges::find(columns(), name, &Column::name);
+  if (found == columns().end()) throw std::logic_error(name + ": no column of a comparison");
+  return *found;
 }
 
 void to_json(Json& cells, const RunMetrics& row) {

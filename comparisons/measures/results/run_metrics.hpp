@@ -1,9 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
@@ -37,12 +34,10 @@ struct Column {
   Field field;
   bool measured = false;    ///< time or memory that the machine took: another run gives another value
   bool replicated = false;  ///< a median over replicates, where there are some
-  std::optional<Field> lower = {}, upper = {};  ///< of a column that has its quartiles beside it
+  bool quartiles = false;   ///< which NAME_lower and NAME_upper behind it are
 
   Json cell(const RunMetrics& row) const;
   void set(RunMetrics& row, const Json& cell) const;
-  /// Nothing where it has none.
-  void set_quartiles(RunMetrics& row, const Json& low, const Json& high) const;
 };
 
 const std::vector<Column>& columns();

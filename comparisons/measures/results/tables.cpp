@@ -48,11 +48,62 @@ std::vector<double> ground_times(const Scene& scene) {
   return times;
 }
 
-}  // namespace
+namespace fs = std::filesystem;
 
-std::string comparison_csv(const std::vector<RunMetrics>& rows) {
-  return csv_of(Json(rows));
+History samples_in(const fs::path& file) {
+  History history;
+  CsvLine line(file);
+  int& blocks = history.blocks;
+  while (blocks < max_blocks && line.has(fmt::format("theta_{}", blocks + 1))) ++blocks;
+  const std::size_t time = line.index("time");
+  // What a history may leave out has no columns.
+  const auto columns = [&](const std::vector<std::string>& names) {
+    return line.has(names.front()) ? line.indices(names) : CsvLine::Indices();
+  };
+  const CsvLine::Indices angles = line.indices(numbered("theta_", std::max(blocks, 1))),
+                         velocities = line.indices(numbered("omega_", blocks)),
+                         pattern = columns({"pattern"}), slips = columns(numbered("slip_", blocks)),
+                         gaps = columns(numbered("gap_", blocks)),
+                         places = columns(numbered_in_turn({"x_", "y_"}, blocks));
+  const auto named = [&](const auto& name) { return named_pattern(name, blocks); };
+  for (std::string last; line.next();) {
+    history.times.push_back(line.value(time));
+    line.add(angles, history.angles);
+    line.add(velocities, history.velocities);
+    line.add(slips, history.slips);
+    line.add(gaps, history.gaps);
+    line.add(places, history.centres);
+    if (pattern.empty()) continue;
+    const std::string& text = line.text(pattern[0]);
+    history.patterns.push_back(text == last ? history.patterns.back() : line.named(pattern[0], named));
+    last = text;
+  }
+  return history;
 }
+
+std::vector<Event> events_in(const fs::path& file, int blocks) {
+  std::vector<Event> events;
+  CsvLine line(file);
+  const CsvLine::Indices angles = line.indices(numbered("theta_", blocks)),
+                         before = line.indices(numbered("omega_before_", blocks)),
+                         after = line.indices(numbered("omega_after_", blocks));
+  const auto pattern = [&](const auto& name) { return named_pattern(name, blocks); };
+  while (line.next()) {
+    Event& event = events.emplace_back();
+    event.time = line.value("time");
+    event.kind = line.named(line.index("kind"), named_event);
+    event.interface = line.whole(line.index("interface"), 1, blocks);
+    event.from = line.named(line.index("from"), pattern);
+    event.to = line.named(line.index("to"), pattern);
+    line.add(angles, event.angles);
+    line.add(before, event.before);
+    line.add(after, event.after);
+    event.consistency = line.named(line.index("consistency"), named_consistency);
+  }
+  return events;
+}
+
+}  // namespace
 
 std::string cell_text(const Json& cell) {
   if (cell.is_null()) return "";
@@ -74,24 +125,19 @@ std::string csv_of(const Json& list) {
 std::string history_csv(const History& history) {
   const bool patterns = !history.patterns.empty(), slips = !history.slips.empty();
   const bool gaps = !history.gaps.empty(), places = !history.centres.empty();
-  const auto width = static_cast<std::size_t>(history.blocks);
-  const auto row = [width](const std::vector<double>& values, std::size_t sample) {
-    return std::span<const double>(values).subspan(sample * width, width);
-  };
   CsvWriter csv;
   csv.add("time", numbered("theta_", history.blocks), numbered("omega_", history.blocks));
   if (patterns) csv.add("pattern");
   if (slips) csv.add(numbered("slip_", history.blocks));
   if (gaps) csv.add(numbered("gap_", history.blocks));
-  if (places)
-    for (int k = 1; k <= history.blocks; ++k) csv.add(fmt::format("x_{}", k), fmt::format("y_{}", k));
+  if (places) csv.add(numbered_in_turn({"x_", "y_"}, history.blocks));
   csv.end_line();
   for (std::size_t i = 0; i < history.size(); ++i) {
     csv.add(history.times[i], history.angles_at(i), history.velocities_at(i));
     if (patterns) csv.add(name(history.patterns[i]));
-    if (slips) csv.add(row(history.slips, i));
-    if (gaps) csv.add(row(history.gaps, i));
-    if (places) csv.add(row(history.centres, 2 * i), row(history.centres, 2 * i + 1));
+    if (slips) csv.add(history.row(history.slips, i));
+    if (gaps) csv.add(history.row(history.gaps, i));
+    if (places) csv.add(history.row(history.centres, 2 * i), history.row(history.centres, 2 * i + 1));
     csv.end_line();
   }
   return csv.text();
@@ -119,10 +165,7 @@ std::string ground_csv(const Scene& scene) {
 std::string difference_csv(const Difference& difference) {
   CsvWriter csv;
   csv.line("time", numbered("difference_", static_cast<int>(difference.blocks)));
-  for (std::size_t i = 0; i < difference.times.size(); ++i) {
-    const std::span angles(difference.values);
-    csv.line(difference.times[i], angles.subspan(i * difference.blocks, difference.blocks));
-  }
+  for (std::size_t i = 0; i < difference.times.size(); ++i) csv.line(difference.times[i], difference.at(i));
   return csv.text();
 }
 
@@ -130,11 +173,8 @@ std::string parts_csv(const DifferenceParts& parts) {
   const auto blocks = static_cast<int>(parts.model.blocks);
   CsvWriter csv;
   csv.line("time", numbered("model_", blocks), numbered("softness_", blocks), numbered("step_", blocks));
-  const auto sample = [&](const Difference& part, std::size_t i) {
-    return std::span(part.values).subspan(i * part.blocks, part.blocks);
-  };
   for (std::size_t i = 0; i < parts.model.times.size(); ++i)
-    csv.line(parts.model.times[i], sample(parts.model, i), sample(parts.softness, i), sample(parts.step, i));
+    csv.line(parts.model.times[i], parts.model.at(i), parts.softness.at(i), parts.step.at(i));
   return csv.text();
 }
 
@@ -171,6 +211,28 @@ std::string energy_csv(const std::vector<double>& times, const std::vector<doubl
     csv.line(times[i], exact[i], engine.energy[i], engine.input[i], elastic[i], balance[i],
              engine.penetration[i]);
   return csv.text();
+}
+
+History read_history(const fs::path& folder) {
+  History history = samples_in(folder / "history.csv");
+  if (const fs::path file = folder / "events.csv"; fs::exists(file))
+    history.events = events_in(file, history.blocks);
+  return history;
+}
+
+std::vector<AlignedImpact> read_impacts(const fs::path& file) {
+  std::vector<AlignedImpact> list;
+  CsvLine line(file);
+  const std::size_t number = line.index("number"), interface = line.index("interface");
+  const std::size_t exact = line.index("exact_time"), engine = line.index("engine_time");
+  while (line.next()) {
+    AlignedImpact& one = list.emplace_back();
+    if (!line.text(number).empty()) one.number = line.whole(number, 1, std::numeric_limits<int>::max());
+    one.interface = line.whole(interface, 1, max_blocks);
+    one.exact = line.known(exact);
+    one.engine = line.known(engine);
+  }
+  return list;
 }
 
 }  // namespace rockstack

@@ -12,8 +12,6 @@
 namespace rockstack {
 namespace {
 
-using Value = std::function<double(const MotionTally&)>;
-
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -46,11 +44,10 @@ std::string tallies_csv(const std::vector<MotionTally>& tallies, int blocks) {
   for (std::size_t run = 0; run < tallies.size(); ++run) {
     const MotionTally& tally = tallies[run];
     csv.add(run);
-    if (tally.failed()) {
+    if (tally.failed())
       csv.line(no_cells);
-    } else {
+    else
       csv.line(tally.peaks, tally.impacts, tally.topples ? 1 : 0);
-    }
   }
   return csv.text();
 }
@@ -75,7 +72,7 @@ std::vector<MotionTally> read_tallies(const std::filesystem::path& file) {
 std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exact,
                                             const std::vector<MotionTally>& other) {
   std::vector<DistributionDistance> list;
-  const auto add = [&](const std::string& quantity, const Value& value) {
+  const auto add = [&](const std::string& quantity, const auto& value) {
     const auto first = each_of(exact, value), second = each_of(other, value);
     list.push_back({"", "", quantity, first.size(), second.size(), mean(first), mean(second),
                     kolmogorov_smirnov(first, second)});
@@ -118,23 +115,9 @@ void to_json(Json& json, const DistributionDistance& one) {
 }
 
 void from_json(const Json& json, DistributionDistance& one) {
-  const auto number = [&](const char* key) { return json.at(key).get<double>(); };
-  one = {json.at("scene").get<std::string>(),
-         json.at("run").get<std::string>(),
-         json.at("quantity").get<std::string>(),
-         json.at("exact_runs").get<std::size_t>(),
-         json.at("runs").get<std::size_t>(),
-         number("exact_mean"),
-         number("mean"),
-         {number("distance"), number("p_value"), number("critical")}};
-}
-
-std::string distribution_definition() {
-  return "the same slightly perturbed scenes for every answer; distance is the Kolmogorov–Smirnov distance "
-         "between the engine's distribution of the quantity and the exact one, p_value the chance of that "
-         "distance or more if both were one distribution and the scenes drawn anew for each, critical the "
-         "distance with a chance of 5 %. peak_k is the largest angle of block k (rad), impacts counts those "
-         "above the chatter speed, toppled is 1 where a block topples";
+  const KolmogorovSmirnov apart{json.at("distance"), json.at("p_value"), json.at("critical")};
+  one = {json.at("scene"), json.at("run"),        json.at("quantity"), json.at("exact_runs"),
+         json.at("runs"),  json.at("exact_mean"), json.at("mean"),     apart};
 }
 
 }  // namespace rockstack

@@ -4,33 +4,6 @@
 #include <numbers>
 
 namespace rockstack {
-namespace {
-
-/// Two independent numbers, uniform between 0 and 1, both ends left out.
-struct UniformPair {
-  double first, second;
-};
-
-UniformPair draw_uniform(const DrawIndex& index) {
-  const auto low = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
-  const auto high = [](std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32U); };
-  const auto bits =
-      philox({low(index.run), high(index.run), index.key, 0}, {low(index.seed), high(index.seed)});
-  const auto uniform = [](std::uint32_t upper, std::uint32_t lower) {
-    const std::uint64_t word = (std::uint64_t{upper} << 32U) | lower;
-    return (static_cast<double>(word >> 12U) + 0.5) * 0x1p-52;
-  };
-  return {uniform(bits[0], bits[1]), uniform(bits[2], bits[3])};
-}
-
-/// Standard normal (Box & Muller 1958).
-double draw_normal(const DrawIndex& index) {
-  const auto [first, second] = draw_uniform(index);
-  return std::sqrt(-2 * std::log(first)) * std::cos(2 * std::numbers::pi * second);
-}
-
-}  // namespace
-
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
   constexpr int rounds = 10;
   constexpr std::uint64_t first_factor = 0xD2511F53, second_factor = 0xCD9E8D57;
@@ -47,17 +20,21 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::a
 }
 
 double draw(const Distribution& distribution, const DrawIndex& index) {
-  const double first = distribution.first;
-  const double second = distribution.second;
-  switch (distribution.kind) {
-    case Distribution::Kind::uniform:
-      return first + (second - first) * draw_uniform(index).first;
-    case Distribution::Kind::normal:
-      return first + second * draw_normal(index);
-    case Distribution::Kind::lognormal:
-      return first * std::exp(second * draw_normal(index));
-  }
-  return first;
+  const auto [kind, first, second] = distribution;
+  const auto low = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
+  const auto high = [](std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32U); };
+  const auto bits =
+      philox({low(index.run), high(index.run), index.key, 0}, {low(index.seed), high(index.seed)});
+  // Between 0 and 1, both ends left out.
+  const auto uniform = [](std::uint32_t upper, std::uint32_t lower) {
+    const std::uint64_t word = (std::uint64_t{upper} << 32U) | lower;
+    return (static_cast<double>(word >> 12U) + 0.5) * 0x1p-52;
+  };
+  const double one = uniform(bits[0], bits[1]), other = uniform(bits[2], bits[3]);
+  if (kind == Distribution::Kind::uniform) return first + (second - first) * one;
+  // Standard normal (Box & Muller 1958).
+  const double normal = std::sqrt(-2 * std::log(one)) * std::cos(2 * std::numbers::pi * other);
+  return kind == Distribution::Kind::normal ? first + second * normal : first * std::exp(second * normal);
 }
 
 double median(const Distribution& distribution) {

@@ -16,7 +16,6 @@ struct DrawIndex {
   std::uint32_t key = 0;  ///< from 0
 };
 
-/// A distribution of numbers.
 struct Distribution {
   enum class Kind {
     uniform,    ///< between `first` and `second`

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 
 namespace rockstack {
@@ -42,7 +38,7 @@ struct StepFit {
 };
 
 /// Fits errors at different steps. Errors that are not finite or not above zero are left out.
-StepFit fit_steps(const std::vector<StepError>& errors);
+StepFit fit_steps(std::vector<StepError> errors);
 
 /// The errors of one engine, solver and parameter set on one scene, fitted over its time steps.
 struct SeriesFit {
@@ -62,6 +58,11 @@ void to_json(Json& json, const SeriesFit& fit);
 void from_json(const Json& json, SeriesFit& fit);
 
 /// What is fitted and how, in one sentence each.
-std::string fit_definition();
+inline constexpr const char* fit_definition =
+    "error(dt) = gap + coefficient · dt^order, gap being the model error that no step takes away, by "
+    "least squares of ln error, gap ≥ 0 and order from 0.1 to 6; low and high are 95 % bounds of the "
+    "profile of the sum of squares; scatter is the root of the mean square deviation in ln error. A fit "
+    "holds with at least five steps, a scatter of at most ln 3, errors that fall with the step, and an "
+    "order that is bounded.";
 
 }  // namespace rockstack

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -116,9 +115,8 @@ Bounds wilson_bounds(std::size_t hits, std::size_t trials) {
 }
 
 std::optional<Fragility> fit_fragility(const std::vector<Level>& all) {
-  std::vector<Level> levels;  // ln 0 is sure to stand, whatever the curve
-  std::ranges::copy_if(all, std::back_inserter(levels),
-                       [](const Level& level) { return level.intensity != 0 || level.toppled > 0; });
+  std::vector<Level> levels = all;  // ln 0 is sure to stand, whatever the curve
+  std::erase_if(levels, [](const Level& level) { return level.intensity == 0 && level.toppled == 0; });
   std::vector<double> x;
   double sum = 0, squares = 0, runs = 0;
   for (const Level& level : levels) {

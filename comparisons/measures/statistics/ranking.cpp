@@ -27,23 +27,16 @@ struct Error {
 using Errors = std::map<Cell, Error>;
 using Sets = std::map<Name, Errors>;
 
-/// Scenes that an engine's row shows to be at rest, or to have no errors.
-std::set<std::string> moving_scenes(const std::vector<ReplicatedRow>& rows) {
-  std::set<std::string> scenes;
-  for (const ReplicatedRow& one : rows)
-    if (can_be_ranked(one)) scenes.insert(one.row.scene);
-  return scenes;
-}
-
 Sets sets_of(const std::vector<ReplicatedRow>& all) {
   const std::vector<ReplicatedRow> rows = rows_that_count(all);
-  const std::set<std::string> moving = moving_scenes(rows);
+  std::set<std::string> moving;  // scenes
+  for (const ReplicatedRow& one : rows)
+    if (can_be_ranked(one)) moving.insert(one.scene);
   Sets sets;
-  for (const ReplicatedRow& one : rows) {
-    const RunMetrics& row = one.row;
+  for (const ReplicatedRow& row : rows) {
     if (!row.dt || row.settings.empty() || !moving.contains(row.scene)) continue;
     Error error{INFINITY, {INFINITY}};
-    if (row.status == RunStatus::done && row.error) error = {std::max(*row.error, least_error), one.errors};
+    if (row.status == RunStatus::done && row.error) error = {std::max(*row.error, least_error), row.errors};
     for (double& value : error.replicates) value = std::max(value, least_error);
     sets[{row.engine, row.solver, row.settings}][{row.scene, *row.dt}] = std::move(error);
   }
@@ -53,13 +46,12 @@ Sets sets_of(const std::vector<ReplicatedRow>& all) {
 /// The least error of any set in each cell where one is done.
 std::map<Cell, double> least_errors(const Sets& sets) {
   std::map<Cell, double> least;
-  for (const auto& [name, errors] : sets) {
+  for (const auto& [name, errors] : sets)
     for (const auto& [cell, error] : errors) {
       if (!std::isfinite(error.median)) continue;
-      const auto [known, added] = least.emplace(cell, error.median);
-      if (!added) known->second = std::min(known->second, error.median);
+      double& known = least.try_emplace(cell, error.median).first->second;
+      known = std::min(known, error.median);
     }
-  }
   return least;
 }
 
@@ -99,19 +91,14 @@ void rank(const Sets& sets, std::vector<RankedSet>& list) {
   for (RankedSet& set : list)
     set.rank = 1 + static_cast<int>(std::ranges::count_if(
                        list, [&](const RankedSet& other) { return other.failed < set.failed; }));
-  std::vector<TestChance> chances;
-  std::vector<bool> first_is_nearer;
-  for (std::size_t j = 1; j < list.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      const MannWhitney test = test_of(errors_of(list[i]), errors_of(list[j]));
-      chances.push_back({test.p_value, test.least_p_value});
-      first_is_nearer.push_back(test.superiority > 0.5);
-    }
-  }
-  const std::vector<double> p_values = adjust(chances, separation_level).p_values;
+  std::vector<MannWhitney> tests;
+  for (std::size_t j = 1; j < list.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) tests.push_back(test_of(errors_of(list[i]), errors_of(list[j])));
+  const std::vector<double> p_values = adjust({tests.begin(), tests.end()}, separation_level).p_values;
   for (std::size_t j = 0, pair = 0; j < list.size(); ++j)
     for (std::size_t i = 0; i < j; ++i, ++pair)
-      if (list[i].failed == list[j].failed && p_values[pair] <= separation_level && first_is_nearer[pair])
+      if (list[i].failed == list[j].failed && p_values[pair] <= separation_level &&
+          tests[pair].superiority > 0.5)
         ++list[j].rank;
 }
 
@@ -127,19 +114,17 @@ std::vector<RankedSet> ranked(const Sets& sets) {
 
 }  // namespace
 
-bool can_be_ranked(const ReplicatedRow& one) {
-  const RunMetrics& row = one.row;
+bool can_be_ranked(const RunMetrics& row) {
   return row.dt && !row.settings.empty() && row.status == RunStatus::done && row.error &&
          row.motion.value_or(0) > rest_extent;
 }
 
-std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows) {
+std::vector<ReplicatedRow> rows_that_count(std::vector<ReplicatedRow> rows) {
   const auto is_single = [](const ReplicatedRow& one) { return one.errors.size() < 2; };
-  const auto is_done = [](const ReplicatedRow& one) { return one.row.status == RunStatus::done; };
-  std::vector<ReplicatedRow> list = rows;
+  const auto is_done = [](const ReplicatedRow& one) { return one.status == RunStatus::done; };
   if (!std::ranges::all_of(rows, is_single))
-    std::erase_if(list, [&](const ReplicatedRow& one) { return is_single(one) && is_done(one); });
-  return list;
+    std::erase_if(rows, [&](const ReplicatedRow& one) { return is_single(one) && is_done(one); });
+  return rows;
 }
 
 int replicates_that_tell_apart(std::size_t sets, std::size_t steps) {

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 
 namespace rockstack {
 
 /// A row of a comparison with what stands behind its median.
-struct ReplicatedRow {
-  RunMetrics row;
-  std::vector<double> errors;  ///< of the nominal run and each replicate; infinite where one is not done
+struct ReplicatedRow : RunMetrics {
+  std::vector<double> errors = {};  ///< of the nominal run and each replicate; infinite where one is not done
   /// Largest angles over the whole scene, of those that are done and of the exact motions of their scenes,
   /// rad.
   std::vector<double> peaks = {}, exact_peaks = {};
@@ -40,11 +35,11 @@ inline constexpr double separation_level = 0.05;
 inline constexpr double rest_extent = 1e-6;
 
 /// True for an engine's row of a scene that moves: of one at rest errors of angles are rounding.
-bool can_be_ranked(const ReplicatedRow& row);
+bool can_be_ranked(const RunMetrics& row);
 
 /// Rows without those of a single run where others have replicates: the error of one run is chance, and by it
 /// nothing is told apart. A run that is not done stays.
-std::vector<ReplicatedRow> rows_that_count(const std::vector<ReplicatedRow>& rows);
+std::vector<ReplicatedRow> rows_that_count(std::vector<ReplicatedRow> rows);
 
 /// The least number of replicates, five or more, with which each pair of so many sets can be told apart: of n
 /// replicates that lie apart at so many steps, at one by chance in 2 of (2n)!/n!² cases.

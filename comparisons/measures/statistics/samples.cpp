@@ -5,19 +5,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/alignment.hpp"
 #include "comparisons/measures/statistics/draws.hpp"
 
 namespace rockstack {
 namespace {
-
-/// Tests that can reach one of `shares` equal shares of the level.
-std::vector<std::size_t> able(const std::vector<TestChance>& tests, double level, std::size_t shares) {
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < tests.size(); ++i)
-    if (tests[i].least_p_value <= level / static_cast<double>(shares)) indices.push_back(i);
-  return indices;
-}
 
 /// The chance that the limit of √n D exceeds a number: 2 Σ (−1)^(j−1) exp(−2 j² x²).
 double limiting_chance(double x) {
@@ -31,60 +24,24 @@ double limiting_chance(double x) {
   return std::clamp(2 * sum, 0.0, 1.0);
 }
 
-double largest_difference(const std::vector<double>& first, const std::vector<double>& second) {
-  double distance = 0;
-  std::size_t i = 0, j = 0;
-  while (i < first.size() && j < second.size()) {
-    const double value = std::min(first[i], second[j]);
-    while (i < first.size() && first[i] <= value) ++i;
-    while (j < second.size() && second[j] <= value) ++j;
-    const double apart = static_cast<double>(i) / static_cast<double>(first.size()) -
-                         static_cast<double>(j) / static_cast<double>(second.size());
-    distance = std::max(distance, std::abs(apart));
-  }
-  return distance;
-}
-
-/// Twice the rank of each value, of all in rising order: whole numbers, where equal values share a rank.
-std::vector<std::size_t> doubled_ranks(const std::vector<double>& sorted) {
-  std::vector<std::size_t> ranks;
-  ranks.reserve(sorted.size());
-  for (const double value : sorted) {
-    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), value);
-    ranks.push_back(static_cast<std::size_t>(low - sorted.begin() + high - sorted.begin()) + 1);
-  }
-  return ranks;
-}
-
-/// The chances of both tails at a sum of doubled ranks, that sum included.
-struct Tails {
-  double lower, upper;
-
-  double p_value() const { return std::min(1.0, 2 * std::min(lower, upper)); }
-};
-
-/// The ranks of one stratum, and those that fall to the second sample.
+/// Twice the ranks of one stratum, whole numbers, where equal values share one, and those that fall to the
+/// second sample.
 struct Ranks {
   std::vector<std::size_t> all;  ///< rising
   std::size_t count = 0;         ///< of the second sample
   std::size_t sum = 0;           ///< its own
-
-  std::size_t least() const {
-    return std::accumulate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), std::size_t{0});
-  }
-  std::size_t most() const {
-    return std::accumulate(all.end() - static_cast<std::ptrdiff_t>(count), all.end(), std::size_t{0});
-  }
 };
 
 Ranks ranks_of(const Stratum& stratum) {
   std::vector<double> sorted = stratum.first;
   sorted.insert(sorted.end(), stratum.second.begin(), stratum.second.end());
   std::ranges::sort(sorted);
-  Ranks ranks{doubled_ranks(sorted), stratum.second.size()};
-  for (const double value : stratum.second)
-    ranks.sum +=
-        ranks.all[static_cast<std::size_t>(std::ranges::lower_bound(sorted, value) - sorted.begin())];
+  const auto rank = [&](double value) {
+    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), value);
+    return static_cast<std::size_t>(low - sorted.begin() + high - sorted.begin()) + 1;
+  };
+  Ranks ranks{each_of(sorted, rank), stratum.second.size()};
+  for (const double value : stratum.second) ranks.sum += rank(value);
   return ranks;
 }
 
@@ -103,10 +60,15 @@ std::vector<double> ways_of(const Ranks& ranks) {
   return choices[ranks.count];
 }
 
-/// The tails at a sum over all strata.
-using TailsAt = std::function<Tails(std::size_t sum)>;
+/// The chance of a sum of doubled ranks over all strata that is as far from the middle, or further.
+using ChanceOf = std::function<double(std::size_t sum)>;
 
-TailsAt exact_tails(const std::vector<Ranks>& strata) {
+/// From those of both tails, the sum itself included.
+double of_both_sides(double lower, double upper) {
+  return std::min(1.0, 2 * std::min(lower, upper));
+}
+
+ChanceOf exact_chance(const std::vector<Ranks>& strata) {
   std::vector<double> ways{1};  // by sum
   for (const Ranks& ranks : strata) {
     const std::vector<double> own = ways_of(ranks);
@@ -115,17 +77,17 @@ TailsAt exact_tails(const std::vector<Ranks>& strata) {
       for (std::size_t j = 0; ways[i] > 0 && j < own.size(); ++j) both[i + j] += ways[i] * own[j];
     ways = both;
   }
-  return [ways](std::size_t sum) -> Tails {
+  return [ways](std::size_t sum) {
     const auto begin = ways.begin(), here = begin + static_cast<std::ptrdiff_t>(sum);
     const double below = std::accumulate(begin, here, 0.0),
                  above = std::accumulate(here + 1, ways.end(), 0.0);
     const double all = below + *here + above;
-    return {(below + *here) / all, (above + *here) / all};
+    return of_both_sides((below + *here) / all, (above + *here) / all);
   };
 }
 
-/// Their normal limit.
-TailsAt normal_tails(const std::vector<Ranks>& strata) {
+/// Its normal limit.
+ChanceOf normal_chance(const std::vector<Ranks>& strata) {
   double mean_sum = 0, variance = 0;
   for (const Ranks& ranks : strata) {
     const auto all = static_cast<double>(ranks.all.size()), own = static_cast<double>(ranks.count);
@@ -136,12 +98,12 @@ TailsAt normal_tails(const std::vector<Ranks>& strata) {
     mean_sum += own * mean;
     variance += own * (all - own) / all / (all - 1) * squares;
   }
-  return [mean_sum, deviation = std::sqrt(variance)](std::size_t sum) -> Tails {
+  return [mean_sum, deviation = std::sqrt(variance)](std::size_t sum) {
     const auto tail = [&](double apart) {
       return deviation > 0 ? std::erfc((apart - 1) / deviation / std::numbers::sqrt2) / 2 : 1;
     };
     const double apart = static_cast<double>(sum) - mean_sum;
-    return {tail(-apart), tail(apart)};
+    return of_both_sides(tail(-apart), tail(apart));
   };
 }
 
@@ -175,9 +137,14 @@ double reach_of_interval(std::size_t freedom) {
 }
 
 AdjustedTests adjust(const std::vector<TestChance>& tests, double level) {
-  std::size_t shares = 1;
-  std::vector<std::size_t> counted = able(tests, level, shares);
-  while (counted.size() > shares) counted = able(tests, level, ++shares);
+  std::vector<std::size_t> counted;  // tests that can reach one of so many equal shares of the level
+  std::size_t shares = 0;
+  do {
+    ++shares;
+    counted.clear();
+    for (std::size_t i = 0; i < tests.size(); ++i)
+      if (tests[i].least_p_value <= level / static_cast<double>(shares)) counted.push_back(i);
+  } while (counted.size() > shares);
   std::ranges::sort(counted,
                     [&](std::size_t a, std::size_t b) { return tests[a].p_value < tests[b].p_value; });
   AdjustedTests adjusted{std::vector<double>(tests.size(), 1.0), counted.size()};
@@ -194,10 +161,17 @@ KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> first, std::vector<doub
   std::ranges::sort(first);
   std::ranges::sort(second);
   const auto one = static_cast<double>(first.size()), other = static_cast<double>(second.size());
+  double distance = 0;
+  std::size_t i = 0, j = 0;
+  while (i < first.size() && j < second.size()) {
+    const double value = std::min(first[i], second[j]);
+    while (i < first.size() && first[i] <= value) ++i;
+    while (j < second.size() && second[j] <= value) ++j;
+    distance = std::max(distance, std::abs(static_cast<double>(i) / one - static_cast<double>(j) / other));
+  }
   const double root = std::sqrt(one * other / (one + other));
   const double factor = root + 0.12 + 0.11 / root;
   constexpr double five_percent = 1.3581;  // where limiting_chance() is 0.05
-  const double distance = largest_difference(first, second);
   return {distance, limiting_chance(factor * distance), five_percent / factor};
 }
 
@@ -212,14 +186,17 @@ MannWhitney mann_whitney(const std::vector<Stratum>& strata) {
   for (const Stratum& stratum : strata) {
     const Ranks& ranks = all.emplace_back(ranks_of(stratum));
     const auto own = static_cast<double>(ranks.count);
+    const auto count = static_cast<std::ptrdiff_t>(ranks.count);
     values += ranks.all.size();
-    sum += ranks.sum, least += ranks.least(), most += ranks.most();
+    sum += ranks.sum;
+    least = std::accumulate(ranks.all.begin(), ranks.all.begin() + count, least);
+    most = std::accumulate(ranks.all.end() - count, ranks.all.end(), most);
     won += static_cast<double>(ranks.sum) / 2 - own * (own + 1) / 2;
     pairs += own * static_cast<double>(ranks.all.size() - ranks.count);
   }
   constexpr std::size_t most_exact = 50;
-  const TailsAt tails = values > most_exact ? normal_tails(all) : exact_tails(all);
-  return {won / pairs, tails(sum).p_value(), std::min(tails(least).p_value(), tails(most).p_value())};
+  const ChanceOf chance = values > most_exact ? normal_chance(all) : exact_chance(all);
+  return {{chance(sum), std::min(chance(least), chance(most))}, won / pairs};
 }
 
 ChanceMatches chance_matches(const std::vector<ImpactTime>& exact, const std::vector<ImpactTime>& engine,

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <utility>
-#include <vector>
 
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 
 namespace rockstack {
@@ -27,13 +24,6 @@ inline double quantile(std::vector<double> values, double share) {
 /// Half of the values lie on either side. Precondition: likewise.
 inline double median(std::vector<double> values) {
   return quantile(std::move(values), 0.5);
-}
-
-/// The largest absolute value; 0 where there is none.
-inline double largest_magnitude(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
 }
 
 /// The 97.5 % point of Student's distribution with that many degrees of freedom, > 0: an interval of 95 %
@@ -71,11 +61,11 @@ struct KolmogorovSmirnov {
 /// Precondition: neither sample is empty.
 KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> first, std::vector<double> second);
 
-/// Two samples compared by the ranks of their values.
-struct MannWhitney {
+/// Two samples compared by the ranks of their values: the p-value is the chance of a superiority as far from
+/// one half, or further, on either side, and the least one that of any samples of these sizes and these
+/// values in common.
+struct MannWhitney : TestChance {
   double superiority = 0.5;  ///< share of pairs in which the second sample's value is the greater; ties half
-  double p_value = 1;        ///< the chance of a superiority as far from one half, or further, on either side
-  double least_p_value = 1;  ///< of any samples of these sizes and these values in common
 };
 
 /// The test of H. B. Mann & D. R. Whitney, "On a test of whether one of two random variables is

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <set>
 #include <tuple>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 
@@ -13,39 +13,15 @@ namespace rockstack {
 namespace {
 
 /// When rows of one step stop agreeing.
-struct Ends {
+struct AgreementEnds {
   std::vector<double> times;  ///< s, infinite where they do not
   bool beyond = false;        ///< of these, one up to a horizon that is before its scene's end
 };
 
-using EndsOfSteps = std::map<double, Ends, std::greater<>>;
-
-EndsOfSteps ends_of(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
-  EndsOfSteps steps;
-  for (const ReplicatedRow& one : rows) {
-    if (!can_be_ranked(one)) continue;
-    const RunMetrics& row = one.row;
-    const SceneScale& scale = scale_in(scenes, row.scene);
-    Ends& ends = steps[*row.dt];
-    const bool whole = agrees(row, scale);
-    ends.times.push_back(whole ? INFINITY : agreement_end(row, scale));
-    ends.beyond = ends.beyond || (whole && row.horizon.value_or(scale.duration) < scale.duration);
-  }
-  return steps;
-}
-
-/// The coarsest, the middle one and the finest.
-std::vector<double> reported_steps(const EndsOfSteps& steps) {
-  std::vector<double> all;
-  for (const auto& [dt, ends] : steps) all.push_back(dt);
-  if (all.size() > 3) all = {all.front(), all[all.size() / 2], all.back()};
-  return all;
-}
-
 /// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
 /// by when as many as half of all have, so that steps at which few leave are not taken for those at which
 /// they leave soon.
-std::string leaving(Ends ends) {
+std::string leaving(AgreementEnds ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
   const auto leave = static_cast<std::size_t>(
@@ -67,10 +43,9 @@ std::string horizons(const std::vector<ReplicatedRow>& rows, const std::vector<J
   std::vector<std::string> texts;
   for (const JudgedScene& scene : scenes) {
     const auto row = std::ranges::find_if(
-        rows, [&](const ReplicatedRow& one) { return one.row.scene == scene.name && can_be_ranked(one); });
-    if (row == rows.end() || row->row.horizon.value_or(scene.scale.duration) >= scene.scale.duration)
-      continue;
-    texts.push_back(fmt::format("{} in {}", quantity_text(*row->row.horizon, "s"), scene.name));
+        rows, [&](const ReplicatedRow& one) { return one.scene == scene.name && can_be_ranked(one); });
+    if (row == rows.end() || row->horizon.value_or(scene.duration) >= scene.duration) continue;
+    texts.push_back(fmt::format("{} in {}", quantity_text(*row->horizon, "s"), scene.name));
   }
   return texts.empty() ? "" : " (the horizon: " + joined(texts) + ")";
 }
@@ -88,7 +63,7 @@ struct First {
 First first_of(const std::vector<RankedSet>& ranking) {
   First first;
   for (const RankedSet& set : ranking)
-    if (set.rank == 1) first.sets.push_back(set_name(set.engine, set.solver, set.settings));
+    if (set.rank == 1) first.sets.push_back(set_name(set));
   first.all = first.sets.size() == ranking.size();
   return first;
 }
@@ -97,7 +72,7 @@ First first_of(const std::vector<RankedSet>& ranking) {
 std::string alone_at_steps(const std::vector<ReplicatedRow>& rows) {
   std::map<double, std::vector<ReplicatedRow>, std::greater<>> steps;
   for (const ReplicatedRow& one : rows)
-    if (one.row.dt) steps[*one.row.dt].push_back(one);
+    if (one.dt) steps[*one.dt].push_back(one);
   std::vector<std::string> texts;
   for (const auto& [dt, own] : steps) {
     const First first = first_of(rank_all(own));
@@ -116,15 +91,10 @@ std::vector<First> firsts_of(const std::vector<ReplicatedRow>& rows, const std::
     if (ranking.empty()) continue;
     First first = first_of(ranking);
     if (first.sets.size() > 1) first.steps = alone_at_steps(own);
-    const auto known = std::ranges::find_if(list, [&](const First& other) {
+    const auto same = [&](const First& other) {
       return std::tie(first.sets, first.steps) == std::tie(other.sets, other.steps);
-    });
-    if (known != list.end()) {
-      known->scenes.push_back(scene.name);
-    } else {
-      first.scenes = {scene.name};
-      list.push_back(first);
-    }
+    };
+    found_or_added(list, same, first).scenes.push_back(scene.name);
   }
   return list;
 }
@@ -140,44 +110,39 @@ std::string evidence(const std::vector<ReplicatedRow>& rows) {
              : fmt::format("{} to {} replicates", *counts.begin(), *counts.rbegin());
 }
 
-/// Of a scene among others.
-std::string place(const First& first) {
-  return first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
-}
-
 std::string part(const First& first, const std::string& by) {
-  if (first.sets.size() == 1) return place(first) + first.sets[0] + " is nearest to the exact motion";
-  if (first.all) return fmt::format("{}{} cannot tell which set is nearest{}", place(first), by, first.steps);
-  return fmt::format("{}{} are nearest, which {} cannot tell apart{}", place(first),
+  const std::string place = first.scenes.empty() ? "" : "in " + joined(first.scenes) + " ";
+  if (first.sets.size() == 1) return place + first.sets[0] + " is nearest to the exact motion";
+  if (first.all) return fmt::format("{}{} cannot tell which set is nearest{}", place, by, first.steps);
+  return fmt::format("{}{} are nearest, which {} cannot tell apart{}", place,
                      joined_up_to(most_named, first.sets), by, first.steps);
 }
 
 /// The sets to which most others are shown to be nearer, where these are half of all or more; `over`: which
 /// scenes, where words before speak of one.
 std::string furthest(const std::vector<RankedSet>& ranking, const std::string& over) {
-  if (ranking.size() < 2) return "";
   const RankedSet& last = *std::ranges::max_element(ranking, {}, &RankedSet::rank);
   const std::size_t others = ranking.size() - 1, nearer = static_cast<std::size_t>(last.rank) - 1;
   std::vector<std::string> sets;
   for (const RankedSet& set : ranking)
-    if (set.rank == last.rank) sets.push_back(set_name(set.engine, set.solver, set.settings));
+    if (set.rank == last.rank) sets.push_back(set_name(set));
   if (2 * nearer < others) return "";
   if (nearer < others)
     return fmt::format("; {}furthest {} {}: {} of the {} other sets are nearer", over,
                        sets.size() == 1 ? "is" : "are", joined_up_to(most_named, sets), nearer, others);
   if (last.failed > 0)
-    return fmt::format("; {}{} fails in {}", over, set_name(last.engine, last.solver, last.settings),
+    return fmt::format("; {}{} fails in {}", over, set_name(last),
                        counted(static_cast<std::size_t>(last.failed), "cell"));
   return fmt::format(
       "; {}{} is furthest: {:.2g} times the least error of a scene and step, in the geometric mean", over,
-      set_name(last.engine, last.solver, last.settings), last.score);
+      set_name(last), last.score);
 }
 
 /// A ranking of one step needs no word of it.
 std::string over_steps(const std::vector<ReplicatedRow>& rows) {
   std::set<double> steps;
   for (const ReplicatedRow& one : rows)
-    if (can_be_ranked(one)) steps.insert(*one.row.dt);
+    if (can_be_ranked(one)) steps.insert(*one.dt);
   return steps.size() > 1 ? "over all steps together " : "";
 }
 
@@ -187,42 +152,42 @@ std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<R
   First first = first_of(ranking);
   first.scenes = {fmt::format("the ranking over {} scenes that move", scenes)};
   std::string text = part(first, evidence(rows));
-  for (const First& one : firsts) {
-    if (one.sets != first.sets || first.sets.size() > 1) continue;
-    text += " (alone first in " + joined(one.scenes) + ")";
-  }
+  for (const First& one : firsts)
+    if (one.sets == first.sets && one.sets.size() == 1)
+      text += " (alone first in " + joined(one.scenes) + ")";
   return text;
 }
 
 }  // namespace
 
-const SceneScale& scale_in(const std::vector<JudgedScene>& scenes, const std::string& name) {
-  const auto found = std::ranges::find(scenes, name, &JudgedScene::name);
-  return found->scale;
-}
-
-std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
-  std::vector<ReplicatedRow> own;
-  std::ranges::copy_if(rows, std::back_inserter(own),
-                       [&](const ReplicatedRow& one) { return one.row.scene == scene.name; });
-  return own;
+std::vector<ReplicatedRow> rows_of(std::vector<ReplicatedRow> rows, const JudgedScene& scene) {
+  std::erase_if(rows, [&](const ReplicatedRow& one) { return one.scene != scene.name; });
+  return rows;
 }
 
 std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
                                const std::vector<JudgedScene>& scenes) {
-  const EndsOfSteps steps = ends_of(rows, scenes);
+  std::map<double, AgreementEnds, std::greater<>> steps;
+  for (const ReplicatedRow& row : rows) {
+    if (!can_be_ranked(row)) continue;
+    const JudgedScene& scene = part_named(scenes, row.scene);
+    AgreementEnds& ends = steps[*row.dt];
+    const bool whole = agrees(row, scene);
+    ends.times.push_back(whole ? INFINITY : agreement_end(row, scene));
+    ends.beyond = ends.beyond || (whole && row.horizon.value_or(scene.duration) < scene.duration);
+  }
   if (steps.empty()) return "";
-  std::vector<std::string> parts;
-  for (const double dt : reported_steps(steps))
-    parts.push_back(fmt::format("{} {}", quantity_text(dt, "s"), leaving(steps.at(dt))));
-  const double tolerance = scenes.front().scale.tolerance;
+  std::vector<double> reported = each_of(steps, [](const auto& step) { return step.first; });
+  if (reported.size() > 3) reported = {reported.front(), reported[reported.size() / 2], reported.back()};
+  const auto told = [&](double dt) { return quantity_text(dt, "s") + " " + leaving(steps.at(dt)); };
+  const double tolerance = scenes.front().tolerance;
   const bool of_replicates =
       std::ranges::any_of(rows, [](const ReplicatedRow& one) { return one.errors.size() > 1; });
   return fmt::format(
       "Engines leave the exact motion at a time step of {}{}; to leave it is to be off by more than {} or {:g} % of the least block "
       "height{}.",
-      fmt::join(parts, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"), 100 * tolerance,
-      of_replicates ? ", in the median of replicates" : "");
+      text_of_each(reported, told, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"),
+      100 * tolerance, of_replicates ? ", in the median of replicates" : "");
 }
 
 std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::vector<JudgedScene>& scenes) {
@@ -233,12 +198,9 @@ std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::v
   if (scenes.size() == 1) firsts.front().scenes.clear();
   std::size_t moving = 0;
   for (const First& one : firsts) moving += one.scenes.size();
-  std::string text;
-  if (moving > most_named) {
-    text = over_all(rows, ranking, firsts, moving);
-  } else {
-    for (const First& one : firsts) text += (text.empty() ? "" : "; ") + part(one, evidence(rows));
-  }
+  const auto told = [&](const First& first) { return part(first, evidence(rows)); };
+  const std::string text =
+      moving > most_named ? over_all(rows, ranking, firsts, moving) : text_of_each(firsts, told, "; ");
   const bool one_by_one = moving > 1 && moving <= most_named;
   return capitalised(over_steps(rows) + text) +
          furthest(ranking, one_by_one ? fmt::format("over these {} scenes ", moving) : "") + ".";

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <functional>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 
@@ -16,14 +16,9 @@ std::string phrase(const RunMetrics& row) {
   return fmt::format("{} at {}", set_name(row), quantity_text(*row.dt, "s"));
 }
 
-std::string phrase_of(const std::string& run, const std::vector<ReplicatedRow>& rows) {
-  const auto one = std::ranges::find_if(rows, [&](const auto& each) { return each.row.run == run; });
-  return one == rows.end() || !is_engine(one->row) ? run : phrase(one->row);
-}
-
-std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
+std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
   const std::string doubt = exact.outcome.empty() ? "" : ". It is " + exact.outcome;
-  const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scale.duration, "s"))
+  const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scene.duration, "s"))
                                                 : "ends as " + with_verb(exact.toppled, "falls");
   if (exact.impacts.value_or(0) == 0)
     return fmt::format("The exact motion {} and has no impact{}.", end, doubt);
@@ -32,34 +27,21 @@ std::string exact_sentence(const RunMetrics& exact, const SceneScale& scale) {
                      *exact.impacts + exact.slower_impacts.value_or(0), doubt);
 }
 
-/// The least and the largest of a column at each step, the coarsest first.
-struct Extremes {
-  const RunMetrics* least = nullptr;
-  const RunMetrics* most = nullptr;
-};
-
-using Measure = std::optional<double> RunMetrics::*;
-
-std::map<double, Extremes, std::greater<>> ranges(const std::vector<ReplicatedRow>& rows, Measure value) {
-  std::map<double, Extremes, std::greater<>> list;
-  for (const auto& one : rows) {
-    const RunMetrics& row = one.row;
-    if (!is_engine(row) || !(row.*value)) continue;
-    Extremes& range = list[*row.dt];
-    if (!range.least || *(row.*value) < *(range.least->*value)) range.least = &row;
-    if (!range.most || *(row.*value) > *(range.most->*value)) range.most = &row;
-  }
-  return list;
-}
-
 /// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
 std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
-                    const char* unit, Measure value,
+                    const char* unit, std::optional<double> RunMetrics::*measure,
                     std::string (*text)(double, const std::string&, int) = quantity_text) {
+  std::map<double, std::pair<double, double>, std::greater<>> ranges;  // of each step, the coarsest first
+  for (const ReplicatedRow& one : rows) {
+    const std::optional<double>& value = one.*measure;
+    if (!is_engine(one) || !value) continue;
+    auto& [least, most] = ranges.try_emplace(*one.dt, *value, *value).first->second;
+    least = std::min(least, *value);
+    most = std::max(most, *value);
+  }
   std::vector<std::string> parts;
-  for (const auto& [dt, range] : ranges(rows, value)) {
-    const std::string least = text(*(range.least->*value), unit, 2);
-    const std::string most = text(*(range.most->*value), unit, 2);
+  for (const auto& [dt, range] : ranges) {
+    const std::string least = text(range.first, unit, 2), most = text(range.second, unit, 2);
     parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"),
                                 least == most ? least : fmt::format("{} to {}", least, most)));
   }
@@ -68,18 +50,17 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
 
 /// Empty where nothing slips otherwise.
 std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
-  const auto list = ranges(rows, &RunMetrics::slip_error);
-  const bool same =
-      std::ranges::all_of(list, [](const auto& one) { return *one.second.most->slip_error == 0; });
+  const bool same = std::ranges::none_of(
+      rows, [](const ReplicatedRow& one) { return is_engine(one) && one.slip_error.value_or(0) != 0; });
   return same ? "" : by_step(rows, "Slips are off by at most: {}.", "m", &RunMetrics::slip_error);
 }
 
 void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::string>& sentences) {
   std::size_t compared = 0, all = 0;
   for (const auto& one : rows) {
-    if (!is_engine(one.row) || !one.row.impacts_missed) continue;
+    if (!is_engine(one) || !one.impacts_missed) continue;
     ++compared;
-    if (one.row.impacts_missed == 0 && one.row.impacts_extra == 0) ++all;
+    if (one.impacts_missed == 0 && one.impacts_extra == 0) ++all;
   }
   if (compared > 0)
     sentences.push_back(fmt::format("Of {} {} the exact sequence of impacts, none missed and none extra.",
@@ -89,19 +70,19 @@ void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::stri
                                                : fmt::format("{} have", all)));
 }
 
-void add_beyond(const std::vector<ReplicatedRow>& rows, const SceneScale& scale,
+void add_beyond(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene,
                 std::vector<std::string>& sentences) {
   std::vector<std::string> other;
   std::size_t compared = 0;
-  double horizon = scale.duration;
+  double horizon = scene.duration;
   for (const ReplicatedRow& one : rows) {
     if (!can_be_ranked(one)) continue;
-    horizon = one.row.horizon.value_or(horizon);
+    horizon = one.horizon.value_or(horizon);
     ++compared;
     if (!one.peaks.empty() && mann_whitney(one.exact_peaks, one.peaks).p_value <= separation_level)
-      other.push_back(phrase(one.row));
+      other.push_back(phrase(one));
   }
-  if (compared == 0 || horizon >= scale.duration) return;
+  if (compared == 0 || horizon >= scene.duration) return;
   sentences.push_back(
       fmt::format("Exact motions of scenes that differ in the sixth digit part after {}; later on largest "
                   "angles, energy, motion at rest and toppling alone are compared.",
@@ -126,7 +107,9 @@ std::string toppling_sentence(const std::vector<DistributionDistance>& distances
     if (one.scene != scene || one.quantity != "toppled") continue;
     exact = one.exact_mean, count = one.exact;
     most = std::max({most, one.exact_mean, one.other_mean});
-    engines.push_back(fmt::format("{:.3g} % with {}{}", 100 * one.other_mean, phrase_of(one.run, rows),
+    const auto row = std::ranges::find(rows, one.run, &RunMetrics::run);
+    const std::string run = row == rows.end() || !is_engine(*row) ? one.run : phrase(*row);
+    engines.push_back(fmt::format("{:.3g} % with {}{}", 100 * one.other_mean, run,
                                   one.apart.distance > one.apart.critical ? ", more than chance apart" : ""));
   }
   if (most == 0) return "";
@@ -152,37 +135,26 @@ std::string convergence_sentence(const std::vector<SeriesFit>& fits, const std::
 /// errors, the first impact, slips, sequences of impacts, what distributions tell beyond the horizon, and
 /// what failed. A sentence each, empty where there is nothing to say.
 std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene) {
-  std::vector<std::string> sentences;
-  const auto exact =
-      std::ranges::find_if(rows, [](const ReplicatedRow& one) { return one.row.engine == "exact"; });
-  const bool solved = exact != rows.end() && exact->row.status == RunStatus::done;
-  sentences.push_back(solved ? exact_sentence(exact->row, scene.scale)
-                             : "There is no exact motion to compare with.");
-  sentences.push_back(event_sentence(rows, {scene}, rows.size()));
+  const auto exact = std::ranges::find(rows, "exact", &RunMetrics::engine);
+  const bool solved = exact != rows.end() && exact->status == RunStatus::done;
   const std::string angles =
       by_step(rows, "RMS angle differences by step: {}.", "rad", &RunMetrics::rms_angle_difference);
-  sentences.push_back(angles);
-  if (!angles.empty())
-    sentences.push_back(by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
-                                &RunMetrics::rms_position_difference));
-  sentences.push_back(by_step(rows, "The first impact is off by (+: late): {}.", "s",
-                              &RunMetrics::first_impact_time_difference, signed_quantity_text));
-  sentences.push_back(slip_sentence(rows));
+  const std::string centres = by_step(rows, "RMS distances of centres from the exact ones: {}.", "m",
+                                      &RunMetrics::rms_position_difference);
+  std::vector<std::string> sentences{
+      solved ? exact_sentence(*exact, scene) : "There is no exact motion to compare with.",
+      event_sentence(rows, {scene}, rows.size()),
+      angles,
+      angles.empty() ? "" : centres,
+      by_step(rows, "The first impact is off by (+: late): {}.", "s",
+              &RunMetrics::first_impact_time_difference, signed_quantity_text),
+      slip_sentence(rows)};
   add_sequences(rows, sentences);
-  add_beyond(rows, scene.scale, sentences);
+  add_beyond(rows, scene, sentences);
   for (const auto& one : rows)
-    if (one.row.status != RunStatus::done)
-      sentences.push_back(
-          fmt::format("{} failed: {}.", one.row.dt ? phrase(one.row) : one.row.engine, one.row.reason));
+    if (one.status != RunStatus::done)
+      sentences.push_back(fmt::format("{} failed: {}.", one.dt ? phrase(one) : one.engine, one.reason));
   return sentences;
-}
-
-/// Whether blocks of an engine do not rest where those of the exact motion do, though nothing sinks or falls.
-bool row_is_off_at_rest(const ReplicatedRow& one, const std::vector<JudgedScene>& scenes) {
-  const RunMetrics& row = one.row;
-  if (!is_engine(row) || !row.error || !row.motion || *row.motion > rest_extent) return false;
-  const SceneScale& scale = scale_in(scenes, row.scene);
-  return !agrees(row, scale) && event_of(row, scale).empty();
 }
 
 /// Scenes in which nothing moves, where what happens in engines is all there is to tell.
@@ -190,31 +162,32 @@ std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vec
   std::vector<std::string> at_rest;
   for (const JudgedScene& scene : scenes) {
     const bool rests = std::ranges::any_of(rows, [&](const ReplicatedRow& one) {
-      return one.row.scene == scene.name && one.row.motion && *one.row.motion <= rest_extent;
+      return one.scene == scene.name && one.motion && *one.motion <= rest_extent;
     });
     if (rests) at_rest.push_back(scene.name);
   }
   if (at_rest.empty()) return "";
-  const ReplicatedRow* worst = nullptr;
-  for (const ReplicatedRow& one : rows)
-    if (row_is_off_at_rest(one, scenes) && (worst == nullptr || *one.row.error > *worst->row.error))
-      worst = &one;
+  const ReplicatedRow* worst = nullptr;  // where blocks do not rest as exactly, though nothing sinks or falls
+  for (const ReplicatedRow& one : rows) {
+    if (!is_engine(one) || !one.error || !one.motion || *one.motion > rest_extent) continue;
+    const JudgedScene& scene = part_named(scenes, one.scene);
+    const bool off = !agrees(one, scene) && event_of(one, scene).empty();
+    if (off && (worst == nullptr || *one.error > *worst->error)) worst = &one;
+  }
   return fmt::format("Nothing moves in {}, where no set is ranked{}.", joined(at_rest),
-                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(worst->row), worst->row.outcome));
+                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(*worst), worst->outcome));
 }
 
 /// Scenes whose exact motion is not the only one, or not one of blocks that only push.
 std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
   std::vector<std::string> doubts;
   for (const ReplicatedRow& one : rows)
-    if (one.row.engine == "exact" && !one.row.outcome.empty())
-      doubts.push_back(fmt::format("in {} the exact motion is {}", one.row.scene, one.row.outcome));
+    if (one.engine == "exact" && !one.outcome.empty())
+      doubts.push_back(fmt::format("in {} the exact motion is {}", one.scene, one.outcome));
   if (doubts.empty()) return "";
-  doubts.front().front() = 'I';
-  return joined(doubts) + ".";
+  return capitalised(joined(doubts)) + ".";
 }
 
-/// Two sentences as one.
 std::string together(const std::string& first, std::string second) {
   if (first.empty() || second.empty()) return first + second;
   second.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(second.front())));
@@ -227,14 +200,14 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   constexpr std::size_t most_events = 2;
   const auto& rows = evidence.rows;
   std::vector<std::string> sentences;
-  sentences.reserve(scenes.size() + 2);
+  sentences.reserve(scenes.size() + 3);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
-  sentences.push_back(together(together(agreement_sentence(rows, scenes), doubt_sentence(rows)),
-                               event_sentence(rows, scenes, most_events)));
+  sentences.push_back(together(agreement_sentence(rows, scenes), doubt_sentence(rows)));
+  sentences.push_back(event_sentence(rows, scenes, most_events));
   sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
-  sentences.resize(std::min<std::size_t>(sentences.size(), 2));
+  sentences.resize(std::min<std::size_t>(sentences.size(), 3));
   return sentences;
 }
 
@@ -255,35 +228,29 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
 }  // namespace
 
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {
-  ComparisonVerdict verdict{headline_of(evidence, scenes), {}, rank_all(evidence.rows)};
-  for (const JudgedScene& scene : scenes)
-    verdict.scenes.push_back(sentences_of(evidence, scene, scenes.size() == 1));
-  return verdict;
-}
-
-std::string ranking_definition() {
-  return fmt::format(
-      "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
-      "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
-      "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
-      "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
-      100 * separation_level);
+  const auto sentences = [&](const JudgedScene& scene) {
+    return sentences_of(evidence, scene, scenes.size() == 1);
+  };
+  return {headline_of(evidence, scenes), each_of(scenes, sentences), rank_all(evidence.rows)};
 }
 
 ComparisonVerdict verdict_from(const Json& json) {
-  ComparisonVerdict verdict{json.at("headline").get<std::vector<std::string>>(),
-                            {},
-                            json.at("ranking").get<std::vector<RankedSet>>()};
-  for (const Json& scene : json.at("scenes"))
-    verdict.scenes.push_back(scene.at("sentences").get<std::vector<std::string>>());
-  return verdict;
+  const auto sentences = [](const Json& scene) {
+    return scene.at("sentences").get<std::vector<std::string>>();
+  };
+  return {json.at("headline"), each_of(json.at("scenes"), sentences), json.at("ranking")};
 }
 
 Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes) {
   Json json{{"headline", verdict.headline}, {"scenes", Json::array()}, {"ranking", verdict.ranking}};
   for (std::size_t i = 0; i < scenes.size(); ++i)
     json["scenes"].push_back({{"name", scenes[i].name}, {"sentences", verdict.scenes[i]}});
-  json["ranking_definition"] = ranking_definition();
+  json["ranking_definition"] = fmt::format(
+      "rows are ranked by `error`, up to the horizon of each scene: each over the least of its scene and step, "
+      "then the geometric mean over scenes and steps; scenes at rest are left out, and so is a row of one run where others have replicates. A set is called nearer than "
+      "another only where Mann–Whitney tests of replicates, by ranks within each scene and step, show it at a "
+      "level of {:g} % over all pairs (Holm), or where it fails less often. A rank is one more than the number of sets that are so",
+      100 * separation_level);
   return json;
 }
 

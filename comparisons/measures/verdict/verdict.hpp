@@ -1,18 +1,14 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/statistics/ranking.hpp"
 
 namespace rockstack {
 
-/// What a scene's rows are held against.
-struct SceneScale {
+/// A scene that rows are of, and what they are held against.
+struct JudgedScene {
+  std::string name = {};
   double least_height = 1;  ///< of its blocks, m
   double duration = 0;      ///< s
   double tolerance = 0.01;  ///< rad, and as a share of the least block height
@@ -21,48 +17,32 @@ struct SceneScale {
 /// "block 2 at 0.4 s", as rows tell a fall, with the verb between.
 std::string with_verb(const std::string& block_and_time, const std::string& verb);
 
-SceneScale scale_of(const Scene& scene, double tolerance);
-
 /// True for a run of an engine, not of the exact solver in another way.
 bool is_engine(const RunMetrics& row);
 
 /// "ode:step (tuned)".
 std::string set_name(const std::string& engine, const std::string& solver, const std::string& settings);
-std::string set_name(const RunMetrics& row);
+
+/// The same of a row, or of what else has these members.
+template <class Set>
+std::string set_name(const Set& set) {
+  return set_name(set.engine, set.solver, set.settings);
+}
 
 /// Whether neither an angle nor a centre is off by more than the tolerance before the horizon.
-bool agrees(const RunMetrics& row, const SceneScale& scale);
+bool agrees(const RunMetrics& row, const JudgedScene& scene);
 
 /// Until when neither is, s; the horizon where the row agrees.
-double agreement_end(const RunMetrics& row, const SceneScale& scale);
-
-/// How deep a block has sunk in.
-struct Sunk {
-  double depth = 0;    ///< m
-  bool stays = false;  ///< to the end, not for a moment
-};
-
-/// Where it stays so by more than told_sinking of the least block height, or is deeper by the tolerance for a
-/// moment; nought elsewhere.
-Sunk sunk_in(const RunMetrics& row, const SceneScale& scale);
+double agreement_end(const RunMetrics& row, const JudgedScene& scene);
 
 /// What happens in a run that does not in the exact motion, as a verb with what it needs: "block 2 has fallen
 /// off at 0.4 s", "sinks in by 86 mm", of a law without lift-off "rises by 20 mm"; empty where nothing does.
-std::string event_of(const RunMetrics& row, const SceneScale& scale);
+std::string event_of(const RunMetrics& row, const JudgedScene& scene);
 
 /// What becomes of a run, in words: "agrees until 1.2 s", "rests, but sinks in by 86 mm", "failed: …".
-std::string outcome(const RunMetrics& row, const SceneScale& scale);
+std::string outcome(const RunMetrics& row, const JudgedScene& scene);
 
-/// A scene that rows are of.
-struct JudgedScene {
-  std::string name;
-  SceneScale scale;
-};
-
-/// That of a scene by its name. Precondition: it is there.
-const SceneScale& scale_in(const std::vector<JudgedScene>& scenes, const std::string& name);
-
-std::vector<ReplicatedRow> rows_of(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene);
+std::vector<ReplicatedRow> rows_of(std::vector<ReplicatedRow> rows, const JudgedScene& scene);
 
 /// Until when engines agree with the exact motion, from coarse steps to fine ones, in a sentence; empty where
 /// no row moves. At most three steps are told.
@@ -81,7 +61,7 @@ std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::
 
 /// What a comparison comes to, in sentences: the only place where they are made.
 struct ComparisonVerdict {
-  /// Two at most: until when engines agree, with what happens otherwise than exactly, and which sets are
+  /// Three at most: until when engines agree, what happens in them that does not exactly, and which sets are
   /// nearest in which scenes.
   std::vector<std::string> headline;
   /// One scene each, in their order.
@@ -100,9 +80,6 @@ struct ComparisonEvidence {
 /// there distributions over replicates are compared. No row is called nearer than another that replicates do
 /// not tell from it, and scenes at rest are not ranked.
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes);
-
-/// How rows are ranked and told apart.
-std::string ranking_definition();
 
 /// The verdict that verdict_json() has told, scenes in the order of the list.
 ComparisonVerdict verdict_from(const Json& json);

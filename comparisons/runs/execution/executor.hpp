@@ -23,25 +23,29 @@ struct Work {
 /// one leads and the others only compute.
 class Executor {
  public:
-  Executor() = default;
+  Executor(std::string description, std::size_t count, bool leads)
+      : description_(std::move(description)), count_(count), leads_(leads) {}
   virtual ~Executor() = default;
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
 
   /// How many compute at a time, for reports: "2 threads".
-  virtual std::string description() const = 0;
-
-  /// How many.
-  virtual std::size_t count() const = 0;
+  const std::string& description() const { return description_; }
+  std::size_t count() const { return count_; }
 
   /// True where this process gives out the tasks and keeps what is delivered.
-  virtual bool leads() const = 0;
+  bool leads() const { return leads_; }
 
   /// Of the leader: has every task computed and delivered. @throws what compute and deliver throw.
   virtual void run(const std::vector<std::size_t>& tasks, const Work& work) = 0;
 
   /// Of the others: computes tasks until the leader has no more.
-  virtual void serve(const std::function<std::string(std::size_t task)>& compute) = 0;
+  virtual void serve(const std::function<std::string(std::size_t task)>& /*compute*/) {}
+
+ private:
+  std::string description_;
+  std::size_t count_;
+  bool leads_;
 };
 
 /// How many threads the machine runs at once, ≥ 1.

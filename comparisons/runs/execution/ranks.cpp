@@ -46,28 +46,18 @@ void send(const std::string& text, int rank, int tag) {
 
 class Ranks : public Executor {
  public:
-  Ranks() {
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-    MPI_Comm_size(MPI_COMM_WORLD, &size_);
-    busy_ = size_ - 1;
-  }
+  Ranks(int rank, std::size_t others)
+      : Executor(std::to_string(others) + " MPI ranks and one that leads", others, rank == leader),
+        busy_(others) {}
 
   /// The leader lets all others go, whatever has happened to itself.
   ~Ranks() override {
-    while (rank_ == leader && busy_ > 0) dismiss(receive().rank);
+    while (leads() && busy_ > 0) dismiss(receive().rank);
     MPI_Finalize();
   }
-  Ranks(const Ranks&) = delete;
-  Ranks& operator=(const Ranks&) = delete;
-
-  std::string description() const override {
-    return std::to_string(size_ - 1) + " MPI ranks and one that leads";
-  }
-  std::size_t count() const override { return static_cast<std::size_t>(size_ - 1); }
-  bool leads() const override { return rank_ == leader; }
 
   void run(const std::vector<std::size_t>& tasks, const Work& work) override {
-    std::vector<std::uint64_t> given(static_cast<std::size_t>(size_), none);
+    std::vector<std::uint64_t> given(count() + 1, none);
     std::size_t next = 0;
     while (busy_ > 0) {
       const Message message = receive();
@@ -110,18 +100,17 @@ class Ranks : public Executor {
     return task;
   }
 
-  int rank_ = 0;
-  int size_ = 1;
-  int busy_ = 0;  ///< of the leader: how many others have not been let go
+  std::size_t busy_;  ///< of the leader: how many others have not been let go
 };
 
 }  // namespace
 
 std::unique_ptr<Executor> find_ranks() {
   if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS) throw std::runtime_error("MPI cannot start");
-  int size = 1;
+  int rank = 0, size = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &size);
-  if (size > 1) return std::make_unique<Ranks>();
+  if (size > 1) return std::make_unique<Ranks>(rank, static_cast<std::size_t>(size - 1));
   MPI_Finalize();
   return nullptr;
 }

@@ -11,13 +11,8 @@ namespace {
 
 class Threads : public Executor {
  public:
-  explicit Threads(std::size_t count) : count_(count) {}
-
-  std::string description() const override {
-    return std::to_string(count_) + (count_ == 1 ? " thread" : " threads");
-  }
-  std::size_t count() const override { return count_; }
-  bool leads() const override { return true; }
+  explicit Threads(std::size_t count)
+      : Executor(std::to_string(count) + (count == 1 ? " thread" : " threads"), count, true) {}
 
   void run(const std::vector<std::size_t>& tasks, const Work& work) override {
     std::mutex mutex;
@@ -44,15 +39,10 @@ class Threads : public Executor {
     };
     {
       std::vector<std::jthread> threads;
-      for (std::size_t i = 0; i < count_; ++i) threads.emplace_back(make_tasks);
+      for (std::size_t i = 0; i < count(); ++i) threads.emplace_back(make_tasks);
     }
     if (failure) std::rethrow_exception(failure);
   }
-
-  void serve(const std::function<std::string(std::size_t task)>& /*compute*/) override {}
-
- private:
-  std::size_t count_;
 };
 
 }  // namespace

@@ -1,14 +1,21 @@
 #include "comparisons/studies/advise/advise.hpp"
 
+#include <fmt/format.h>
+
 #include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/measure.hpp"
 
 namespace rockstack {
 namespace {
+
+/// The steps that are tried, s.
+const std::vector<double> advised_steps{2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5};
 
 Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   Suite suite;
@@ -19,7 +26,7 @@ Suite suite_of(const NamedScene& scene, const AdviceRequest& request) {
   suite.limits = request.limits;
   suite.replicates = request.replicates;
   for (const WorkerEngine* engine : request.engines)
-    suite.series.push_back(make_series(*engine, "tuned", advised_steps()));
+    suite.series.push_back(make_series(*engine, "tuned", advised_steps));
   return suite;
 }
 
@@ -36,35 +43,21 @@ int count_within(const std::vector<RunMetrics>& replicates, double error) {
       std::ranges::count_if(replicates, [&](const RunMetrics& row) { return meets(row, error); }));
 }
 
-/// Replicates about the step itself, for a trial that passes without them.
-void confirm(const Job& job, const AdviceRequest& request, Trial& trial) {
-  Suite suite = job.suite;
-  suite.replicates = request.confirming;
-  const auto replicates = make_replicates({suite, job.scene, job.dt, job.series}, all_cores()).rows;
-  trial.confirming = static_cast<int>(replicates.size());
-  trial.confirmed = count_within(replicates, request.error);
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-/// Time since it was made, s.
-class Stopwatch {
- public:
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Nothing where its replicates would take longer than what is `left`, s.
 std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
                              const std::filesystem::path& folder, const std::string& command, double left) {
   const auto own = folder / "runs" / describe(job).run;
-  const Stopwatch watch;
+  const Clock::time_point start = Clock::now();
   Trial trial{nominal_run(job, own, command)};
   trial.within = meets(trial.row, request.error) ? 1 : 0;
   if (trial.within == 0 || !is_replicated(job)) return trial;
-  const double took = watch.elapsed(), one = took / (1 + request.repeats);
+  const double took = seconds_since(start), one = took / (1 + request.repeats);
   const int runs = request.replicates.runs + request.confirming.runs;
   if (took + runs * one / static_cast<double>(all_cores()) > left) return {};
   const auto replicates = make_replicates(job, all_cores());
@@ -72,7 +65,12 @@ std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
   trial.replicates += static_cast<int>(replicates.rows.size());
   trial.within += count_within(replicates.rows, request.error);
   summarise(replicates.rows, trial.row);
-  if (trial.passes()) confirm(job, request, trial);
+  if (!trial.passes()) return trial;
+  Suite about_the_step = job.suite;
+  about_the_step.replicates = request.confirming;
+  const auto confirming = make_replicates({about_the_step, job.scene, job.dt, job.series}, all_cores()).rows;
+  trial.confirming = static_cast<int>(confirming.size());
+  trial.confirmed = count_within(confirming, request.error);
   return trial;
 }
 
@@ -94,10 +92,11 @@ double expected_time(const RunMetrics& row, double error) {
 }
 
 /// The search that is expected to end soonest, or nullptr where all are over.
-Search* most_promising(std::vector<Search>& searches, std::size_t steps) {
+Search* most_promising(std::vector<Search>& searches) {
   Search* best = nullptr;
   for (Search& search : searches)
-    if (!search.over && search.next < steps && (best == nullptr || search.promise < best->promise))
+    if (!search.over && search.next < advised_steps.size() &&
+        (best == nullptr || search.promise < best->promise))
       best = &search;
   return best;
 }
@@ -120,7 +119,11 @@ std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene
   return exact.empty() ? std::vector<DistributionDistance>{} : distances(exact, other);
 }
 
-Json json_of(const Trial& trial) {
+Json untried_json(const Untried& one) {
+  return {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}};
+}
+
+Json trial_json(const Trial& trial) {
   Json cells = trial.row;
   cells["draws_tried"] = trial.replicates;
   cells["draws_within"] = trial.within;
@@ -130,11 +133,26 @@ Json json_of(const Trial& trial) {
   return cells;
 }
 
-}  // namespace
-
-std::vector<double> advised_steps() {
-  return {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5};
+std::optional<double> distance_of(const Trial& trial) {
+  return std::max(trial.row.largest_angle_difference, trial.row.relative_position_difference);
 }
+
+std::string solver_at_step(const Trial& trial) {
+  return fmt::format("{}:{} at {}", trial.row.engine, trial.row.solver,
+                     quantity_text(trial.row.dt.value_or(0), "s"));
+}
+
+/// Which trial came nearest; nothing where none has numbers.
+std::string nearest(const std::vector<Trial>& trials) {
+  const Trial* best = nullptr;
+  for (const Trial& trial : trials)
+    if (distance_of(trial) && (best == nullptr || *distance_of(trial) < *distance_of(*best))) best = &trial;
+  return best == nullptr
+             ? ""
+             : fmt::format(" The nearest is {}, off by {:.2g}.", solver_at_step(*best), *distance_of(*best));
+}
+
+}  // namespace
 
 bool meets(const RunMetrics& row, double error) {
   return row.status == RunStatus::done && row.largest_angle_difference &&
@@ -156,7 +174,7 @@ int cheapest(const std::vector<Trial>& trials) {
 
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command, const AdviceListener& listener) {
-  const Stopwatch watch;
+  const Clock::time_point start = Clock::now();
   Advice advice;
   advice.predictable_time = predictable_time(scene.scene, request.replicates, request.error);
   NamedScene predictable = scene;
@@ -164,11 +182,11 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
   const Suite suite = suite_of(predictable, request);
   std::vector<Search> searches(suite.series.size());
   const EngineSeries* picked = nullptr;
-  const std::vector<double> steps = advised_steps();
-  while (Search* const search = most_promising(searches, steps.size())) {
+  while (Search* const search = most_promising(searches)) {
     const EngineSeries& series = suite.series[static_cast<std::size_t>(search - searches.data())];
-    const double dt = steps[search->next], before = search->next > 0 ? steps[search->next - 1] : dt;
-    const double begin = watch.elapsed(), left = request.within - begin;
+    const double dt = advised_steps[search->next],
+                 before = search->next > 0 ? advised_steps[search->next - 1] : dt;
+    const double begin = seconds_since(start), left = request.within - begin;
     std::optional<Trial> made;
     if (search->took * before / dt <= left) {
       listener.begin(series, dt, begin);
@@ -188,7 +206,7 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
     const double best = pick < 0 ? std::numeric_limits<double>::infinity()
                                  : *advice.trials[static_cast<std::size_t>(pick)].row.stepping_time_minimum;
     ++search->next;
-    search->took = watch.elapsed() - begin;
+    search->took = seconds_since(start) - begin;
     search->promise = expected_time(trial.row, request.error);
     search->over = trial.passes() || trial.row.status == RunStatus::time_limit ||
                    trial.row.stepping_time_minimum.value_or(0) > best;
@@ -197,7 +215,7 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
     const RunMetrics& row = advice.trials[static_cast<std::size_t>(advice.pick)].row;
     const double longer = scene.scene.duration / advice.predictable_time;
     const double expected = request.replicates.runs * longer * row.stepping_time_minimum.value_or(0);
-    if (const double begin = watch.elapsed(); begin + expected <= request.within) {
+    if (const double begin = seconds_since(start); begin + expected <= request.within) {
       listener.begin(*picked, *row.dt, begin);
       advice.beyond = whole_scene({suite, suite.scenes.front(), *row.dt, picked}, scene.scene);
     }
@@ -206,6 +224,34 @@ Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::
   write_file(folder / "advice.csv", csv_of(json.at("trials")));
   write_file(folder / "advice.json", json.dump(2) + "\n");
   return advice;
+}
+
+std::vector<std::string> advice_sentences(const AdviceRequest& request, const Advice& advice,
+                                          double duration) {
+  std::vector<std::string> sentences;
+  const std::string error =
+      fmt::format("{} of the exact angles and {:g} % of the least block height of the exact centres",
+                  quantity_text(request.error, "rad"), 100 * request.error);
+  if (advice.pick < 0) {
+    sentences.push_back(
+        fmt::format("No solver stays within {}, at a step that was tried.{}", error, nearest(advice.trials)));
+  } else {
+    const Trial& pick = advice.trials[static_cast<std::size_t>(advice.pick)];
+    sentences.push_back(
+        fmt::format("Take {} with tuned settings: of all that was tried the cheapest that stays within {}.",
+                    solver_at_step(pick), error));
+    sentences.push_back(fmt::format("{} of {} replicates at nearby steps are within; nine of ten must be.",
+                                    pick.within + pick.confirmed, pick.replicates + pick.confirming));
+  }
+  if (advice.predictable_time < duration)
+    sentences.push_back(
+        fmt::format("This holds until {:.4g} s, the horizon of predictability.", advice.predictable_time));
+  const auto untried = each_of(advice.untried, [](const Untried& one) { return one.engine->full_name(); });
+  if (!untried.empty())
+    sentences.push_back(
+        fmt::format("In {:g} s the search has not come to smaller steps of {}; --within gives it more.",
+                    request.within, joined_up_to(2, untried)));
+  return sentences;
 }
 
 Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Advice& advice,
@@ -217,14 +263,10 @@ Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Ad
             {"duration", scene.scene.duration},
             {"predictable_time", advice.predictable_time},
             {"pick", nullptr},
-            {"untried", Json::array()},
+            {"untried", each_of(advice.untried, untried_json)},
             {"beyond", advice.beyond},
-            {"trials", Json::array()}};
-  if (advice.pick >= 0) json["pick"] = json_of(advice.trials[static_cast<std::size_t>(advice.pick)]);
-  for (const Untried& one : advice.untried)
-    json["untried"].push_back(
-        {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}});
-  for (const Trial& trial : advice.trials) json["trials"].push_back(json_of(trial));
+            {"trials", each_of(advice.trials, trial_json)}};
+  if (advice.pick >= 0) json["pick"] = json["trials"][static_cast<std::size_t>(advice.pick)];
   json["environment"] = environment(request.engines);
   json["command"] = command;
   return json;

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/json.hpp"
-#include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/suites/suite.hpp"
 
@@ -64,13 +57,9 @@ struct Advice {
 /// What is told of a search while it goes on.
 struct AdviceListener {
   /// A trial that is begun: of which series, at which step, s, and how long the search has taken, s.
-  std::function<void(const EngineSeries&, double dt, double elapsed)> begin = [](const EngineSeries&, double,
-                                                                                 double) {};
-  std::function<void(const Trial&)> trial = [](const Trial&) {};  ///< that is done
+  std::function<void(const EngineSeries&, double dt, double elapsed)> begin = [](auto&&...) {};
+  std::function<void(const Trial&)> trial = [](auto&&...) {};  ///< that is done
 };
-
-/// The steps that are tried, from large to small, s.
-std::vector<double> advised_steps();
 
 /// True where a run is done, topples as the exact solution does, and stays within the error by angles and
 /// centres.

@@ -1,7 +1,6 @@
 #include "comparisons/studies/canon/canon.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <numeric>
 
@@ -9,6 +8,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
@@ -49,9 +49,8 @@ double gap_difference(const History& exact, const History& engine) {
 
 /// Of the flattest turn: a corner falls freely for one step, rad/s.
 double slowest_turn(const Scene& scene) {
-  double widest = 0;
-  for (const Block& block : scene.blocks) widest = std::max(widest, 2 * block.half_width);
-  return scene.gravity * usual_step / widest;
+  const Block& widest = *std::ranges::max_element(scene.blocks, {}, &Block::half_width);
+  return scene.gravity * usual_step / (2 * widest.half_width);
 }
 
 /// Replicates use all cores. @throws whatever kept the engine from answering.
@@ -72,71 +71,52 @@ CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineS
   return errors;
 }
 
-bool sooner(const Deviation& one, const Deviation& other) {
-  return one.time < other.time;
-}
-
 /// Of a quantity, the replicate in the middle.
 Deviation middle_of(const CanonErrors& errors, std::size_t quantity) {
   auto replicates = each_of(errors.replicates, [&](const auto& each) { return each.at(quantity); });
   const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
-  std::nth_element(replicates.begin(), middle, replicates.end(), sooner);
+  std::ranges::nth_element(replicates, middle, {}, &Deviation::time);
   return *middle;
 }
 
-std::string amount_text(double time, const Deviation& kind) {
-  return quantity_text(time * kind.speed, kind.unit(), 2);
-}
-
 /// Verdict and reason, from the fit and what the medians are.
-void judge(CanonAnswer& answer, const StepFit& fit) {
-  const Deviation& finest = answer.deviations.back();
+std::pair<std::string, std::string> verdict_on(const std::vector<Deviation>& medians, const StepFit& fit) {
+  const Deviation &coarsest = medians.front(), &finest = medians.back();
   const Bounded& left = fit.model_error;
+  const auto amount = [&](double time) { return quantity_text(time * finest.speed, finest.unit(), 2); };
   // Of the three finest steps, which differ by four: under any order from a half on, the error falls by a
   // factor of two or more between them.
   const auto [finest_least, finest_most] =
-      std::minmax_element(answer.deviations.end() - 3, answer.deviations.end(), sooner);
+      std::ranges::minmax_element(std::span(medians).last(3), {}, &Deviation::time);
   const double least = finest_least->time, most = finest_most->time;
-  const bool falls = finest.time <= 0.5 * answer.deviations.front().time;
-  if (most <= canon_resolution) {
-    answer.verdict = "agrees";
-    answer.reason = "off by a tenth of a step of 1 ms at most at the three finest steps";
-  } else if (least > canon_resolution && most <= std::sqrt(2) * least) {
-    answer.verdict = "another law";
-    answer.reason = fmt::format("{}: {} to {} whatever the step", finest.of, amount_text(least, finest),
-                                amount_text(most, finest));
-  } else if (left.low > canon_resolution) {
-    answer.verdict = "another law";
-    answer.reason =
-        fmt::format("{}: {} is left at any step ({} to {})", finest.of, amount_text(left.value, finest),
-                    amount_text(left.low, finest), amount_text(left.high, finest));
-  } else if (std::max(finest.time, answer.deviations.end()[-2].time) <= vanishing) {
-    answer.verdict = "converges";
-    answer.reason = finest.of + ": nothing is left at the two finest steps";
-  } else if (!falls || fit.points < answer.deviations.size() || fit.scatter > std::log(3)) {
-    answer.verdict = "cannot tell";
-    answer.reason =
-        finest.of + ": " +
-        (falls ? fit.reason
-               : fmt::format("the errors do not fall with the step, {} at {} and {} at {}",
-                             amount_text(answer.deviations.front().time, answer.deviations.front()),
-                             quantity_text(canon_steps.front(), "s"), amount_text(finest.time, finest),
-                             quantity_text(canon_steps.back(), "s")));
-  } else if (left.high > canon_agreement * usual_step) {
-    answer.verdict = "cannot tell";
-    answer.reason =
-        fmt::format("{}: up to {} may be left at any step", finest.of, amount_text(left.high, finest));
-  } else {
-    const bool explained = finest.time <= canon_agreement * canon_steps.back();
-    answer.verdict = explained ? "agrees" : "converges";
-    answer.reason = finest.of + (fit.holds() ? fmt::format(": fall with order {:.2g} ({:.2g} to {:.2g})",
-                                                           fit.order.value, fit.order.low, fit.order.high)
-                                             : fmt::format(": fall to {:.2g} steps at the finest",
-                                                           finest.time / canon_steps.back()));
-  }
+  if (most <= canon_resolution)
+    return {"agrees", "off by a tenth of a step of 1 ms at most at the three finest steps"};
+  if (least > canon_resolution && most <= std::sqrt(2) * least)
+    return {"another law",
+            fmt::format("{}: {} to {} whatever the step", finest.of, amount(least), amount(most))};
+  if (left.low > canon_resolution)
+    return {"another law", fmt::format("{}: {} is left at any step ({} to {})", finest.of, amount(left.value),
+                                       amount(left.low), amount(left.high))};
+  if (std::max(finest.time, medians.end()[-2].time) <= vanishing)
+    return {"converges", finest.of + ": nothing is left at the two finest steps"};
+  if (!(finest.time <= 0.5 * coarsest.time))
+    return {"cannot tell", fmt::format("{}: the errors do not fall with the step, {} at {} and {} at {}",
+                                       finest.of, quantity_text(coarsest.amount(), coarsest.unit(), 2),
+                                       quantity_text(canon_steps.front(), "s"), amount(finest.time),
+                                       quantity_text(canon_steps.back(), "s"))};
+  if (fit.points < medians.size() || fit.scatter > std::log(3))
+    return {"cannot tell", finest.of + ": " + fit.reason};
+  if (left.high > canon_agreement * usual_step)
+    return {"cannot tell", fmt::format("{}: up to {} may be left at any step", finest.of, amount(left.high))};
+  const char* verdict = finest.time <= canon_agreement * canon_steps.back() ? "agrees" : "converges";
+  if (fit.holds())
+    return {verdict, fmt::format("{}: fall with order {:.2g} ({:.2g} to {:.2g})", finest.of, fit.order.value,
+                                 fit.order.low, fit.order.high)};
+  return {verdict,
+          fmt::format("{}: fall to {:.2g} steps at the finest", finest.of, finest.time / canon_steps.back())};
 }
 
-Json json_of(const CanonAnswer& answer) {
+Json answer_json(const CanonAnswer& answer) {
   Json json{{"scene", answer.scene}, {"verdict", answer.verdict}, {"reason", answer.reason}};
   for (const char* list : {"steps_off", "amounts"}) json[list] = Json::array();
   if (answer.deviations.empty()) return json;
@@ -149,18 +129,16 @@ Json json_of(const CanonAnswer& answer) {
   return json;
 }
 
-/// The answer of that identity in a file, or none.
 std::optional<CanonAnswer> kept_answer(const fs::path& file, const std::string& identity) {
-  const auto whole = [&](const Json& json) -> std::optional<CanonAnswer> {
-    const Json& told = json.at("answer");
-    if (json.at("identity") != identity) return {};
-    CanonAnswer answer{told.at("scene"), {}, told.at("verdict"), told.at("reason")};
-    for (const Json& one : json.at("deviations"))
-      answer.deviations.push_back({one.at(0), one.at(1), one.at(2)});
-    return answer;
-  };
   try {
-    return read_json(file, whole);
+    return read_json(file, [&](const Json& json) -> std::optional<CanonAnswer> {
+      const Json& told = json.at("answer");
+      if (json.at("identity") != identity) return {};
+      CanonAnswer answer{told.at("scene"), {}, told.at("verdict"), told.at("reason")};
+      for (const Json& one : json.at("deviations"))
+        answer.deviations.push_back({one.at(0), one.at(1), one.at(2)});
+      return answer;
+    });
   } catch (const InputError&) {
     return {};
   }
@@ -190,13 +168,13 @@ CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>
   };
   std::vector<CanonAnswer> answers;
   for (std::size_t quantity = 0; quantity < errors.front().replicates.front().size(); ++quantity) {
-    answers.push_back({scene, {}, "", ""});
+    CanonAnswer& answer = answers.emplace_back(CanonAnswer{scene, {}, "", ""});
     std::vector<StepError> medians;
     for (const CanonErrors& at : errors) {
-      answers.back().deviations.push_back(middle_of(at, quantity));
-      medians.push_back({at.step, answers.back().deviations.back().time});
+      answer.deviations.push_back(middle_of(at, quantity));
+      medians.push_back({at.step, answer.deviations.back().time});
     }
-    judge(answers.back(), fit_steps(medians));
+    std::tie(answer.verdict, answer.reason) = verdict_on(answer.deviations, fit_steps(medians));
   }
   return *std::ranges::max_element(answers,
                                    [&](const auto& one, const auto& other) { return off(one) < off(other); });
@@ -226,7 +204,7 @@ CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const
   CanonAnswer answer = answer_canon(suite, scene, engine, settings);
   if (answer.deviations.empty()) return answer;
   fs::create_directories(folder);
-  Json whole{{"identity", identity}, {"answer", json_of(answer)}, {"deviations", Json::array()}};
+  Json whole{{"identity", identity}, {"answer", answer_json(answer)}, {"deviations", Json::array()}};
   for (const Deviation& one : answer.deviations) whole["deviations"].push_back({one.time, one.speed, one.of});
   write_file(file, whole.dump(2) + "\n");
   return answer;
@@ -237,29 +215,24 @@ bool follows_law(const CanonAnswer& answer) {
 }
 
 std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, const std::string& command) {
-  Json json{{"title", suite.title},
-            {"command", command},
-            {"steps", canon_steps},
-            {"agreement", canon_agreement},
-            {"replicates", suite.replicates.runs},
-            {"scenes", Json::array()},
-            {"rows", Json::array()}};
-  for (const NamedScene& scene : suite.scenes)
-    json["scenes"].push_back(
-        {{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}});
-  std::vector<const WorkerEngine*> engines;
-  engines.reserve(rows.size());
-  for (const CanonRow& row : rows) {
-    engines.push_back(row.engine);
-    Json answers = Json::array();
-    for (const CanonAnswer& answer : row.answers) answers.push_back(json_of(answer));
-    json["rows"].push_back({{"engine", row.engine->name},
-                            {"solver", row.engine->solver},
-                            {"version", row.engine->version},
-                            {"settings", row.settings},
-                            {"answers", std::move(answers)}});
-  }
-  json["environment"] = environment(engines);
+  const auto scene_of = [](const NamedScene& scene) {
+    return Json{{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}};
+  };
+  const auto row_of = [](const CanonRow& row) {
+    return Json{{"engine", row.engine->name},
+                {"solver", row.engine->solver},
+                {"version", row.engine->version},
+                {"settings", row.settings},
+                {"answers", each_of(row.answers, answer_json)}};
+  };
+  const Json json{{"title", suite.title},
+                  {"command", command},
+                  {"steps", canon_steps},
+                  {"agreement", canon_agreement},
+                  {"replicates", suite.replicates.runs},
+                  {"scenes", each_of(suite.scenes, scene_of)},
+                  {"rows", each_of(rows, row_of)},
+                  {"environment", environment(each_of(rows, &CanonRow::engine))}};
   return json.dump(2) + "\n";
 }
 

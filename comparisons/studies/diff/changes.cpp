@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {
@@ -37,14 +38,11 @@ RowChange row_change(const RowPair& pair, const ChangeOptions& options, bool tim
 /// Corrects all tests for how many there are, and judges by them.
 void judge_all(ResultsChange& result) {
   std::vector<QuantityChange*> tested;
-  std::vector<TestChance> chances;
-  for (RowChange& row : result.rows) {
-    for (QuantityChange& change : row.quantities) {
-      if (!change.test) continue;
-      tested.push_back(&change);
-      chances.push_back({change.test->p_value, change.test->least_p_value});
-    }
-  }
+  for (RowChange& row : result.rows)
+    for (QuantityChange& change : row.quantities)
+      if (change.test) tested.push_back(&change);
+  const auto chances =
+      each_of(tested, [](const QuantityChange* change) -> TestChance { return *change->test; });
   const AdjustedTests adjusted = adjust(chances, result.level);
   result.counted = adjusted.counted;
   result.tests = static_cast<std::size_t>(std::count_if(
@@ -67,22 +65,21 @@ std::vector<std::string> other_environment(const RecordedResults& old_results,
 }
 
 bool same_processor(const RecordedResults& old_results, const RecordedResults& new_results) {
-  const auto name = old_results.environment.find("processor"),
-             other = new_results.environment.find("processor");
-  return name != old_results.environment.end() && other != new_results.environment.end() &&
-         name->second == other->second;
+  const auto name = old_results.environment.find("processor");
+  return name != old_results.environment.end() &&
+         std::ranges::find(new_results.environment, *name) != new_results.environment.end();
 }
 
-Json to_json(const ValueSpread& spread) {
+Json spread_json(const ValueSpread& spread) {
   return {
       {"lower", spread.lower}, {"median", spread.median}, {"upper", spread.upper}, {"values", spread.values}};
 }
 
-Json to_json(const QuantityChange& change) {
+Json change_json(const QuantityChange& change) {
   Json json{{"quantity", change.quantity},
             {"turn", name(change.turn)},
-            {"old", to_json(change.old_values)},
-            {"new", to_json(change.new_values)}};
+            {"old", spread_json(change.old_values)},
+            {"new", spread_json(change.new_values)}};
   if (change.test) {
     json["superiority"] = change.test->superiority;
     json["p_value"] = change.test->p_value;
@@ -91,29 +88,26 @@ Json to_json(const QuantityChange& change) {
   return json;
 }
 
-Json to_json(const RowChange& row) {
-  Json json{{"scene", row.old_row.scene},
-            {"engine", row.old_row.engine},
-            {"solver", row.old_row.solver},
-            {"settings", row.old_row.settings},
-            {"dt", row.old_row.dt ? Json(*row.old_row.dt) : Json()},
-            {"old_run", row.old_row.run},
-            {"new_run", row.new_row.run},
-            {"old_status", name(row.old_row.status)},
-            {"new_status", name(row.new_row.status)},
-            {"bits", row.bits},
-            {"turn", name(row.worst())},
-            {"quantities", Json::array()}};
-  for (const QuantityChange& change : row.quantities) json["quantities"].push_back(to_json(change));
-  return json;
+Json row_json(const RowChange& row) {
+  return {{"scene", row.old_row.scene},
+          {"engine", row.old_row.engine},
+          {"solver", row.old_row.solver},
+          {"settings", row.old_row.settings},
+          {"dt", row.old_row.dt ? Json(*row.old_row.dt) : Json()},
+          {"old_run", row.old_row.run},
+          {"new_run", row.new_row.run},
+          {"old_status", name(row.old_row.status)},
+          {"new_status", name(row.new_row.status)},
+          {"bits", row.bits},
+          {"turn", name(row.worst())},
+          {"quantities", each_of(row.quantities, change_json)}};
 }
 
 }  // namespace
 
 Turn RowChange::worst() const {
-  Turn worst = Turn::none;
-  for (const QuantityChange& change : quantities) worst = std::max(worst, change.turn);
-  return worst;
+  return quantities.empty() ? Turn::none
+                            : std::ranges::max_element(quantities, {}, &QuantityChange::turn)->turn;
 }
 
 bool ResultsChange::worse() const {
@@ -134,15 +128,14 @@ std::size_t ResultsChange::replicates_needed() const {
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
                            const ChangeOptions& options) {
   RowPairs pairs = pair_rows(old_results, new_results, options.across);
-  ResultsChange result;
-  result.level = options.level;
-  result.only_old = std::move(pairs.only_old);
-  result.only_new = std::move(pairs.only_new);
-  result.other_questions = std::move(pairs.other_questions);
-  result.other_environment = other_environment(old_results, new_results);
   const bool timed = same_processor(old_results, new_results);
-  result.rows.reserve(pairs.pairs.size());
-  for (const RowPair& pair : pairs.pairs) result.rows.push_back(row_change(pair, options, timed));
+  ResultsChange result{
+      .rows = each_of(pairs.pairs, [&](const RowPair& pair) { return row_change(pair, options, timed); }),
+      .only_old = std::move(pairs.only_old),
+      .only_new = std::move(pairs.only_new),
+      .other_questions = std::move(pairs.other_questions),
+      .other_environment = other_environment(old_results, new_results),
+      .level = options.level};
   judge_all(result);
   return result;
 }
@@ -156,10 +149,9 @@ Json changes_json(const ResultsChange& result) {
             {"only_new", result.only_new},
             {"other_questions", result.other_questions},
             {"other_environment", result.other_environment},
-            {"rows", Json::array()}};
+            {"rows", each_of(result.rows, row_json)}};
   for (const ReportedQuantity& quantity : reported_quantities())
     json["definitions"][quantity.name] = quantity.definition;
-  for (const RowChange& row : result.rows) json["rows"].push_back(to_json(row));
   return json;
 }
 
@@ -195,11 +187,9 @@ std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {
   for (const RowChange& row : result.rows)
     for (const QuantityChange& change : row.quantities)
       if (change.turn != Turn::none) turned.push_back({&row, &change});
-  const auto rank = [](const TurnedNumber& number) {
+  std::ranges::stable_sort(turned, std::greater{}, [](const TurnedNumber& number) {
     return std::tuple(number.change->turn, std::abs(std::log(std::abs(number.ratio()))));
-  };
-  std::ranges::stable_sort(turned,
-                           [&](const TurnedNumber& a, const TurnedNumber& b) { return rank(a) > rank(b); });
+  });
   return turned;
 }
 

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "analytic/scene/input/json.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 

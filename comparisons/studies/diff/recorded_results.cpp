@@ -9,22 +9,6 @@
 namespace rockstack {
 namespace {
 
-RecordedResults::Facts facts_in(const Json& object) {
-  RecordedResults::Facts facts;
-  for (const auto& [key, value] : object.items())
-    facts[key] = value.is_string() ? value.get<std::string>() : value.dump();
-  return facts;
-}
-
-/// What the scene's name, text and number of replicates do not change.
-RecordedResults::Facts question_in(const Json& scene) {
-  RecordedResults::Facts question;
-  for (const char* key :
-       {"stack", "gravity", "duration", "ground", "law", "friction", "draw_steps", "draw_scene"})
-    if (scene.contains(key)) question[key] = scene.at(key).dump();
-  return question;
-}
-
 RecordedRun read_run(const std::filesystem::path& folder, bool replicated) {
   RecordedRun run = read_json(folder / "summary.json", [](const Json& json) {
     return RecordedRun{
@@ -92,9 +76,15 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
   RecordedResults results{folder, {}, {}, {}};
   const auto file = folder / "comparison.json";
   const std::vector<RunMetrics> rows = read_json(file, [&](const Json& json) {
-    results.environment = facts_in(json.at("environment"));
-    for (const Json& scene : json.at("scenes"))
-      results.scenes[scene.at("name").get<std::string>()] = question_in(scene);
+    for (const auto& [key, value] : json.at("environment").items())
+      results.environment[key] = value.is_string() ? value.get<std::string>() : value.dump();
+    for (const Json& scene : json.at("scenes")) {
+      RecordedResults::Facts& question = results.scenes[scene.at("name").get<std::string>()];
+      // What the scene's name, text and number of replicates do not change.
+      for (const char* key :
+           {"stack", "gravity", "duration", "ground", "law", "friction", "draw_steps", "draw_scene"})
+        if (scene.contains(key)) question[key] = scene.at(key).dump();
+    }
     return json.at("rows").get<std::vector<RunMetrics>>();
   });
   results.runs.reserve(rows.size());

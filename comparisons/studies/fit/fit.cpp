@@ -29,15 +29,14 @@ struct Shares {
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
 
   const FittedScene& fitted;
-  const std::vector<FitParameter>& parameters;
 
-  int inputs() const { return static_cast<int>(parameters.size()); }
+  int inputs() const { return static_cast<int>(fitted.parameters().size()); }
   int values() const { return static_cast<int>(fitted.size()); }
 
   /// Beyond a range its end counts.
   Values at(const VectorXd& shares) const {
     Values list;
-    for (const auto& [key, low, high] : parameters)
+    for (const auto& [key, low, high] : fitted.parameters())
       list.push_back(low + (high - low) * std::clamp(shares[static_cast<Index>(list.size())], 0.0, 1.0));
     return list;
   }
@@ -47,9 +46,7 @@ struct Shares {
   }
   int df(const VectorXd& shares, MatrixXd& jacobian) const {
     jacobian = fitted.derivatives(at(shares));
-    for (Index k = 0; k < jacobian.cols(); ++k)
-      jacobian.col(k) *=
-          parameters[static_cast<std::size_t>(k)].high - parameters[static_cast<std::size_t>(k)].low;
+    for (Index k = 0; const auto& [key, low, high] : fitted.parameters()) jacobian.col(k++) *= high - low;
     return 0;
   }
 };
@@ -57,8 +54,6 @@ struct Shares {
 struct Place {
   VectorXd shares;
   double sum = 0;  ///< of the squares of the residuals
-
-  bool operator<(const Place& other) const { return sum < other.sum; }
 };
 
 /// The best places of a grid, the middles of equal parts of each range.
@@ -94,25 +89,19 @@ Place refined(Shares shares, Place place) {
 
 constexpr double untold = 1e-8;  ///< rad or m over a range, and of directions; differences are as good
 
-/// How far a parameter may be off by the derivatives; infinite for what has a share in a direction that moves
-/// nothing.
-struct Reach {
-  double half_width = 0;
-  bool moves = false;  ///< whether it changes the motion by itself, near what was found
-};
-
-/// `most`: by which a direction may be off, rad or m.
-std::vector<Reach> reaches(const FittedScene& fitted, const std::vector<FitParameter>& parameters,
-                           const Values& values, double most) {
+/// How far each parameter may be off by the derivatives: infinite for what has a share in a direction that
+/// moves nothing, NaN for what does not change the motion by itself, near what was found. `most`: by which a
+/// direction may be off, rad or m.
+Values half_widths(const FittedScene& fitted, const Values& values, double most) {
   MatrixXd jacobian = fitted.derivatives(values);
-  const VectorXd scales = jacobian.colwise().norm();
-  std::vector<Reach> list;
-  for (Index k = 0; k < jacobian.cols(); ++k) {
-    const auto& [key, low, high] = parameters[static_cast<std::size_t>(k)];
+  VectorXd scales = jacobian.colwise().norm();
+  for (Index k = 0; const auto& [key, low, high] : fitted.parameters()) {
     const bool moves = scales[k] * (high - low) > untold * std::sqrt(static_cast<double>(jacobian.rows()));
     jacobian.col(k) *= moves ? 1 / scales[k] : 0;
-    list.push_back({0, moves});
+    if (!moves) scales[k] = std::numeric_limits<double>::quiet_NaN();
+    ++k;
   }
+  Values list;
   const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeThinV);
   for (Index k = 0; k < jacobian.cols(); ++k) {
     double sum = 0;
@@ -123,15 +112,16 @@ std::vector<Reach> reaches(const FittedScene& fitted, const std::vector<FitParam
       else if (std::abs(share) > 1e-3)
         sum = std::numeric_limits<double>::infinity();
     }
-    list[static_cast<std::size_t>(k)].half_width = std::isinf(sum) ? sum : most * std::sqrt(sum) / scales[k];
+    list.push_back((std::isinf(sum) ? sum : most * std::sqrt(sum)) / scales[k]);
   }
   return list;
 }
 
 /// A parameter with its interval; the others stay as they were found. `most`: the sum of the squares of the
 /// residuals up to which a value comes as near to the test.
-FittedParameter with_interval(const FittedScene& fitted, const FitParameter& parameter, Values values,
-                              std::size_t k, const Reach& reach, double most) {
+FittedParameter with_interval(const FittedScene& fitted, Values values, std::size_t k, double half_width,
+                              double most) {
+  const FitParameter& parameter = fitted.parameters()[k];
   constexpr int parts = 40;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double found = values[k], part = (parameter.high - parameter.low) / parts;
@@ -145,8 +135,8 @@ FittedParameter with_interval(const FittedScene& fitted, const FitParameter& par
     first = std::min(first, place);
     last = std::max(last, place);
   }
-  const double lower = found - reach.half_width, upper = found + reach.half_width;
-  if (reach.moves && at(first) >= lower && at(last) <= upper) return {parameter, found, lower, upper};
+  const double lower = found - half_width, upper = found + half_width;
+  if (at(first) >= lower && at(last) <= upper) return {parameter, found, lower, upper};
   if (first == 0 && last == parts) return {parameter, found, -infinity, infinity};
   return {parameter, found, at(first - 1), at(last + 1), true};
 }
@@ -226,7 +216,7 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
         const std::vector<FitParameter>& parameters) {
   constexpr double tolerance = 0.01;  // rad, as that of a suite
   const FittedScene whole(document, measured, parameters, measured.times.back());
-  const Shares over_all{whole, parameters};
+  const Shares over_all{whole};
   const Place guess = best_places(over_all).front();
   const Scene guessed =
       whole.scene(over_all.at(guess.shares));  // tells what is wrong where no place has a motion
@@ -236,10 +226,10 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
   result.horizon =
       std::min(predictable_time(guessed, {.runs = horizon_scenes}, tolerance), measured.times.back());
   const FittedScene fitted(document, measured, parameters, result.horizon);
-  const Shares shares{fitted, parameters};
+  const Shares shares{fitted};
   std::vector<Place> places = best_places(shares);
-  for (Place& place : places) place = std::min(place, refined(shares, place));
-  const Place& best = *std::min_element(places.begin(), places.end());
+  for (Place& place : places) place = std::ranges::min(place, refined(shares, place), {}, &Place::sum);
+  const Place& best = *std::ranges::min_element(places, {}, &Place::sum);
   const Values values = shares.at(best.shares);
   const VectorXd residuals = fitted.residuals(values);
   const Index count = residuals.size(), free = count - shares.inputs();
@@ -248,10 +238,9 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
   if (best.sum > 0) result.correlation = residuals.head(count - 1).dot(residuals.tail(count - 1)) / best.sum;
   const double reach = result.residual * reach_of_interval(static_cast<std::size_t>(free));
   const double roundings = untold * untold * static_cast<double>(count);
-  const std::vector<Reach> each = reaches(fitted, parameters, values, reach);
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    result.parameters.push_back(
-        with_interval(fitted, parameters[k], values, k, each[k], best.sum + reach * reach + roundings));
+  for (const double half_width : half_widths(fitted, values, reach))
+    result.parameters.push_back(with_interval(fitted, values, result.parameters.size(), half_width,
+                                              best.sum + reach * reach + roundings));
   const Scene scene = whole.scene(values);
   const History history = solve(scene, {.sample_times = measured.times});
   result.times = history.times;

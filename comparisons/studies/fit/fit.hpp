@@ -1,9 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/input/scene_file.hpp"
@@ -38,6 +35,7 @@ class FittedScene {
   /// hundred-thousandth of its range on either side, one-sided at its ends.
   Eigen::MatrixXd derivatives(const std::vector<double>& values) const;
 
+  const std::vector<FitParameter>& parameters() const { return parameters_; }
   const std::vector<double>& times() const { return times_; }         ///< up to the horizon, s
   const std::vector<std::size_t>& places() const { return places_; }  ///< of readings among all values
 

@@ -12,8 +12,10 @@ namespace {
 /// reason: three standard deviations.
 constexpr double chance = 3;
 
-Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
+/// JSON writes bounds that are infinite as null.
+Json parameter_json(const FittedParameter& one) {
+  return {{"key", one.parameter.key}, {"low", one.parameter.low}, {"high", one.parameter.high},
+          {"value", one.value},       {"lower", one.lower},       {"upper", one.upper}};
 }
 
 }  // namespace
@@ -26,14 +28,9 @@ std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
   if (measured.uncertainty) {
     const double ratio = fit.residual / *measured.uncertainty;
     const double freedom = count - static_cast<double>(fit.parameters.size());
-    list.push_back(
-        ratio > 1 + chance / std::sqrt(2 * freedom)
-            ? fmt::format("That is {:.3g} times the uncertainty of the test: the model leaves something "
-                          "out.",
-                          ratio)
-            : fmt::format("That is {:.3g} times the uncertainty of the test: the model tells all that "
-                          "the test does.",
-                          ratio));
+    list.push_back(fmt::format("That is {:.3g} times the uncertainty of the test: the model {}.", ratio,
+                               ratio > 1 + chance / std::sqrt(2 * freedom) ? "leaves something out"
+                                                                           : "tells all that the test does"));
   }
   list.push_back(
       std::abs(fit.correlation) > chance / std::sqrt(count)
@@ -64,27 +61,19 @@ std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
 
 Json fit_json(const std::string& title, const Measurement& measured, const Fit& fit,
               const std::string& command) {
-  Json json{{"title", title},
-            {"file", measured.file},
-            {"columns", measured.columns},
-            {"unit", measured.unit()},
-            {"uncertainty", measured.uncertainty ? Json(*measured.uncertainty) : Json()},
-            {"horizon", fit.horizon},
-            {"readings", fit.readings},
-            {"residual", fit.residual},
-            {"correlation", fit.correlation},
-            {"parameters", Json::array()},
-            {"meaning", meaning(fit, measured)}};
-  for (const FittedParameter& one : fit.parameters)
-    json["parameters"].push_back({{"key", one.parameter.key},
-                                  {"low", one.parameter.low},
-                                  {"high", one.parameter.high},
-                                  {"value", one.value},
-                                  {"lower", number_or_null(one.lower)},
-                                  {"upper", number_or_null(one.upper)}});
-  json["environment"] = environment({});
-  json["command"] = command;
-  return json;
+  return {{"title", title},
+          {"file", measured.file},
+          {"columns", measured.columns},
+          {"unit", measured.unit()},
+          {"uncertainty", measured.uncertainty ? Json(*measured.uncertainty) : Json()},
+          {"horizon", fit.horizon},
+          {"readings", fit.readings},
+          {"residual", fit.residual},
+          {"correlation", fit.correlation},
+          {"parameters", each_of(fit.parameters, parameter_json)},
+          {"meaning", meaning(fit, measured)},
+          {"environment", environment({})},
+          {"command", command}};
 }
 
 void write_fit(const std::string& title, const Measurement& measured, const Fit& fit,

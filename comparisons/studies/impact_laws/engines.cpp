@@ -6,24 +6,14 @@
 namespace rockstack {
 namespace {
 
-double largest_apart(const std::vector<double>& some, const std::vector<double>& others) {
-  double largest = 0;
-  for (std::size_t k = 0; k < some.size(); ++k) largest = std::max(largest, std::abs(some[k] - others[k]));
-  return largest;
-}
-
 std::vector<double> list_of(const Vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
 /// Mean angular velocities between two samples.
 std::vector<double> mean_rates(const History& history, std::size_t from, std::size_t to) {
-  const auto first = history.angles_at(from);
-  const auto last = history.angles_at(to);
-  std::vector<double> rates;
-  for (std::size_t k = 0; k < first.size(); ++k)
-    rates.push_back((last[k] - first[k]) / (history.times[to] - history.times[from]));
-  return rates;
+  return list_of((vector_of(history.angles_at(to)) - vector_of(history.angles_at(from))) /
+                 (history.times[to] - history.times[from]));
 }
 
 struct LawRun {
@@ -91,13 +81,6 @@ std::optional<ImpactCase> make_case(const Disagreement& disagreement) {
 /// Relative angles count as open above this share of the largest relative rate before times `follow`.
 constexpr double open_share = 0.03;
 
-Pattern pattern_at(const ImpactCase& question, std::span<const double> angles) {
-  const double least = open_share * question.largest_rate * follow;
-  Vector<double> opening = relative(vector_of(angles));
-  for (double& angle : opening) angle = std::abs(angle) > least ? angle : 0;
-  return pattern_of(opening, Vector<double>::Zero(opening.size()));
-}
-
 }  // namespace
 
 std::vector<ImpactCase> clear_cases(const std::vector<Disagreement>& disagreements, double least_clearness) {
@@ -117,12 +100,18 @@ EngineVerdict ask_engine(const ImpactCase& question, const EngineSeries& series,
     const auto half = static_cast<std::size_t>(std::lround(follow / 2 / dt));
     if (half < 1 || half > last) throw std::runtime_error("the step is too long, or a block toppled");
     verdict.rates = mean_rates(history, last - half, last);
-    verdict.pattern = pattern_at(question, history.angles_at(last));
+    Vector<double> opening = relative(vector_of(history.angles_at(last)));
+    for (double& angle : opening)
+      angle = std::abs(angle) > open_share * question.largest_rate * follow ? angle : 0;
+    verdict.pattern = pattern_of(opening, Vector<double>::Zero(opening.size()));
     verdict.follows = verdict.pattern == question.disagreement.consistent ? "consistent"
                       : verdict.pattern == question.disagreement.paper    ? "paper"
                                                                           : "neither";
-    verdict.from_paper = largest_apart(verdict.rates, question.paper) / question.largest_rate;
-    verdict.from_consistent = largest_apart(verdict.rates, question.consistent) / question.largest_rate;
+    const auto off = [&](const std::vector<double>& rates) {
+      return (vector_of(verdict.rates) - vector_of(rates)).cwiseAbs().maxCoeff() / question.largest_rate;
+    };
+    verdict.from_paper = off(question.paper);
+    verdict.from_consistent = off(question.consistent);
   } catch (const std::exception& failure) {
     verdict.failure = failure.what();
   }

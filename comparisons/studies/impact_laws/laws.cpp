@@ -69,12 +69,6 @@ bool carries_itself(const Model<double>& model, const State<double>& state) {
   return true;
 }
 
-bool admissible(const Model<double>& model, const PatternSolution<double>& solution,
-                const Interfaces& touching) {
-  return kinematically_admissible(solution, touching) && pushes(solution) &&
-         !first_violation(model.stack, solution, touching, 0.0);
-}
-
 /// How clearly an engine can tell the two answers of an impact apart.
 double clearness(const DrawnImpact& drawn, const LawVerdict& verdict) {
   const State<double>& before = drawn.impact.before;
@@ -88,21 +82,6 @@ double clearness(const DrawnImpact& drawn, const LawVerdict& verdict) {
       least = std::min(least, std::abs(verdict.consistent->relative[k]));
   }
   return least / before.velocities.cwiseAbs().maxCoeff();
-}
-
-void note_disagreement(const ImpactKind& kind, const DrawnImpact& drawn, const LawVerdict& verdict,
-                       std::vector<Disagreement>& list) {
-  const auto is = [&](const Disagreement& known) {
-    return known.kind.before == kind.before && known.kind.interface == kind.interface &&
-           known.paper == verdict.paper.pattern && known.consistent == verdict.consistent->pattern;
-  };
-  Disagreement& found =
-      found_or_added(list, is, {kind, verdict.paper.pattern, verdict.consistent->pattern, 0, 0, drawn});
-  ++found.count;
-  const double clear = clearness(drawn, verdict);
-  if (clear <= found.clearness) return;
-  found.clearness = clear;
-  found.clearest = drawn;
 }
 
 /// Draws until the pattern before carries itself (every pivot pushes, every centre of pressure lies inside),
@@ -133,7 +112,17 @@ void fill(const ImpactDraws& draws, ImpactShare& share, std::mt19937_64& random,
     share.none += static_cast<int>(!verdict.consistent);
     share.several += static_cast<int>(verdict.admissible > 1);
     share.missed += static_cast<int>(verdict.missed);
-    if (verdict.differ()) note_disagreement(share.kind, *drawn, verdict, disagreements);
+    if (!verdict.differ()) continue;
+    const Pattern &paper = verdict.paper.pattern, &consistent = verdict.consistent->pattern;
+    const auto is = [&](const Disagreement& known) {
+      return known.kind == share.kind && known.paper == paper && known.consistent == consistent;
+    };
+    Disagreement& found = found_or_added(disagreements, is, {share.kind, paper, consistent, 0, 0, *drawn});
+    ++found.count;
+    const double clear = clearness(*drawn, verdict);
+    if (clear <= found.clearness) continue;
+    found.clearness = clear;
+    found.clearest = *drawn;
   }
 }
 
@@ -149,7 +138,7 @@ std::string name(const ImpactKind& kind) {
 std::vector<ImpactKind> impact_kinds(int blocks) {
   const Impact<double> standing{{closed_pattern(blocks), {}, {}}, {}};
   std::vector<Pattern> all = candidates(standing.before.pattern, standing.touching());
-  std::ranges::sort(all, [](const Pattern& a, const Pattern& b) { return a.contacts < b.contacts; });
+  std::ranges::sort(all, {}, &Pattern::contacts);
   std::vector<ImpactKind> kinds;
   for (const Pattern& pattern : all) {
     int lowest = 0;
@@ -164,14 +153,18 @@ std::vector<ImpactKind> impact_kinds(int blocks) {
 LawVerdict judge(const DrawnImpact& drawn) {
   const Model<double> model = make_model<double>(drawn.scene);
   const Interfaces touching = drawn.impact.touching();
-  LawVerdict verdict{paper_solution(model, drawn.impact), std::nullopt};
+  const BeforeImpact<double> before = before_impact(model, drawn.impact.before);
+  const auto after = [&](const Pattern& pattern) { return velocities_after(model, before, pattern); };
+  LawVerdict verdict{paper_solution(drawn.impact, after), std::nullopt};
   for (const Pattern& pattern : candidates(drawn.impact.before.pattern, touching)) {
-    PatternSolution<double> solution = velocities_after(model, drawn.impact, pattern);
-    if (!admissible(model, solution, touching)) continue;
+    PatternSolution<double> solution = after(pattern);
+    if (!kinematically_admissible(solution, touching) || !pushes(solution) ||
+        first_violation(model.stack, solution, touching, 0.0))
+      continue;
     ++verdict.admissible;
     verdict.consistent = std::move(solution);
   }
-  verdict.missed = verdict.consistent && !consistent_solution(model, drawn.impact);
+  verdict.missed = verdict.consistent && !consistent_solution(model, drawn.impact, before);
   return verdict;
 }
 

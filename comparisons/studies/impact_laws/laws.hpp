@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "analytic/mechanics/impact.hpp"
-#include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 
@@ -36,6 +30,8 @@ struct ImpactDraws {
 struct ImpactKind {
   Pattern before;
   int interface = 0;
+
+  bool operator==(const ImpactKind&) const = default;
 };
 
 /// "3a-ground", "1a-blocks"; of three blocks "RCC-ground", "RRL-interface-2".

@@ -57,10 +57,6 @@ ImpactDraws read_impact_draws(const Node& root) {
   return draws;
 }
 
-std::string spaced(const std::vector<double>& values) {
-  return fmt::format("{}", fmt::join(values, " "));
-}
-
 void add_header(CsvWriter& csv, std::string_view columns) {
   for (const Paragraph& column : paragraphs(columns)) csv.add(column.name);
   csv.end_line();
@@ -81,6 +77,7 @@ std::string verdicts_csv(const std::vector<ImpactCase>& cases) {
     for (const EngineVerdict& verdict : question.verdicts) {
       const bool failed = !verdict.failure.empty();
       const auto cell = [&](double value) { return failed ? "" : number_text(value); };
+      const auto spaced = [](const auto& values) { return fmt::format("{}", fmt::join(values, " ")); };
       csv.line(question.name, name(found.kind), verdict.engine, verdict.solver, verdict.settings, verdict.dt,
                failed ? "failed" : "done", verdict.failure, name(found.paper), name(found.consistent),
                failed ? "" : name(verdict.pattern), verdict.follows, cell(verdict.from_paper),
@@ -119,19 +116,15 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
                                      {"consistent", name(found.consistent)},
                                      {"count", found.count},
                                      {"clearness", found.clearness}});
-  json["cases"] = Json::array();
-  for (const ImpactCase& question : results.cases) json["cases"].push_back(case_json(question));
+  json["cases"] = each_of(results.cases, case_json);
   json["engines"] = Json::array();
-  std::vector<const WorkerEngine*> asked;
-  for (const EngineSeries& series : study.series) {
-    asked.push_back(series.engine);
+  for (const EngineSeries& series : study.series)
     json["engines"].push_back({{"engine", series.engine->name},
                                {"solver", series.engine->solver},
                                {"settings", series.settings},
                                {"parameters", series.parameters}});
-  }
   json["left_out"] = engines_left_out();
-  json["environment"] = environment(asked);
+  json["environment"] = environment(each_of(study.series, &EngineSeries::engine));
   json["command"] = command;
   return json;
 }
@@ -156,19 +149,18 @@ ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
 }
 
 ImpactLawResults run_study(const ImpactLawStudy& study) {
-  ImpactLaws laws = study_impact_laws(study.draws);
-  std::vector<ImpactCase> cases = clear_cases(laws.disagreements, study.least_clearness);
-  for (ImpactCase& question : cases)
+  ImpactLawResults results{study_impact_laws(study.draws), {}};
+  results.cases = clear_cases(results.laws.disagreements, study.least_clearness);
+  for (ImpactCase& question : results.cases)
     for (const EngineSeries& series : study.series)
       for (const double dt : series.steps) question.verdicts.push_back(ask_engine(question, series, dt));
-  return {std::move(laws), std::move(cases)};
+  return results;
 }
 
 std::vector<ImpactShare> shares_by_kind(const std::vector<ImpactShare>& shares) {
   std::vector<ImpactShare> kinds;
   for (const ImpactShare& share : shares) {
-    if (kinds.empty() || name(kinds.back().kind) != name(share.kind))
-      kinds.push_back({share.blocks, share.kind});
+    if (kinds.empty() || kinds.back().kind != share.kind) kinds.push_back({share.blocks, share.kind});
     kinds.back().impacts += share.impacts;
     kinds.back().differ += share.differ;
     kinds.back().none += share.none;

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/fields.hpp"
 #include "comparisons/studies/impact_laws/laws.hpp"
 #include "comparisons/suites/suite.hpp"
 

@@ -20,10 +20,6 @@ constexpr Measured measured[]{{5, "concrete", 0.95}, {5, "rubber", 0.67}, {3, "c
 /// Of the ratio, between releases that are meant to be the same: an assumption, not a measurement.
 constexpr double assumed_spread = 0.01;
 
-double housner_ratio(double height_over_width) {
-  return impact_ratio(height_over_width, largest_friction);
-}
-
 /// The scene's block in that shape, of the same height, let go at the same share of its slenderness, with
 /// that ratio.
 Scene block_of(Scene scene, const Measured& one, double ratio) {
@@ -37,41 +33,26 @@ Scene block_of(Scene scene, const Measured& one, double ratio) {
 }
 
 std::vector<double> impact_times(const Scene& scene) {
-  std::vector<double> times;
-  for (const Event& event : solve(scene).events)
-    if (event.kind == EventKind::impact) times.push_back(event.time);
-  return times;
-}
-
-/// The time of the n-th impact, from 1, s.
-double impact_time(const Scene& scene, std::size_t n) {
-  return impact_times(scene).at(n - 1);
-}
-
-/// Impacts until the energy is down to a tenth: ratio²ⁿ ≤ 1/10.
-double impacts_to_a_tenth(double ratio) {
-  return std::ceil(std::log(0.1) / (2 * std::log(ratio)));
+  return each_of(impacts_of(solve(scene)), &Event::time);
 }
 
 Table shapes() {
   Table table{{"height over width", "base", "ratio by shape", "ratio measured", "energy kept by shape",
-               "energy kept, measured", "impacts to a tenth of the energy, by shape", "the same, measured"},
-              {}};
+               "energy kept, measured", "impacts to a tenth of the energy, by shape", "the same, measured"}};
   for (const Measured& one : measured) {
-    const double shape = housner_ratio(one.height_over_width), found = one.share * shape;
+    const double shape = impact_ratio(one.height_over_width), found = one.share * shape;
     table.rows.push_back({cell(one.height_over_width), one.base, fixed(shape, 3), fixed(found, 3),
                           percent(shape * shape, 1), percent(found * found, 1),
-                          cell(impacts_to_a_tenth(shape)), cell(impacts_to_a_tenth(found))});
+                          cell(impacts_to_share(0.1, shape)), cell(impacts_to_share(0.1, found))});
   }
   return table;
 }
 
 /// When the n-th impact comes where the ratio is that much more or less.
 Table spreads(const Scene& scene, const Measured& one) {
-  const double ratio = one.share * housner_ratio(one.height_over_width);
+  const double ratio = one.share * impact_ratio(one.height_over_width);
   Table table{
-      {"impact", "ratio 1 % less (s)", "ratio as measured (s)", "ratio 1 % more (s)", "between them (s)"},
-      {}};
+      {"impact", "ratio 1 % less (s)", "ratio as measured (s)", "ratio 1 % more (s)", "between them (s)"}};
   const std::vector<double> middle = impact_times(block_of(scene, one, ratio)),
                             less = impact_times(block_of(scene, one, ratio * (1 - assumed_spread))),
                             more = impact_times(block_of(scene, one, ratio * (1 + assumed_spread)));
@@ -86,11 +67,12 @@ Table spreads(const Scene& scene, const Measured& one) {
 LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const Scene& scene = suite.scenes.front().scene;
   const Measured &concrete = measured[0], &rubber = measured[1];
-  const double shape = housner_ratio(concrete.height_over_width), found = concrete.share * shape;
-  const double by_shape = impact_time(block_of(scene, concrete, shape), 5),
-               by_ratio = impact_time(block_of(scene, concrete, found), 5),
-               on_rubber = impact_time(block_of(scene, rubber, rubber.share * shape), 5);
-  const RunMetrics& ode = find_run(rows, "ode", "tuned", 1e-3);
+  const double shape = impact_ratio(concrete.height_over_width), found = concrete.share * shape;
+  const auto fifth = [](const Scene& one) { return impact_times(one).at(4); };
+  const double by_shape = fifth(block_of(scene, concrete, shape)),
+               by_ratio = fifth(block_of(scene, concrete, found)),
+               on_rubber = fifth(block_of(scene, rubber, rubber.share * shape));
+  const RunMetrics& ode = find_run(rows, "ode", 1e-3);
   return {.numbers = {{"shape", fixed(shape, 4)},
                       {"concrete", fixed(found, 4)},
                       {"rubber", fixed(rubber.share * shape, 4)},

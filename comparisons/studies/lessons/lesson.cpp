@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -46,17 +47,15 @@ std::string title(const Lesson& lesson) {
 }
 
 const Lesson& find_lesson(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Lesson& lesson : lessons()) {
-    if (lesson.name == name) return lesson;
-    names.push_back(lesson.name);
-  }
+  const auto found = std::ranges::find(lessons(), name, &Lesson::name);
+  if (found != lessons().end()) return *found;
+  const std::vector<std::string> names = each_of(lessons(), &Lesson::name);
   throw InputError(
       fmt::format("teach {}: must be one of {}{}", name, fmt::join(names, ", "), did_you_mean(name, names)));
 }
 
-History answer(const std::string& engine, const std::string& settings, const Scene& scene, double dt,
-               const Parameters& changes) {
+History answer(const std::string& engine, const Scene& scene, double dt, const Parameters& changes,
+               const std::string& settings) {
   const EngineSeries series = make_series(find_engine(engine), settings, {dt}, changes);
   return simulate(*series.engine, scene, dt, series.parameters).history;
 }
@@ -69,8 +68,17 @@ double error_of(const Scene& scene, const History& answer) {
   return root_mean_square(difference(solve(scene, {.sample_times = answer.times}), answer));
 }
 
+Scene read_shipped(const std::string& scene, const std::vector<std::string>& overrides) {
+  return read_scene(shipped("scenes") / (scene + ".toml"), overrides);
+}
+
 Scene under(Scene scene, Law law) {
   scene.law = law;
+  return scene;
+}
+
+Scene lasting(Scene scene, double duration) {
+  scene.duration = duration;
   return scene;
 }
 
@@ -80,14 +88,13 @@ double weight_of(const Scene& scene) {
   return weight;
 }
 
-const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
-                           const std::string& settings, double dt) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const RunMetrics& row) {
-    return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == settings &&
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine, double dt) {
+  const auto found = std::ranges::find_if(rows, [&](const RunMetrics& row) {
+    return (row.engine == engine || row.engine + ":" + row.solver == engine) && row.settings == "tuned" &&
            row.dt == dt;
   });
   if (found == rows.end())
-    throw std::logic_error(fmt::format("lesson: no run of {}, {}, {} s", engine, settings, dt));
+    throw std::logic_error(fmt::format("lesson: no run of {}, tuned, {} s", engine, dt));
   return *found;
 }
 
@@ -96,8 +103,10 @@ const Event* first_event(const History& history, EventKind kind) {
   return found == history.events.end() ? nullptr : &*found;
 }
 
-std::size_t count_impacts(const History& history) {
-  return static_cast<std::size_t>(std::ranges::count(history.events, EventKind::impact, &Event::kind));
+std::vector<Event> impacts_of(const History& history) {
+  std::vector<Event> impacts = history.events;
+  std::erase_if(impacts, [](const Event& event) { return event.kind != EventKind::impact; });
+  return impacts;
 }
 
 std::string fixed(double value, int digits) {
@@ -118,13 +127,9 @@ std::string percent(double share, int digits) {
   return fixed(100 * share, digits) + " %";
 }
 
-std::string cell(double value) {
-  return fmt::format("{}", value);
-}
-
 std::string cell(double value, double scale) {
   constexpr double rounding = 1e-12;
-  return cell(std::abs(value) < rounding * scale ? 0 : value);
+  return fmt::format("{}", std::abs(value) < rounding * scale ? 0 : value);
 }
 
 }  // namespace rockstack

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/history.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/suites/suite.hpp"
@@ -57,8 +52,8 @@ const Lesson& find_lesson(const std::string& name);
 
 /// An engine's answer to a scene, made in passing. `changes` go on top of the named set of parameters.
 /// @throws InputError where this build leaves the engine out, std::runtime_error where the run fails.
-History answer(const std::string& engine, const std::string& settings, const Scene& scene, double dt,
-               const Parameters& changes = {});
+History answer(const std::string& engine, const Scene& scene, double dt, const Parameters& changes = {},
+               const std::string& settings = "tuned");
 
 /// The exact answer, sampled every `interval` s.
 History exact_answer(const Scene& scene, double interval = 1e-3);
@@ -66,20 +61,24 @@ History exact_answer(const Scene& scene, double interval = 1e-3);
 /// Root of the mean square of all differences of an answer's angles from the exact motion, rad.
 double error_of(const Scene& scene, const History& answer);
 
+/// One of the scenes that come with the program. @throws InputError as read_scene().
+Scene read_shipped(const std::string& scene, const std::vector<std::string>& overrides = {});
+
 Scene under(Scene scene, Law law);
+
+Scene lasting(Scene scene, double duration);
 
 /// Of all blocks, N.
 double weight_of(const Scene& scene);
 
-/// The row of a suite's run; one where that run is not done has no numbers.
+/// The row of a suite's run with tuned parameters; one where that run is not done has no numbers.
 /// @throws std::logic_error where the suite has no such run.
-const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine,
-                           const std::string& settings, double dt);
+const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine, double dt);
 
 /// The first event of a kind, or nullptr.
 const Event* first_event(const History& history, EventKind kind);
 
-std::size_t count_impacts(const History& history);
+std::vector<Event> impacts_of(const History& history);
 
 /// A number with that many digits after the point, and a true minus sign: "−0.4816".
 std::string fixed(double value, int digits);
@@ -90,10 +89,7 @@ std::string power(double value, int digits);
 /// A share as per cent, "29.5 %".
 std::string percent(double share, int digits);
 
-/// A cell of a table: a number with all its digits.
-std::string cell(double value);
-
-/// The same, 0 where the number is rounding beside `scale`.
-std::string cell(double value, double scale);
+/// A cell of a table: a number with all its digits; 0 where it is rounding beside `scale`.
+std::string cell(double value, double scale = 0);
 
 }  // namespace rockstack

@@ -11,10 +11,10 @@ namespace rockstack {
 namespace {
 
 /// Velocities of centres and rotations in a pattern, at absolute angles.
-Motion<double> motion_of(const Stack<double>& stack, const Pattern& pattern, const Event& event,
-                         const std::vector<double>& velocities) {
+Motion<double> motion_of(const Stack<double>& stack, const Pattern& pattern,
+                         const std::vector<double>& angles, const std::vector<double>& velocities) {
   const Vector<double> rates = vector_of(velocities);
-  return {centre_velocities(make_chain(stack, pattern, vector_of(event.angles)), rates), rates};
+  return {centre_velocities(make_chain(stack, pattern, vector_of(angles)), rates), rates};
 }
 
 double kinetic_energy(const Stack<double>& stack, const Motion<double>& motion) {
@@ -26,39 +26,9 @@ double kinetic_energy(const Stack<double>& stack, const Motion<double>& motion) 
   return sum;
 }
 
-State<double> state_of(const Pattern& pattern, const std::vector<double>& angles,
-                       const std::vector<double>& velocities) {
-  return {pattern, relative(vector_of(angles)), relative(vector_of(velocities))};
-}
-
-/// The paper's symbols; those with an underscore are primed there.
-struct Symbols {
-  double b1, h1, m2, b2, h2, I_O, I_O1, I_O2, I_G1, I_G2, M;
-  double arm, link, link_;  ///< products that Eqs. (136)–(140) share, m²
-};
-
 double about_corner(const Block& block) {
   return block.inertia +
          block.mass * (block.half_width * block.half_width + block.half_height * block.half_height);
-}
-
-Symbols symbols(const Block& base, const Block& top) {
-  const double b1 = base.half_width, b2 = top.half_width, h2 = top.half_height;
-  const double height = 2 * base.half_height + h2;  // of the top block's centre
-  return {b1,
-          base.half_height,
-          top.mass,
-          b2,
-          h2,
-          about_corner(base) + top.inertia + top.mass * (b1 * b1 + height * height),
-          about_corner(base),
-          about_corner(top),
-          base.inertia,
-          top.inertia,
-          base.mass + top.mass,
-          b1 * b2 + height * h2,                        // r2 (b1 sin θc2 + (2h1+h2) cos θc2)
-          2 * base.half_height * h2 + (b1 - b2) * b2,   // l (h2 cos β + b2 sin β)
-          2 * base.half_height * h2 - (b1 + b2) * b2};  // l' (h2 cos β' − b2 sin β')
 }
 
 /// Kinetic energy in pattern 1b with the stack upright, J.
@@ -66,9 +36,7 @@ double energy_after(const Scene& scene, double base, double top) {
   const Stack<double> stack = make_stack<double>(scene);
   Pattern pattern = closed_pattern(2);
   pattern[0] = pattern[1] = Contact::left;
-  Vector<double> rates(2), angles = Vector<double>::Zero(2);
-  rates << base, top;
-  return kinetic_energy(stack, {centre_velocities(make_chain(stack, pattern, angles), rates), rates});
+  return kinetic_energy(stack, motion_of(stack, pattern, {0, 0}, {base, top}));
 }
 
 /// The centre of a uniform block that leans to the right, from the corner that it leans on, m.
@@ -86,14 +54,15 @@ double first_failure_time(const ContactNeed& need) {
 
 ImpactEnergies impact_energies(const Scene& scene, const Event& impact) {
   const Stack<double> stack = make_stack<double>(scene);
-  const Motion<double> before = motion_of(stack, impact.from, impact, impact.before);
-  const Motion<double> after = motion_of(stack, impact.to, impact, impact.after);
+  const Motion<double> before = motion_of(stack, impact.from, impact.angles, impact.before);
+  const Motion<double> after = motion_of(stack, impact.to, impact.angles, impact.after);
   const Motion<double> jump{after.centre - before.centre, after.rotation - before.rotation};
   return {kinetic_energy(stack, before), kinetic_energy(stack, after), kinetic_energy(stack, jump)};
 }
 
 Impact<double> impact_of(const Event& event) {
-  Impact<double> impact{state_of(event.from, event.angles, event.before), {}};
+  Impact<double> impact{{event.from, relative(vector_of(event.angles)), relative(vector_of(event.before))},
+                        {}};
   impact.impacting.set(static_cast<std::size_t>(event.interface) - 1);
   for (int k = 0; k < event.from.size; ++k)
     if (event.from[k] == Contact::closed) impact.before.angles[k] = impact.before.velocities[k] = 0;
@@ -101,24 +70,26 @@ Impact<double> impact_of(const Event& event) {
   return impact;
 }
 
-double energy_above_rest(const Scene& scene, const Pattern& pattern, const std::vector<double>& angles,
-                         const std::vector<double>& velocities) {
-  const Model<double> model = make_model<double>(scene);
-  const std::vector<double> none(angles.size(), 0);
-  return energy(model, state_of(pattern, angles, velocities)) -
-         energy(model, state_of(closed_pattern(pattern.size), none, none));
-}
-
 Landing land(const Scene& scene, const Misprints& misprints) {
-  const Symbols q = symbols(scene.blocks[0], scene.blocks[1]);
-  const double C1 = q.I_O - 2 * q.M * q.b1 * q.b1;
-  const double C2 = (misprints.eq137 ? q.I_G1 : q.I_G2) + q.m2 * q.arm;
-  const double C3 = (misprints.eq138 ? q.I_O1 : q.I_O2) + q.m2 * q.link_;
-  const double C4 = q.I_O1 + q.m2 * (2 * q.h1 * (2 * q.h1 + q.h2) + (q.b1 - q.b2) * q.b1);
-  const double C5 = q.m2 * q.link;
-  const double base = (q.I_O2 * C1 - C2 * C3) / (C4 * q.I_O2 - C2 * C5);
-  const double top = (C5 * C1 - C4 * C3) / (C2 * C5 - C4 * q.I_O2);
-  return {base, top, energy_after(scene, base, top) / (q.I_O / 2)};
+  // The paper's symbols; that with an underscore is primed there.
+  const Block &lower = scene.blocks[0], &upper = scene.blocks[1];
+  const double b1 = lower.half_width, h1 = lower.half_height, b2 = upper.half_width, h2 = upper.half_height;
+  const double m2 = upper.mass, M = lower.mass + upper.mass, height = 2 * h1 + h2;  // of the upper centre
+  const double I_G1 = lower.inertia, I_G2 = upper.inertia;
+  const double I_O1 = about_corner(lower), I_O2 = about_corner(upper);
+  const double I_O = I_O1 + I_G2 + m2 * (b1 * b1 + height * height);
+  // Products that Eqs. (136)–(140) share, m².
+  const double arm = b1 * b2 + height * h2;           // r2 (b1 sin θc2 + (2h1+h2) cos θc2)
+  const double link = 2 * h1 * h2 + (b1 - b2) * b2;   // l (h2 cos β + b2 sin β)
+  const double link_ = 2 * h1 * h2 - (b1 + b2) * b2;  // l' (h2 cos β' − b2 sin β')
+  const double C1 = I_O - 2 * M * b1 * b1;
+  const double C2 = (misprints.eq137 ? I_G1 : I_G2) + m2 * arm;
+  const double C3 = (misprints.eq138 ? I_O1 : I_O2) + m2 * link_;
+  const double C4 = I_O1 + m2 * (2 * h1 * (2 * h1 + h2) + (b1 - b2) * b1);
+  const double C5 = m2 * link;
+  const double base = (I_O2 * C1 - C2 * C3) / (C4 * I_O2 - C2 * C5);
+  const double top = (C5 * C1 - C4 * C3) / (C2 * C5 - C4 * I_O2);
+  return {base, top, energy_after(scene, base, top) / (I_O / 2)};
 }
 
 Block welded(const Scene& scene) {
@@ -160,6 +131,10 @@ double impact_friction(double r) {
 double impact_ratio(double r, double friction) {
   return friction >= impact_friction(r) ? 1 - 1.5 / (1 + r * r)
                                         : (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
+}
+
+double impacts_to_share(double share, double ratio) {
+  return std::ceil(std::log(share) / (2 * std::log(ratio)));
 }
 
 std::vector<double> SlidingCorner::forces() const {

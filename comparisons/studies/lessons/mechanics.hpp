@@ -1,12 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "analytic/mechanics/impact.hpp"
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 
@@ -15,6 +9,8 @@ struct ImpactEnergies {
   double before = 0;  ///< kinetic
   double after = 0;
   double jump = 0;  ///< kinetic energy of the change of velocity
+
+  double share_lost() const { return 1 - after / before; }
 };
 
 /// Precondition: the event is an impact of that scene.
@@ -22,11 +18,6 @@ ImpactEnergies impact_energies(const Scene& scene, const Event& impact);
 
 /// The state just before an impact, with its gaps closed.
 Impact<double> impact_of(const Event& event);
-
-/// Kinetic energy and height times weight at a state of absolute angles and velocities, less that of the
-/// stack at rest, J.
-double energy_above_rest(const Scene& scene, const Pattern& pattern, const std::vector<double>& angles,
-                         const std::vector<double>& velocities);
 
 // Two blocks that turn as one body and land on the ground: pattern 3a becomes 1b. Spanos et al. 2001,
 // Eqs. (126)–(140). The print has the base's inertias where the top block's belong, in Eqs. (137) and (138).
@@ -54,7 +45,10 @@ double impact_friction(double r);
 
 /// Angular velocity after that impact over that before: 1 − 1.5/(1 + r²) where it sticks, otherwise
 /// (r² − 2 + 3 μ r)/(4 + r² − 3 μ r). Precondition: r² + 3 μ r > 2, or the block stays flat.
-double impact_ratio(double r, double friction);
+double impact_ratio(double r, double friction = largest_friction);
+
+/// Impacts until an amplitude's energy has come down to a share, at a ratio of velocities q: q²ⁿ ≤ share.
+double impacts_to_share(double share, double ratio);
 
 /// A corner that slides to the right under a block that leans that way, as Painlevé's (Genot and Brogliato
 /// 1999, European Journal of Mechanics A 18, 653–677): a normal force N ≥ 0 and Coulomb's friction μN give it

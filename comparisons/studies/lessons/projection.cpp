@@ -4,22 +4,14 @@
 namespace rockstack {
 namespace {
 
-std::vector<Event> first_impacts(const History& history, std::size_t count) {
-  std::vector<Event> list;
-  for (const Event& event : history.events)
-    if (event.kind == EventKind::impact && list.size() < count) list.push_back(event);
-  return list;
-}
-
 Table balance(const Scene& scene, const std::vector<Event>& impacts) {
   Table table{{"time (s)", "interface", "pattern", "energy before (J)", "energy after (J)",
-               "energy of the jump (J)", "before − after − jump (J)", "share lost"},
-              {}};
+               "energy of the jump (J)", "before − after − jump (J)", "share lost"}};
   for (const Event& impact : impacts) {
     const ImpactEnergies e = impact_energies(scene, impact);
     table.rows.push_back({cell(impact.time), std::to_string(impact.interface),
                           name(impact.from) + " → " + name(impact.to), cell(e.before), cell(e.after),
-                          cell(e.jump), cell(e.before - e.after - e.jump), cell(1 - e.after / e.before)});
+                          cell(e.jump), cell(e.before - e.after - e.jump), cell(e.share_lost())});
   }
   return table;
 }
@@ -29,7 +21,7 @@ Table candidates(const Scene& scene, const Event& event) {
   const Model<double> model = make_model<double>(scene);
   const Impact<double> impact = impact_of(event);
   Table table{
-      {"pattern after", "θ̇₁ (rad/s)", "θ̇₂ (rad/s)", "opens as it should", "least pivot impulse (N s)"}, {}};
+      {"pattern after", "θ̇₁ (rad/s)", "θ̇₂ (rad/s)", "opens as it should", "least pivot impulse (N s)"}};
   for (const Contact contact : {Contact::left, Contact::closed, Contact::right}) {
     Pattern pattern = event.from;
     pattern[event.interface - 1] = contact;
@@ -48,7 +40,8 @@ Table candidates(const Scene& scene, const Event& event) {
 
 LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
-  const std::vector<Event> impacts = first_impacts(exact_answer(scene), 8);
+  std::vector<Event> impacts = impacts_of(exact_answer(scene));
+  impacts.resize(std::min<std::size_t>(impacts.size(), 8));
   const Event& first = impacts.front();
   const ImpactEnergies e = impact_energies(scene, first);
   double worst = 0;
@@ -69,7 +62,7 @@ LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>
                       {"energy_before", fixed(e.before, 1)},
                       {"energy_after", fixed(e.after, 1)},
                       {"energy_jump", fixed(e.jump, 1)},
-                      {"lost", percent(1 - e.after / e.before, 1)},
+                      {"lost", percent(e.share_lost(), 1)},
                       {"worst", power(worst, 0)},
                       {"foot_x", fixed(left + length * std::sqrt(e.after / e.before), 1)},
                       {"middle_x", fixed(left + length / 2 * std::sqrt(e.after / e.before), 1)},

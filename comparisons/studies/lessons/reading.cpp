@@ -16,15 +16,14 @@ std::vector<double> errors_of(const char* engine, const char* settings, const Sc
   errors.reserve(draws);
   for (int i = 0; i < draws; ++i) {
     const double dt = nominal * (1 + widest * (2.0 * i / (draws - 1) - 1));
-    errors.push_back(error_of(scene, answer(engine, settings, scene, dt)));
+    errors.push_back(error_of(scene, answer(engine, scene, dt, {}, settings)));
   }
   return errors;
 }
 
 Table quartiles(const std::vector<std::pair<const char*, std::vector<double>>>& sets) {
   Table table{{"engine and set", "at 1 ms itself (rad)", "least of 21 (rad)", "lower quartile (rad)",
-               "median (rad)", "upper quartile (rad)", "most of 21 (rad)"},
-              {}};
+               "median (rad)", "upper quartile (rad)", "most of 21 (rad)"}};
   for (const auto& [name, errors] : sets)
     table.rows.push_back({name, cell(errors[draws / 2]), cell(quantile(errors, 0)),
                           cell(quantile(errors, 0.25)), cell(quantile(errors, 0.5)),
@@ -35,8 +34,7 @@ Table quartiles(const std::vector<std::pair<const char*, std::vector<double>>>& 
 /// Impacts that match: of the engine, of the exact motion read at its steps, and by chance.
 Table matches(const std::vector<RunMetrics>& rows) {
   Table table{{"run", "step (s)", "impacts, exact", "matched", "sampling limit: the exact motion itself",
-               "chance level: random times", "chance level: shifted"},
-              {}};
+               "chance level: random times", "chance level: shifted"}};
   for (const RunMetrics& row : rows) {
     if (!row.dt || !row.impacts_matched || !row.impacts_matched_null) continue;
     const auto count = [](const std::optional<int>& value) { return value ? std::to_string(*value) : ""; };
@@ -56,7 +54,7 @@ LessonValues reading_values(const Suite& suite, const std::vector<RunMetrics>& r
                             bullet = errors_of("bullet", "tuned", scene),
                             plain = errors_of("ode", "default", scene);
   const MannWhitney engines = mann_whitney(ode, bullet), sets = mann_whitney(ode, plain);
-  const RunMetrics& tuned = find_run(rows, "ode", "tuned", nominal);
+  const RunMetrics& tuned = find_run(rows, "ode", nominal);
   return {.numbers = {{"draws", std::to_string(draws)},
                       {"matched", std::to_string(*tuned.impacts_matched)},
                       {"matchable", std::to_string(*tuned.impacts_matched + *tuned.impacts_missed)},

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -20,13 +18,6 @@ Scene stronger(Scene scene, double share) {
   return scene;
 }
 
-/// When the top block's angles first differ by that much, s; negative if never.
-double parting(const History& a, const History& b, double size) {
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    if (std::abs(a.angles_at(i)[1] - b.angles_at(i)[1]) > size) return a.times[i];
-  return -1;
-}
-
 /// The largest difference of the top block's angles so far, rad, at each time.
 std::vector<double> differences_so_far(const History& a, const History& b) {
   std::vector<double> list;
@@ -34,6 +25,12 @@ std::vector<double> differences_so_far(const History& a, const History& b) {
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
     list.push_back(most = std::max(most, std::abs(a.angles_at(i)[1] - b.angles_at(i)[1])));
   return list;
+}
+
+/// When they first exceed a size, s; negative if never.
+double parting(const std::vector<double>& times, const std::vector<double>& differences, double size) {
+  const auto first = std::ranges::upper_bound(differences, size);
+  return first == differences.end() ? -1 : times[static_cast<std::size_t>(first - differences.begin())];
 }
 
 /// The straight line ln δ = offset + rate · t through a difference while it grows.
@@ -79,7 +76,6 @@ double decades_down(double difference) {
   return 210 - 18.75 * (std::log10(std::max(difference, 1e-12)) + 4);
 }
 
-/// The paths of the drawing.
 std::map<std::string, std::string> paths(const History& exact, const History& changed,
                                          const std::vector<double>& differences, const Growth& line) {
   const auto angle = [](const History& history) {
@@ -94,57 +90,43 @@ std::map<std::string, std::string> paths(const History& exact, const History& ch
           {"path_line", "M" + end(line.from) + "L" + end(line.until)}};
 }
 
-/// One column of partings.
-struct Other {
-  const char* label;
-  const History& history;
-};
-
-Table partings(const History& exact, const std::vector<Other>& others) {
-  Table table{{"difference of θ₂ (rad)"}, {}};
-  for (const Other& other : others) table.columns.emplace_back(other.label);
+/// When histories' differences_so_far() part from the exact one, a column each.
+Table partings(const std::vector<double>& times,
+               const std::vector<std::pair<const char*, std::vector<double>>>& others) {
+  Table table{{"difference of θ₂ (rad)"}};
+  for (const auto& [label, differences] : others) table.columns.emplace_back(label);
   for (const double size : {1e-8, 1e-6, 1e-4, 1e-3, 1e-2}) {
     table.rows.push_back({cell(size)});
-    for (const Other& other : others) {
-      const double time = parting(exact, other.history, size);
+    for (const auto& [label, differences] : others) {
+      const double time = parting(times, differences, size);
       table.rows.back().push_back(time < 0 ? "never" : cell(time));
     }
   }
   return table;
 }
 
-/// Peaks of the top block over many earthquakes, in the order of the seeds.
-struct Peaks {
-  std::vector<double> exact, changed, bullet, ode;
-};
+/// Of the top block over many earthquakes, in the order of the seeds, by what gives them.
+using Peaks = std::map<std::string, std::vector<double>>;
 
 Peaks peaks_over_seeds(const NamedScene& named) {
   Peaks peaks;
-  const auto file = shipped("scenes") / (named.name + ".toml");
   for (int seed = 1; seed <= seeds; ++seed) {
-    const Scene scene = read_scene(file, {fmt::format("ground.horizontal.synthetic={}", seed)});
-    peaks.exact.push_back(solve(scene, {.peaks = true}).peaks[1]);
-    peaks.changed.push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
-    peaks.bullet.push_back(peak_angles(answer("bullet", "tuned", scene, engine_step))[1]);
-    peaks.ode.push_back(peak_angles(answer("ode", "tuned", scene, engine_step))[1]);
+    const Scene scene = read_shipped(named.name, {fmt::format("ground.horizontal.synthetic={}", seed)});
+    peaks["exact"].push_back(solve(scene, {.peaks = true}).peaks[1]);
+    peaks["changed"].push_back(solve(stronger(scene, 1e-3), {.peaks = true}).peaks[1]);
+    for (const char* engine : {"bullet", "ode"})
+      peaks[engine].push_back(peak_angles(answer(engine, scene, engine_step))[1]);
   }
   return peaks;
 }
 
 Table quantiles(const Peaks& peaks) {
   Table table{
-      {"share of earthquakes below", "exact: largest |θ₂| (rad)", "Bullet, 1 ms (rad)", "ODE, 1 ms (rad)"},
-      {}};
+      {"share of earthquakes below", "exact: largest |θ₂| (rad)", "Bullet, 1 ms (rad)", "ODE, 1 ms (rad)"}};
   for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9})
-    table.rows.push_back({cell(share), cell(quantile(peaks.exact, share)),
-                          cell(quantile(peaks.bullet, share)), cell(quantile(peaks.ode, share))});
+    table.rows.push_back({cell(share), cell(quantile(peaks.at("exact"), share)),
+                          cell(quantile(peaks.at("bullet"), share)), cell(quantile(peaks.at("ode"), share))});
   return table;
-}
-
-std::vector<double> relative_differences(const std::vector<double>& exact, const std::vector<double>& other) {
-  std::vector<double> list;
-  for (std::size_t i = 0; i < exact.size(); ++i) list.push_back(std::abs(other[i] - exact[i]) / exact[i]);
-  return list;
 }
 
 /// Until when a run agrees; beyond the horizon nothing is compared.
@@ -154,9 +136,10 @@ std::string agreement(const RunMetrics& row) {
                      to_horizon ? ", the horizon, at least" : "");
 }
 
-void add_engine(const std::string& name, const std::vector<double>& exact, const std::vector<double>& engine,
-                LessonValues& values) {
-  const std::vector<double> apart = relative_differences(exact, engine);
+void add_engine(const std::string& name, const Peaks& peaks, LessonValues& values) {
+  const std::vector<double>&exact = peaks.at("exact"), &engine = peaks.at(name);
+  std::vector<double> apart;
+  for (std::size_t i = 0; i < exact.size(); ++i) apart.push_back(std::abs(engine[i] - exact[i]) / exact[i]);
   const KolmogorovSmirnov test = kolmogorov_smirnov(exact, engine);
   values.numbers[name + "_median"] = percent(quantile(apart, 0.5), 0);
   values.numbers[name + "_most"] = percent(quantile(apart, 1.0), 0);
@@ -170,39 +153,40 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
   const NamedScene& named = suite.scenes.front();
   const Scene& scene = named.scene;
   const History exact = exact_answer(scene), changed = exact_answer(stronger(scene, change));
-  const History least = exact_answer(stronger(scene, unseen_change));
-  const std::vector<double> differences = differences_so_far(exact, least);
-  const Growth line = growth(exact.times, differences);
-  const History bullet = answer("bullet", "tuned", scene, engine_step),
-                ode = answer("ode", "tuned", scene, engine_step);
+  const auto from_exact = [&](const History& other) { return differences_so_far(exact, other); };
+  const std::vector<double> unseen = from_exact(exact_answer(stronger(scene, unseen_change))),
+                            seen = from_exact(changed);
+  const double parted_at = parting(exact.times, seen, parted);
+  const Growth line = growth(exact.times, unseen);
   const Peaks peaks = peaks_over_seeds(named);
-  const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.exact, peaks.changed);
+  const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.at("exact"), peaks.at("changed"));
   LessonValues values;
   values.numbers = {{"change", power(change, 0)},
                     {"small", power(unseen_change, 0)},
-                    {"parted_exact", fixed(parting(exact, changed, parted), 1)},
-                    {"most", fixed(differences_so_far(exact, changed).back(), 2)},
+                    {"parted_exact", fixed(parted_at, 1)},
+                    {"most", fixed(seen.back(), 2)},
                     {"lambda", fixed(line.rate, 1)},
                     {"doubling", fixed(std::log(2.0) / line.rate, 2)},
                     {"factor", fixed(std::exp(line.rate), 0)},
                     {"from", fixed(line.from, 1)},
                     {"until", fixed(line.until, 1)},
-                    {"bullet_until", agreement(find_run(rows, "bullet", "tuned", engine_step))},
-                    {"ode_until", agreement(find_run(rows, "ode", "tuned", engine_step))},
+                    {"bullet_until", agreement(find_run(rows, "bullet", engine_step))},
+                    {"ode_until", agreement(find_run(rows, "ode", engine_step))},
                     {"tolerance", fixed(suite.tolerance, 2)},
                     {"seeds", std::to_string(seeds)},
                     {"changed_distance", fixed(changed_test.distance, 3)},
                     {"critical", fixed(changed_test.critical, 3)}};
-  values.numbers.merge(paths(exact, changed, differences, line));
-  add_engine("bullet", peaks.exact, peaks.bullet, values);
-  add_engine("ode", peaks.exact, peaks.ode, values);
-  values.tables = {{"partings", partings(exact, {{"exact, ground changed by 1e-9 (s)", least},
-                                                 {"exact, ground changed by 1e-6 (s)", changed},
-                                                 {"Bullet, 1 ms (s)", bullet},
-                                                 {"ODE, 1 ms (s)", ode}})},
-                   {"quantiles", quantiles(peaks)}};
-  values.measured = {{"parted_exact", parting(exact, changed, parted)}};
-  values.player = {.time = parting(exact, changed, parted), .speed = 0.25, .gain = 5};
+  values.numbers.merge(paths(exact, changed, unseen, line));
+  for (const char* engine : {"bullet", "ode"}) add_engine(engine, peaks, values);
+  values.tables = {
+      {"partings",
+       partings(exact.times, {{"exact, ground changed by 1e-9 (s)", unseen},
+                              {"exact, ground changed by 1e-6 (s)", seen},
+                              {"Bullet, 1 ms (s)", from_exact(answer("bullet", scene, engine_step))},
+                              {"ODE, 1 ms (s)", from_exact(answer("ode", scene, engine_step))}})},
+      {"quantiles", quantiles(peaks)}};
+  values.measured = {{"parted_exact", parted_at}};
+  values.player = {.time = parted_at, .speed = 0.25, .gain = 5};
   return values;
 }
 

@@ -21,17 +21,12 @@ double rebound(const History& history, const Event& landing) {
   return most / std::abs(landing.before[0]);
 }
 
-/// One fall: the scene with its tilt, and the landing of its exact motion.
-struct Fall {
-  Scene scene;
-  Event landing;
-};
-
-std::vector<Fall> falls(Scene scene) {
-  std::vector<Fall> list;
+/// Falls from several tilts, each with the landing of its exact motion.
+std::vector<std::pair<Scene, Event>> falls(Scene scene) {
+  std::vector<std::pair<Scene, Event>> list;
   for (int i = 0; i < heights; ++i) {
     scene.initial.angles = {least_tilt + (most_tilt - least_tilt) * i / (heights - 1)};
-    list.push_back({scene, *first_event(exact_answer(scene), EventKind::impact)});
+    list.emplace_back(scene, *first_event(exact_answer(scene), EventKind::impact));
   }
   return list;
 }
@@ -43,26 +38,16 @@ struct Choice {
   Parameters changes;
 };
 
-std::vector<Choice> choices() {
-  return {
-      {"ode", "default", "ODE, default: ERP 0.2", {}},
-      {"ode", "default", "ODE, ERP 0.8", {{"erp", 0.8}}},
-      {"ode", "default", "ODE, ERP 0.05", {{"erp", 0.05}}},
-      {"ode", "tuned", "ODE, tuned: ERP 0.01", {}},
-      {"ode", "default", "ODE, ERP 0.2, CFM 1e-5", {{"cfm", 1e-5}}},
-      {"bullet", "default", "Bullet, default: ERP 0.2, split impulse deeper than 0.04 m", {}},
-      {"bullet", "default", "Bullet, ERP 0.8", {{"erp2", 0.8}}},
-      {"bullet", "default", "Bullet, split impulse at any depth", {{"splitImpulsePenetrationThreshold", 0}}},
-      {"bullet", "tuned", "Bullet, tuned", {}}};
-}
-
-/// The bounces of one choice over all falls.
-std::vector<double> rebounds(const Choice& choice, const std::vector<Fall>& all) {
-  return each_of(all, [&](const Fall& fall) {
-    return rebound(answer(choice.engine, choice.settings, fall.scene, contact_step, choice.changes),
-                   fall.landing);
-  });
-}
+const std::vector<Choice> contact_choices{
+    {"ode", "default", "ODE, default: ERP 0.2", {}},
+    {"ode", "default", "ODE, ERP 0.8", {{"erp", 0.8}}},
+    {"ode", "default", "ODE, ERP 0.05", {{"erp", 0.05}}},
+    {"ode", "tuned", "ODE, tuned: ERP 0.01", {}},
+    {"ode", "default", "ODE, ERP 0.2, CFM 1e-5", {{"cfm", 1e-5}}},
+    {"bullet", "default", "Bullet, default: ERP 0.2, split impulse deeper than 0.04 m", {}},
+    {"bullet", "default", "Bullet, ERP 0.8", {{"erp2", 0.8}}},
+    {"bullet", "default", "Bullet, split impulse at any depth", {{"splitImpulsePenetrationThreshold", 0}}},
+    {"bullet", "tuned", "Bullet, tuned", {}}};
 
 /// "0.063 (0.006 to 0.17)", two digits of each.
 std::string spread(const std::vector<double>& values) {
@@ -72,8 +57,7 @@ std::string spread(const std::vector<double>& values) {
 /// ERP and CFM as the spring and damper that they stand for at a step.
 Table springs(double weight) {
   Table table{
-      {"ERP", "CFM (s/kg)", "step (s)", "stiffness (N/m)", "damping (N s/m)", "sinks under the weight (m)"},
-      {}};
+      {"ERP", "CFM (s/kg)", "step (s)", "stiffness (N/m)", "damping (N s/m)", "sinks under the weight (m)"}};
   for (const double erp : {0.01, 0.2, 0.8})
     for (const double cfm : {1e-10, 1e-5}) {
       const double stiffness = erp / (contact_step * cfm);
@@ -97,7 +81,7 @@ Meaning of_erp(const char* words, double erp, double cfm) {
 
 /// MuJoCo's, at the depth at which four points bear the block: solimp makes the impedance d of the depth (up
 /// to half its width here), d and the time constant of solref the spring. Formulas:
-/// engines/mujoco/mujoco.cpp.
+/// engines/mujoco/README.md.
 Meaning of_solref(const char* words, double time, const Block& block, double gravity) {
   constexpr double d0 = 0.9, d1 = 0.95, width = 1e-3;  // solimp; m
   Meaning meaning{"mujoco", words, {{"solref_timeconst", time}}, 0, 0, 0};
@@ -116,8 +100,7 @@ Meaning of_solref(const char* words, double time, const Block& block, double gra
 /// themselves.
 Table at_rest(Scene scene) {
   Table table{{"engine", "parameters", "stiffness of a point (N/m)", "damping of a point (N·s/m)",
-               "sinks, computed (m)", "sinks, in the engine (m)"},
-              {}};
+               "sinks, computed (m)", "sinks, in the engine (m)"}};
   scene.law = Law::unilateral;  // by which engines tell gaps
   scene.friction = {1};
   scene.initial.angles = {0};
@@ -135,7 +118,7 @@ Table at_rest(Scene scene) {
     table.rows.push_back(
         {one.engine, one.words, rigid ? "rigid" : power(one.stiffness, 2), rigid ? "" : power(one.damping, 2),
          power(depth, 3),
-         there ? power(-answer(one.engine, "default", scene, contact_step, one.changes).gaps.back(), 3)
+         there ? power(-answer(one.engine, scene, contact_step, one.changes, "default").gaps.back(), 3)
                : "not in this build"});
   }
   return table;
@@ -143,11 +126,6 @@ Table at_rest(Scene scene) {
 
 /// Per corner; its contact lasts some twenty steps.
 constexpr double lesson_stiffness = 1e7;  // N/m
-
-CornerSpring corner_of(const Block& block, double ratio) {
-  const double critical = ratio / damping_ratio({lesson_stiffness, 1}, block);
-  return {lesson_stiffness, critical};
-}
 
 /// The greatest angular speed from the landing until the block turns round again, as a share of the greatest
 /// before it. Such a block falls towards the left.
@@ -160,23 +138,21 @@ double speed_back(const History& history) {
   return back / down;
 }
 
-/// ODE on that spring: two points bear a corner.
-double speed_back_in_ode(const Scene& scene, const CornerSpring& corner, double dt) {
-  const Parameters spring{{"contactStiffness", corner.stiffness / 2}, {"contactDamping", corner.damping / 2}};
-  return speed_back(answer("ode", "default", scene, dt, spring));
-}
-
 /// Landings on springs of one stiffness, from undamped to more than critically damped. Without friction
 /// nothing else is in the contact.
 Table damped_landings(Scene scene) {
-  Table table{{"damping ratio ζ", "one corner alone", "this block, exact", "ODE, 1 ms", "ODE, 0.1 ms"}, {}};
+  Table table{{"damping ratio ζ", "one corner alone", "this block, exact", "ODE, 1 ms", "ODE, 0.1 ms"}};
   scene.friction = {0};
   for (const double ratio : {0.0, 0.1, 0.3, 1.0, 3.0}) {
-    const CornerSpring corner = corner_of(scene.blocks.front(), ratio);
+    const CornerSpring corner{lesson_stiffness,
+                              ratio / damping_ratio({lesson_stiffness, 1}, scene.blocks.front())};
     const History exact = exact_answer(with_springs(scene, scene.friction, corner), 1e-4);
+    // Two points bear a corner.
+    const Parameters spring{{"contactStiffness", corner.stiffness / 2},
+                            {"contactDamping", corner.damping / 2}};
+    const auto in_ode = [&](double dt) { return speed_back(answer("ode", scene, dt, spring, "default")); };
     table.rows.push_back({cell(ratio), fixed(restitution_of(ratio), 3), fixed(speed_back(exact), 3),
-                          fixed(speed_back_in_ode(scene, corner, 1e-3), 3),
-                          fixed(speed_back_in_ode(scene, corner, 1e-4), 3)});
+                          fixed(in_ode(1e-3), 3), fixed(in_ode(1e-4), 3)});
   }
   return table;
 }
@@ -184,8 +160,7 @@ Table damped_landings(Scene scene) {
 /// The parts of every difference of the suite; an empty cell where contacts are rigid.
 Table parts(const std::vector<RunMetrics>& rows) {
   Table table{{"run", "step (s)", "ζ", "restitution", "contact model (rad)", "contact softness (rad)",
-               "time step (rad)"},
-              {}};
+               "time step (rad)"}};
   const auto words = [](const std::optional<double>& value) { return value ? power(*value, 1) : ""; };
   for (const RunMetrics& row : rows) {
     if (!row.step_difference) continue;
@@ -203,17 +178,14 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
   const Event landing = *first_event(exact_answer(scene), EventKind::impact);
   const Block& block = scene.blocks.front();
   const double alpha = std::atan2(block.half_width, block.half_height);
-  const std::vector<Choice> all = choices();
-  const std::vector<Fall> every = falls(scene);
-  Table table{{"engine and parameters", "speed after / before: median", "least", "most"}, {}};
-  std::vector<std::string> bounces;
-  std::vector<double> medians;
-  for (const Choice& choice : all) {
-    const std::vector<double> list = rebounds(choice, every);
-    table.rows.push_back(
-        {choice.label, cell(median(list)), cell(quantile(list, 0)), cell(quantile(list, 1))});
-    bounces.push_back(spread(list));
-    medians.push_back(median(list));
+  const auto every = falls(scene);
+  Table table{{"engine and parameters", "speed after / before: median", "least", "most"}};
+  std::vector<std::vector<double>> bounces;
+  for (const auto& [engine, settings, label, changes] : contact_choices) {
+    std::vector<double>& list = bounces.emplace_back();
+    for (const auto& [fall, its_landing] : every)
+      list.push_back(rebound(answer(engine, fall, contact_step, changes, settings), its_landing));
+    table.rows.push_back({label, cell(median(list)), cell(quantile(list, 0)), cell(quantile(list, 1))});
   }
   return {.numbers = {{"alpha", fixed(alpha, 3)},
                       {"ratio", fixed(1 - 1.5 * std::sin(alpha) * std::sin(alpha), 3)},
@@ -226,12 +198,12 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
                       {"heights", std::to_string(heights)},
                       {"lowest", fixed(least_tilt, 2)},
                       {"highest", fixed(most_tilt, 2)},
-                      {"ode_default", bounces[0]},
-                      {"ode_high", bounces[1]},
-                      {"ode_tuned", bounces[3]},
-                      {"bullet_default", bounces[5]},
-                      {"bullet_split", bounces[7]},
-                      {"bullet_tuned", bounces[8]},
+                      {"ode_default", spread(bounces[0])},
+                      {"ode_high", spread(bounces[1])},
+                      {"ode_tuned", spread(bounces[3])},
+                      {"bullet_default", spread(bounces[5])},
+                      {"bullet_split", spread(bounces[7])},
+                      {"bullet_tuned", spread(bounces[8])},
                       {"stiffness", power(lesson_stiffness, 0)}},
           .tables = {{"rebounds", table},
                      {"springs", springs(block.mass * scene.gravity)},
@@ -239,7 +211,7 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
                      {"damped_landings", damped_landings(scene)},
                      {"parts", parts(rows)}},
           .player = {.time = landing.time - 0.01, .speed = 0.01, .gain = 10},
-          .measured = {{"bounce", medians[0]}}};
+          .measured = {{"bounce", median(bounces[0])}}};
 }
 
 }  // namespace rockstack

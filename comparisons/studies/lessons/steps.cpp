@@ -1,19 +1,14 @@
 #include <fmt/format.h>
 
-#include "analytic/scene/input/scene_file.hpp"
+#include <Eigen/Core>
+
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
 
 constexpr double iteration_step = 1e-3;  // s
 constexpr double finest_step = 2e-5;     // s, of single precision beside double
-
-/// Until when a run agrees: the last sample counts as the end.
-std::string agreement_cell(const RunMetrics& row, double duration) {
-  return *row.agreement_time + *row.dt > duration ? "to the end" : cell(*row.agreement_time);
-}
 
 /// The least and the largest error of an engine's first impact over its steps, each in its own steps.
 std::string shares(const std::vector<RunMetrics>& rows, const std::string& engine) {
@@ -28,24 +23,26 @@ std::string shares(const std::vector<RunMetrics>& rows, const std::string& engin
 
 Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
   Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
-               "agrees within tolerance until (s)"},
-              {}};
+               "agrees within tolerance until (s)"}};
   for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene.name && row.rms_angle_difference)
-      table.rows.push_back({row.engine + " " + row.solver, cell(*row.dt),
-                            row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
-                            cell(*row.rms_angle_difference), agreement_cell(row, scene.scene.duration)});
+      table.rows.push_back(
+          {row.engine + " " + row.solver, cell(*row.dt),
+           row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
+           cell(*row.rms_angle_difference),
+           // The last sample counts as the end.
+           *row.agreement_time + *row.dt > scene.scene.duration ? "to the end" : cell(*row.agreement_time)});
   return table;
 }
 
 Table over_iterations(const Scene& scene) {
-  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}, {}};
+  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}};
   for (const double count : {2.0, 5.0, 20.0, 100.0, 500.0})
-    table.rows.push_back({cell(count),
-                          cell(error_of(scene, answer("ode:quickstep", "tuned", scene, iteration_step,
-                                                      {{"quickStepNumIterations", count}}))),
-                          cell(error_of(scene, answer("bullet", "tuned", scene, iteration_step,
-                                                      {{"numIterations", count}})))});
+    table.rows.push_back(
+        {cell(count),
+         cell(error_of(scene,
+                       answer("ode:quickstep", scene, iteration_step, {{"quickStepNumIterations", count}}))),
+         cell(error_of(scene, answer("bullet", scene, iteration_step, {{"numIterations", count}})))});
   return table;
 }
 
@@ -55,49 +52,39 @@ struct Swing {
   double acceleration(double angle) const { return -rate2 * std::sin(slenderness - angle); }
 };
 
-struct SwingState {
-  double angle, velocity;
-};
+/// Angle and angular velocity.
+using SwingState = Eigen::Vector2d;
 
-SwingState euler_step(const Swing& swing, SwingState from, double dt) {
-  const double velocity = from.velocity + dt * swing.acceleration(from.angle);
-  return {from.angle + dt * velocity, velocity};
+SwingState euler_step(const Swing& swing, const SwingState& from, double dt) {
+  const double velocity = from[1] + dt * swing.acceleration(from[0]);
+  return {from[0] + dt * velocity, velocity};
 }
 
-/// Classical Runge–Kutta.
-SwingState fourth_order_step(const Swing& swing, SwingState from, double dt) {
-  const auto rate = [&](double share, SwingState slope) {
-    return SwingState{from.velocity + share * dt * slope.velocity,
-                      swing.acceleration(from.angle + share * dt * slope.angle)};
+SwingState fourth_order_step(const Swing& swing, const SwingState& from, double dt) {
+  const auto rate = [&](double share, const SwingState& slope) {
+    const SwingState at = from + share * dt * slope;
+    return SwingState{at[1], swing.acceleration(at[0])};
   };
   const SwingState a = rate(0, {0, 0}), b = rate(0.5, a), c = rate(0.5, b), d = rate(1, c);
-  return {from.angle + dt / 6 * (a.angle + 2 * b.angle + 2 * c.angle + d.angle),
-          from.velocity + dt / 6 * (a.velocity + 2 * b.velocity + 2 * c.velocity + d.velocity)};
+  return from + dt / 6 * (a + 2 * b + 2 * c + d);
 }
-
-using SwingStep = SwingState(const Swing&, SwingState, double);
 
 /// When the block is down: the end of the step in which it lands, and the time within that step at which it
 /// does, s.
-struct Noticed {
-  double at_end, within;
-};
-
-Noticed landing_by_steps(SwingStep* step, const Swing& swing, double angle, double dt) {
-  SwingState state{angle, 0};
-  for (int done = 0;; ++done) {
-    const SwingState next = step(swing, state, dt);
-    if (next.angle > 0) {
-      state = next;
-      continue;
-    }
-    double low = 0, high = dt;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = (low + high) / 2;
-      (step(swing, state, middle).angle > 0 ? low : high) = middle;
-    }
-    return {(done + 1) * dt, done * dt + high};
+std::pair<double, double> landing_by_steps(SwingState (*step)(const Swing&, const SwingState&, double),
+                                           const Swing& swing, double angle, double dt) {
+  SwingState state{angle, 0}, next = step(swing, state, dt);
+  int done = 0;
+  for (; next[0] > 0; ++done) {
+    state = next;
+    next = step(swing, state, dt);
   }
+  double low = 0, high = dt;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (step(swing, state, middle)[0] > 0 ? low : high) = middle;
+  }
+  return {(done + 1) * dt, done * dt + high};
 }
 
 /// One fall by two methods, with the landing at the end of its step and where it is in it, less the exact
@@ -109,14 +96,14 @@ Table by_steps(const Scene& scene) {
                     std::atan2(b, h)};
   const double exact = first_event(exact_answer(scene), EventKind::impact)->time;
   Table table{{"step (s)", "semi-implicit Euler, end of step (s)", "Runge–Kutta of order 4, end of step (s)",
-               "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"},
-              {}};
+               "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"}};
   std::vector<double> first, last;
   constexpr double coarsest = 0.04, finest = 0.0025;  // s
   for (double dt = coarsest; dt >= finest; dt /= 2) {
-    const Noticed euler = landing_by_steps(euler_step, swing, scene.initial.angles.front(), dt);
-    const Noticed fourth = landing_by_steps(fourth_order_step, swing, scene.initial.angles.front(), dt);
-    last = {euler.at_end - exact, fourth.at_end - exact, euler.within - exact, fourth.within - exact};
+    const double angle = scene.initial.angles.front();
+    const auto [euler_end, euler_within] = landing_by_steps(euler_step, swing, angle, dt);
+    const auto [fourth_end, fourth_within] = landing_by_steps(fourth_order_step, swing, angle, dt);
+    last = {euler_end - exact, fourth_end - exact, euler_within - exact, fourth_within - exact};
     if (first.empty()) first = last;
     table.rows.push_back({cell(dt)});
     for (const double error : last) table.rows.back().push_back(cell(error));
@@ -130,8 +117,8 @@ Table by_steps(const Scene& scene) {
 
 /// Slope of the first impact's error between two steps, in logarithms.
 double slope(const std::vector<RunMetrics>& rows, const std::string& engine, double large, double small) {
-  const double first = std::abs(*find_run(rows, engine, "tuned", large).first_impact_time_difference);
-  const double second = std::abs(*find_run(rows, engine, "tuned", small).first_impact_time_difference);
+  const double first = std::abs(*find_run(rows, engine, large).first_impact_time_difference);
+  const double second = std::abs(*find_run(rows, engine, small).first_impact_time_difference);
   return std::log(first / second) / std::log(large / small);
 }
 
@@ -140,38 +127,38 @@ double slope(const std::vector<RunMetrics>& rows, const std::string& engine, dou
 LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const NamedScene& scene = suite.scenes.front();
   const auto rms = [&](const char* engine, double dt) {
-    return power(*find_run(rows, engine, "tuned", dt).rms_angle_difference, 1);
+    return power(*find_run(rows, engine, dt).rms_angle_difference, 1);
   };
   const auto finer = [&](const char* engine) {
-    return power(error_of(scene.scene, answer(engine, "tuned", scene.scene, finest_step)), 1);
+    return power(error_of(scene.scene, answer(engine, scene.scene, finest_step)), 1);
   };
   const double first_impact = first_event(exact_answer(scene.scene), EventKind::impact)->time;
-  return {.numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
-                      {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
-                      {"bullet_shares", shares(rows, "bullet")},
-                      {"ode_shares", shares(rows, "ode")},
-                      {"ode_share",
-                       fixed(*find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3, 2)},
-                      {"tolerance", fixed(suite.tolerance, 2)},
-                      {"bullet_coarse", rms("bullet", 1e-2)},
-                      {"bullet_fine", rms("bullet", 1e-4)},
-                      {"ode_coarse", rms("ode", 1e-2)},
-                      {"ode_fine", rms("ode", 1e-4)},
-                      {"single_fine", rms("bullet-single", 1e-4)},
-                      {"bullet_middle", rms("bullet", 1e-3)},
-                      {"single_middle", rms("bullet-single", 1e-3)},
-                      {"single_finer", finer("bullet-single")},
-                      {"double_finer", finer("bullet")},
-                      {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
-                      {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
-          .tables = {{"steps", over_steps(rows, scene)},
-                     {"iterations", over_iterations(scene.scene)},
-                     {"by_steps", by_steps(read_scene(shipped("scenes") / "housner-block.toml", {}))}},
-          .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
-          .measured = {{"first_impact_in_steps",
-                        *find_run(rows, "ode", "tuned", 1e-3).first_impact_time_difference / 1e-3},
-                       {"rms_fall", *find_run(rows, "ode", "tuned", 1e-2).rms_angle_difference /
-                                        *find_run(rows, "ode", "tuned", 1e-4).rms_angle_difference}}};
+  return {
+      .numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
+                  {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
+                  {"bullet_shares", shares(rows, "bullet")},
+                  {"ode_shares", shares(rows, "ode")},
+                  {"ode_share", fixed(*find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3, 2)},
+                  {"tolerance", fixed(suite.tolerance, 2)},
+                  {"bullet_coarse", rms("bullet", 1e-2)},
+                  {"bullet_fine", rms("bullet", 1e-4)},
+                  {"ode_coarse", rms("ode", 1e-2)},
+                  {"ode_fine", rms("ode", 1e-4)},
+                  {"single_fine", rms("bullet-single", 1e-4)},
+                  {"bullet_middle", rms("bullet", 1e-3)},
+                  {"single_middle", rms("bullet-single", 1e-3)},
+                  {"single_finer", finer("bullet-single")},
+                  {"double_finer", finer("bullet")},
+                  {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
+                  {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
+      .tables = {{"steps", over_steps(rows, scene)},
+                 {"iterations", over_iterations(scene.scene)},
+                 {"by_steps", by_steps(read_shipped("housner-block"))}},
+      .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
+      .measured = {
+          {"first_impact_in_steps", *find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3},
+          {"rms_fall", *find_run(rows, "ode", 1e-2).rms_angle_difference /
+                           *find_run(rows, "ode", 1e-4).rms_angle_difference}}};
 }
 
 }  // namespace rockstack

@@ -11,16 +11,55 @@
 namespace rockstack {
 namespace {
 
-/// Values of one key along the axis: a number each.
-struct KeyValues {
-  std::string key;
-  std::vector<double> values;
+/// What measures of a scene are shares of.
+struct Scale {
+  double height = std::numeric_limits<double>::infinity();       ///< of the smallest block, m
+  double width = std::numeric_limits<double>::infinity();        ///< of the narrowest interface, m
+  double slenderness = std::numeric_limits<double>::infinity();  ///< of the most slender block, rad
+  double rate = 0;                                               ///< √(g/H), 1/s
+  double tipping = 0;  ///< energy that tips the stack over as one block, of weight times height of centre
 };
+
+Scale scale_of(const Scene& scene) {
+  Scale scale;
+  double mass = 0;
+  double moment = 0;
+  double height = 0;
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+    const Block& block = scene.blocks[k];
+    const double half_width = interface_half_width(scene, static_cast<int>(k));
+    scale.height = std::min(scale.height, 2 * block.half_height);
+    scale.width = std::min(scale.width, 2 * half_width);
+    scale.slenderness = std::min(scale.slenderness, slenderness(scene, static_cast<int>(k)));
+    mass += block.mass;
+    moment += block.mass * (height + block.half_height);
+    height += 2 * block.half_height;
+  }
+  scale.rate = std::sqrt(scene.gravity / height);
+  scale.tipping = std::hypot(1, interface_half_width(scene, 0) * mass / moment) - 1;
+  return scale;
+}
+
+/// A measure in a unit, and how many of it are too much.
+struct Check {
+  const char* label;
+  std::optional<double> value;
+  double unit, limit;
+};
+
+/// The first measure beyond its limit, in words; empty where there is none.
+std::string first_beyond(std::initializer_list<Check> checks) {
+  for (const Check& one : checks) {
+    if (!one.value) continue;
+    const double share = std::abs(*one.value) / one.unit;
+    if (!(share <= one.limit)) return fmt::format("{} {:.3g}, limit {:g}", one.label, share, one.limit);
+  }
+  return "";
+}
 
 /// The stack with that many blocks: cut off, or its top block over and over.
 Scene stacked(Scene scene, std::size_t blocks) {
-  const std::size_t angles = scene.initial.angles.size();
-  const double angle = angles > 0 ? scene.initial.angles.back() : 0;
+  const double angle = scene.initial.angles.empty() ? 0 : scene.initial.angles.back();
   const double velocity = scene.initial.velocities.empty() ? 0 : scene.initial.velocities.back();
   scene.blocks.resize(blocks, scene.blocks.back());
   scene.initial.angles.resize(blocks, angle);
@@ -29,20 +68,20 @@ Scene stacked(Scene scene, std::size_t blocks) {
   return scene;
 }
 
-std::vector<KeyValues> read_set(const Node& axis, std::size_t count) {
-  std::vector<KeyValues> list;
+/// Keys of a scene, each an array of its values along the axis.
+const std::vector<Node>& read_set(const Node& axis, std::size_t count) {
   const Node& set = required(axis, "set", "a table of scene keys, each an array");
   if (set.kind != Node::Kind::table || set.children.empty())
     throw wrong_value(set, "a table of scene keys, each an array");
   for (const Node& child : set.children) {
-    list.push_back({child.name, numbers(child)});
-    if (list.back().values.size() != count)
+    const std::vector<double> values = numbers(child);
+    if (values.size() != count)
       throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
-    for (const double value : list.back().values)
+    for (const double value : values)
       if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
         throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
   }
-  return list;
+  return set.children;
 }
 
 StabilityAxis read_axis(const Node& axis) {
@@ -63,17 +102,17 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
                                      const std::filesystem::path& scene,
                                      const std::vector<std::string>& overrides) {
   if (!along.parameter.empty()) return {read_named_scene(scene, overrides)};
-  const std::vector<KeyValues> set = read_set(axis, along.values.size());
+  const std::vector<Node>& set = read_set(axis, along.values.size());
   std::vector<NamedScene> scenes;
   for (std::size_t i = 0; i < along.values.size(); ++i) {
     std::vector<std::string> changes = overrides;
     std::size_t blocks = 0;
-    for (const KeyValues& one : set) {
-      if (one.key == "blocks") {
-        blocks = static_cast<std::size_t>(one.values[i]);
-      } else {
-        changes.push_back(fmt::format("{}={}", one.key, one.values[i]));
-      }
+    for (const Node& key : set) {
+      const double value = key.children[i].number;
+      if (key.name == "blocks")
+        blocks = static_cast<std::size_t>(value);
+      else
+        changes.push_back(fmt::format("{}={}", key.name, value));
     }
     scenes.push_back(read_named_scene(scene, changes));
     if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks), scenes.back().document = {};
@@ -85,9 +124,8 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
 /// Where a run lies on the axis.
 double place(const StabilityStudy& study, const RunMetrics& row) {
   if (study.axis.parameter.empty()) {
-    for (std::size_t i = 0; i < study.suite.scenes.size(); ++i)
-      if (study.suite.scenes[i].name == row.scene) return study.axis.values[i];
-    return 0;
+    const NamedScene& scene = part_named(study.suite.scenes, row.scene);
+    return study.axis.values[static_cast<std::size_t>(&scene - study.suite.scenes.data())];
   }
   for (const EngineSeries& series : study.suite.series)
     if (series.engine->name == row.engine && series.engine->solver == row.solver &&
@@ -125,7 +163,8 @@ std::string steps_csv(const std::vector<LargestSteps>& list) {
   return csv.text();
 }
 
-Json limits_json(const StabilityLimits& limits) {
+Json limits_json() {
+  constexpr StabilityLimits limits = stability_limits;
   return {{"unstable_energy", limits.unstable_energy},
           {"unstable_gap", limits.unstable_gap},
           {"unstable_tilt", limits.unstable_tilt},
@@ -138,6 +177,37 @@ Json limits_json(const StabilityLimits& limits) {
 }
 
 }  // namespace
+
+std::string name(Soundness soundness) {
+  constexpr std::array names{"sound", "inexact", "unstable", "failed"};
+  return names.at(static_cast<std::size_t>(soundness));
+}
+
+StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene) {
+  constexpr StabilityLimits limits = stability_limits;
+  if (row.status != RunStatus::done) return {Soundness::failed, name(row.status) + ": " + row.reason};
+  const Scale scale = scale_of(scene);
+  std::string unstable = first_beyond(
+      {{"energy gained, of what tips the stack over,", row.energy_gain, scale.tipping,
+        limits.unstable_energy},
+       {"a block thrown up, of the smallest height,", row.gap, scale.height, limits.unstable_gap},
+       {"tilt out of the plane", row.out_of_plane_tilt, 1, limits.unstable_tilt}});
+  if (unstable.empty() && row.toppling_verdict == TopplingVerdict::engine_alone)
+    unstable = "topples though the exact solution does not";
+  if (!unstable.empty()) return {Soundness::unstable, unstable};
+  if (row.toppling_verdict == TopplingVerdict::exact_alone)
+    return {Soundness::inexact, "stands though the exact solution topples"};
+  const std::string inexact = first_beyond(
+      {{"energy gained, of what tips the stack over,", row.energy_gain, scale.tipping, limits.energy},
+       {"penetration, of the smallest height,", row.penetration, scale.height, limits.penetration},
+       {"slip, of the narrowest width,", row.slip, scale.width, limits.slip},
+       {"way out of the plane, of the narrowest width,", row.out_of_plane, scale.width, limits.out_of_plane},
+       {"motion left at rest, of sqrt(g/H),", row.residual_motion, scale.rate, limits.residual},
+       {"angle off, of the least slenderness,", row.largest_angle_difference, scale.slenderness,
+        limits.angle}});
+  if (!inexact.empty()) return {Soundness::inexact, inexact};
+  return {};
+}
 
 StabilityStudy read_stability_study(const std::filesystem::path& file,
                                     const std::vector<std::string>& overrides) {
@@ -178,27 +248,23 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
 }
 
 std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows) {
-  using Key = std::tuple<std::string, std::string, std::string, double>;
-  std::map<Key, std::size_t> places;
-  std::vector<LargestSteps> list;
-  std::vector<std::map<double, Soundness>> by_step;
-  for (const auto& [row, value, verdict] : rows) {
-    if (!row.dt) continue;
-    const auto [at, added] = places.try_emplace({row.engine, row.solver, row.settings, value}, list.size());
-    if (added) {
-      list.push_back({row.engine, row.solver, row.settings, value});
-      by_step.emplace_back();
-    }
-    by_step[at->second][*row.dt] = verdict.soundness;
+  std::vector<std::pair<LargestSteps, std::map<double, Soundness>>> solvers;
+  for (const StabilityRun& run : rows) {
+    if (!run.row.dt) continue;
+    const LargestSteps own{run.row.engine, run.row.solver, run.row.settings, run.value};
+    const auto is = [&](const auto& known) { return known.first == own; };
+    found_or_added(solvers, is, {own, {}}).second[*run.row.dt] = run.verdict.soundness;
   }
-  for (std::size_t i = 0; i < list.size(); ++i) {
+  std::vector<LargestSteps> list;
+  for (auto& [steps, by_step] : solvers) {
     bool sound = true;
-    for (const auto& [dt, soundness] : by_step[i]) {
+    for (const auto& [dt, soundness] : by_step) {
       if (soundness > Soundness::inexact) break;
-      list[i].stable = dt;
+      steps.stable = dt;
       sound = sound && soundness == Soundness::sound;
-      if (sound) list[i].sound = dt;
+      if (sound) steps.sound = dt;
     }
+    list.push_back(steps);
   }
   return list;
 }
@@ -207,14 +273,14 @@ std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::
                                         Executor& executor, const CompareOptions& options) {
   std::vector<StabilityRun> rows;
   for (const RunMetrics& row : compare({study.suite}, folder, executor, options).rows) {
-    rows.push_back({row, place(study, row),
-                    judge_stability(row, find_scene(study.suite.scenes, row.scene).scene, study.limits)});
+    rows.push_back(
+        {row, place(study, row), judge_stability(row, part_named(study.suite.scenes, row.scene).scene)});
     rows.back().row.settings = settings_of(study, row.settings);
   }
   write_file(folder / "stability.csv", stability_csv(rows));
   write_file(folder / "steps.csv", steps_csv(largest_steps(rows)));
   const Json json{{"title", study.suite.title},        {"axis", study.axis.name},
-                  {"parameter", study.axis.parameter}, {"limits", limits_json(study.limits)},
+                  {"parameter", study.axis.parameter}, {"limits", limits_json()},
                   {"study_file", study.text},          {"command", options.command}};
   write_file(folder / "stability.json", json.dump(2) + "\n");
   return rows;

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/input/fields.hpp"
 #include "comparisons/runs/compare.hpp"
 
 namespace rockstack {
@@ -24,6 +19,8 @@ struct StabilityLimits {
   double residual = 1e-3;        ///< angular velocity left where the exact stack is at rest
 };
 
+inline constexpr StabilityLimits stability_limits;
+
 enum class Soundness {
   sound,     ///< within all limits
   inexact,   ///< physical, but beyond a limit of exactness, or topples otherwise than the exact solution
@@ -39,8 +36,7 @@ struct StabilityVerdict {
 };
 
 /// The verdict on a run of a scene by its measures; those that are not there are passed over.
-StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene,
-                                 const StabilityLimits& limits = {});
+StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene);
 
 /// What is varied beside the time step: keys of a scene, or one parameter of the engines.
 struct StabilityAxis {
@@ -53,7 +49,6 @@ struct StabilityAxis {
 struct StabilityStudy {
   Suite suite;
   StabilityAxis axis;
-  StabilityLimits limits;
   std::string text;  ///< the file as it was read
 };
 
@@ -75,6 +70,8 @@ struct LargestSteps {
   double value = 0;
   double sound = 0;
   double stable = 0;  ///< sound or inexact
+
+  bool operator==(const LargestSteps&) const = default;
 };
 
 /// In the order of the rows. Exact runs are passed over.

@@ -2,21 +2,20 @@
 
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
 
 namespace rockstack {
 namespace {
 
 Value number_value(double number, const std::string& place) {
-  Value value;
-  value.node.kind = Node::Kind::number;
-  value.node.number = number;
-  value.node.place = place;
-  value.text = number_text(number);
-  return value;
+  return {{.kind = Node::Kind::number, .place = place, .number = number}, number_text(number)};
+}
+
+/// Whether a value is a record's path, by any of the keys.
+bool is_record(const Variation& variation, const Value& value) {
+  return value.node.kind == Node::Kind::text &&
+         std::ranges::any_of(variation.keys, [](const std::string& key) { return key.ends_with(".record"); });
 }
 
 void describe_record(const std::filesystem::path& name, MotionLibrary& library, std::string& text) {
@@ -26,20 +25,9 @@ void describe_record(const std::filesystem::path& name, MotionLibrary& library, 
   text += "\n";
 }
 
-/// The records that the base scene names.
-void describe_records(const SceneDocument& document, MotionLibrary& library, std::string& text) {
-  for (const char* key : {"ground.horizontal.record", "ground.vertical.record"}) {
-    const Node& node = nearest(document.root, key);
-    if (node.name == "record" && node.kind == Node::Kind::text)
-      describe_record(document.folder / node.text, library, text);
-  }
-}
-
 std::vector<Value> read_values(const Node& array) {
-  if (array.kind != Node::Kind::array || array.children.empty())
-    throw wrong_value(array, "an array of numbers or texts");
   std::vector<Value> values;
-  for (const Node& child : array.children) {
+  for (const Node& child : entries(array, "an array of numbers or texts")) {
     if (child.kind != Node::Kind::number && child.kind != Node::Kind::text)
       throw wrong_value(child, "a number or a text");
     values.push_back({child, child.kind == Node::Kind::text ? child.text : number_text(child.number)});
@@ -99,11 +87,6 @@ Distribution read_distribution(const Node& node) {
   return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
 }
 
-std::vector<std::string> read_keys(const Node& node) {
-  if (node.kind == Node::Kind::text) return {node.text};
-  return each_of(entries(node, "a key of the scene, or an array of such keys"), text);
-}
-
 /// The one way of giving values that a table [[vary]] has.
 const Node& way(const Node& table) {
   const Node* found = nullptr;
@@ -118,11 +101,6 @@ const Node& way(const Node& table) {
 }
 
 }  // namespace
-
-bool Variation::is_record(const Value& value) const {
-  return value.node.kind == Node::Kind::text &&
-         std::ranges::any_of(keys, [](const std::string& key) { return key.ends_with(".record"); });
-}
 
 std::size_t run_count(const Ensemble& ensemble) {
   std::size_t count = ensemble.samples;
@@ -141,8 +119,8 @@ std::vector<Value> values_of(const Ensemble& ensemble, std::size_t run) {
   for (std::size_t v = 0; v < values.size(); ++v) {
     const Variation& variation = ensemble.variations[v];
     if (!variation.distribution) continue;
-    const DrawIndex index{ensemble.seed, run, static_cast<std::uint32_t>(v)};
-    values[v] = number_value(draw(*variation.distribution, index), variation.place);
+    const double drawn = draw(*variation.distribution, {ensemble.seed, run, static_cast<std::uint32_t>(v)});
+    values[v] = number_value(drawn, variation.place);
   }
   return values;
 }
@@ -153,12 +131,9 @@ void set_values(SceneDocument& document, const Variation& variation, const Value
 
 Json json_of(const Variation& variation) {
   Json json{{"keys", variation.keys}};
-  if (const auto& drawn = variation.distribution) {
-    const char* name = drawn->kind == Distribution::Kind::uniform  ? "uniform"
-                       : drawn->kind == Distribution::Kind::normal ? "normal"
-                                                                   : "lognormal";
-    json[name] = {drawn->first, drawn->second};
-  }
+  constexpr std::array kinds{"uniform", "normal", "lognormal"};  // as Distribution::Kind has them
+  if (const auto& drawn = variation.distribution)
+    json[kinds.at(static_cast<std::size_t>(drawn->kind))] = {drawn->first, drawn->second};
   for (const Value& value : variation.values)
     json["values"].push_back(value.node.kind == Node::Kind::number ? Json(value.node.number)
                                                                    : Json(value.text));
@@ -168,13 +143,17 @@ Json json_of(const Variation& variation) {
 std::string identity(const Ensemble& ensemble, MotionLibrary& library) {
   std::string text = std::string(build::version) + "\n" + build::compiler + "\n" + build::flags + "\n";
   text += page_scene(ensemble.base.root).dump() + "\n";
-  describe_records(ensemble.base, library, text);
+  for (const char* key : {"ground.horizontal.record", "ground.vertical.record"}) {
+    const Node& node = nearest(ensemble.base.root, key);
+    if (node.name == "record" && node.kind == Node::Kind::text)
+      describe_record(ensemble.base.folder / node.text, library, text);
+  }
   text += std::to_string(ensemble.samples) + " " + std::to_string(ensemble.seed) + " " +
           number_text(ensemble.tolerance) + (ensemble.demands ? "\n" : " without demands\n");
   for (const Variation& variation : ensemble.variations) {
     text += json_of(variation).dump() + "\n";
     for (const Value& value : variation.values)
-      if (variation.is_record(value)) describe_record(ensemble.base.folder / value.node.text, library, text);
+      if (is_record(variation, value)) describe_record(ensemble.base.folder / value.node.text, library, text);
   }
   for (const Axis& axis : ensemble.axes) text += Json(axis.variations).dump() + "\n";
   return text;
@@ -185,21 +164,22 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   Variation variation;
   variation.place = table.place;
   const Node& key = required(table, "key", "a key of the scene");
-  variation.keys = read_keys(key);
+  variation.keys = key.kind == Node::Kind::text
+                       ? std::vector{key.text}
+                       : each_of(entries(key, "a key of the scene, or an array of such keys"), text);
   // Whatever the value of these, the exact motion is the same.
   const auto is_label = [](const std::string& one) { return one == "title" || one == "engine.depth"; };
   if (find(table, "group") == nullptr && std::ranges::all_of(variation.keys, is_label))
     throw wrong_value(key, "a key that changes the exact motion, or one of a group");
   const Node& given = way(table);
-  if (given.name == "values") {
+  if (given.name == "values")
     variation.values = read_values(given);
-  } else if (given.name == "range") {
+  else if (given.name == "range")
     variation.values = read_range(given);
-  } else {
+  else
     variation.distribution = read_distribution(given);
-  }
   for (Value& value : variation.values)
-    if (variation.is_record(value))
+    if (is_record(variation, value))
       value.node.text = std::filesystem::absolute(folder / value.node.text).string();
   return variation;
 }

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -52,22 +51,17 @@ void add_to_axes(Ensemble& ensemble, const Node& table) {
 }
 
 void require_new_keys(const Ensemble& ensemble, const Variation& variation) {
-  std::vector<std::string> taken;
-  for (const Variation& other : ensemble.variations)
-    taken.insert(taken.end(), other.keys.begin(), other.keys.end());
-  for (const std::string& key : variation.keys) {
-    if (std::ranges::find(taken, key) != taken.end())
+  std::set<std::string> taken;
+  for (const Variation& other : ensemble.variations) taken.insert(other.keys.begin(), other.keys.end());
+  for (const std::string& key : variation.keys)
+    if (!taken.insert(key).second)
       throw InputError(fmt::format("{}: key = {}: must be varied only once", variation.place, one_line(key)));
-    taken.push_back(key);
-  }
 }
 
-void read_variations(Ensemble& ensemble, const Node& root) {
+void read_variations(Ensemble& ensemble, const Node& root, const std::filesystem::path& folder) {
   const Node& tables = required(root, "vary", "at least one table [[vary]]");
-  if (tables.kind != Node::Kind::array || tables.children.empty())
-    throw wrong_value(tables, "an array of tables, [[vary]]");
-  for (const Node& table : tables.children) {
-    Variation variation = read_variation(table, ensemble.file.parent_path());
+  for (const Node& table : entries(tables, "an array of tables, [[vary]]")) {
+    Variation variation = read_variation(table, folder);
     require_new_keys(ensemble, variation);
     ensemble.variations.push_back(std::move(variation));
     add_to_axes(ensemble, table);
@@ -80,11 +74,13 @@ void require_unvaried(const Ensemble& ensemble, const std::vector<std::string>& 
     std::string key = each.substr(0, each.find('='));
     std::erase(key, ' ');
     for (const Variation& variation : ensemble.variations)
-      if (std::ranges::find(variation.keys, key) != variation.keys.end())
+      if (variation.has(key))
         throw InputError(fmt::format("--set {}: must be a key that is not varied, as {} does", one_line(each),
                                      variation.place));
   }
 }
+
+constexpr double most_runs = 1e9;
 
 void read_drawing(Ensemble& ensemble, const Node& root) {
   const bool draws = std::ranges::any_of(
@@ -110,8 +106,7 @@ std::string read_axis_name(const Node& node, const Ensemble& ensemble) {
   for (const Variation& variation : ensemble.variations) {
     const bool numbers = std::ranges::all_of(
         variation.values, [](const Value& value) { return value.node.kind == Node::Kind::number; });
-    const auto& keys = variation.keys;
-    if (std::ranges::find(keys, text(node)) != keys.end() && numbers) return variation.name();
+    if (variation.has(text(node)) && numbers) return variation.name();
   }
   throw wrong_value(node, "a key that is varied over numbers");
 }
@@ -140,20 +135,17 @@ void try_values(const Ensemble& ensemble, MotionLibrary& library) {
   for (const Variation& variation : ensemble.variations)
     set_values(document, variation, typical_value(variation));
   make_scene(document, library);
-  const auto set = [&](const Axis& axis, std::size_t i) {
+  const auto try_value = [&](const Axis& axis, std::size_t i) {
     for (const std::size_t v : axis.variations)
       set_values(document, ensemble.variations[v], ensemble.variations[v].values[i]);
+    make_scene(document, library);
   };
   for (const Axis& axis : ensemble.axes) {
     constexpr std::size_t most_tried = 1000;
     const std::size_t stride = 1 + axis.length / most_tried;
-    for (std::size_t i = 0; i < axis.length; i += stride) {
-      set(axis, i);
-      make_scene(document, library);
-    }
-    set(axis, axis.length - 1);
-    make_scene(document, library);
-    set(axis, 0);
+    for (std::size_t i = 0; i < axis.length; i += stride) try_value(axis, i);
+    try_value(axis, axis.length - 1);
+    try_value(axis, 0);  // for the axes that follow
   }
 }
 
@@ -168,7 +160,6 @@ Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
                        const std::vector<std::string>& overrides, MotionLibrary& library) {
   require_table(root, ensemble_keys);
   Ensemble ensemble;
-  ensemble.file = file;
   ensemble.title = text(required(root, "title", "a text"));
   ensemble.base = read_base(required(root, "scene", "a scene file, or a table that is a scene"),
                             file.parent_path(), ensemble.title, overrides);
@@ -179,7 +170,7 @@ Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
   }
   if (const Node* demands = find(root, "demands"))
     ensemble.demands = choice<bool>(*demands, {{"kept", true}, {"none", false}});
-  read_variations(ensemble, root);
+  read_variations(ensemble, root, file.parent_path());
   require_unvaried(ensemble, overrides);
   read_drawing(ensemble, root);
   read_summary(ensemble, root);

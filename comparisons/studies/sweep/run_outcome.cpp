@@ -6,50 +6,33 @@
 namespace rockstack {
 namespace {
 
-/// What interfaces do, at a time or ever.
-struct Freedom {
-  bool slips = false, opens = false, parts = false;
+// What interfaces do, as bits: joined ones are the modes in which some do the one and some the other.
+constexpr unsigned some_slip = 1, some_open = 2, some_part = 4;
 
-  Freedom& operator|=(const Freedom& other) {
-    slips |= other.slips;
-    opens |= other.opens;
-    parts |= other.parts;
-    return *this;
-  }
-};
-
-Freedom freedom(const Pattern& pattern) {
-  Freedom result;
+unsigned freedom(const Pattern& pattern) {
+  unsigned bits = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(pattern.size); ++k) {
-    result.slips |= pattern.slides[k] != 0;
-    result.opens |= pattern.contacts[k] == Contact::left || pattern.contacts[k] == Contact::right;
-    result.parts |= pattern.contacts[k] == Contact::apart;
+    if (pattern.slides[k] != 0) bits |= some_slip;
+    if (pattern.contacts[k] == Contact::left || pattern.contacts[k] == Contact::right) bits |= some_open;
+    if (pattern.contacts[k] == Contact::apart) bits |= some_part;
   }
-  return result;
+  return bits;
 }
 
 /// Of the state that a scene begins with: blocks that lean or turn otherwise than those below, slip, or fall.
-Freedom freedom(const InitialState& initial) {
+unsigned freedom(const InitialState& initial) {
   const auto differs = [](const std::vector<double>& values) {
     double below = 0;
-    return std::ranges::any_of(values, [&](double value) {
-      const bool other = value != below;
-      below = value;
-      return other;
-    });
+    return std::ranges::any_of(values, [&](double value) { return value != std::exchange(below, value); });
   };
-  const auto has_any = [](const std::vector<double>& values) {
-    return std::ranges::any_of(values, [](double value) { return value != 0; });
-  };
-  return {.slips = has_any(initial.slip_velocities),
-          .opens = differs(initial.angles) || differs(initial.velocities),
-          .parts = has_any(initial.gaps)};
+  return (largest_magnitude(initial.slip_velocities) > 0 ? some_slip : 0) |
+         (differs(initial.angles) || differs(initial.velocities) ? some_open : 0) |
+         (largest_magnitude(initial.gaps) > 0 ? some_part : 0);
 }
 
-MotionMode mode_of(const Freedom& freedom) {
-  if (freedom.parts) return MotionMode::free_flight;
-  if (freedom.opens) return freedom.slips ? MotionMode::slide_rock : MotionMode::rock;
-  return freedom.slips ? MotionMode::slide : MotionMode::rest;
+/// Where blocks are apart, whatever others do.
+MotionMode mode_of(unsigned freedom) {
+  return static_cast<MotionMode>(std::min(freedom, some_part));
 }
 
 }  // namespace
@@ -108,7 +91,7 @@ MotionMode whole_mode(const Scene& scene, const History& history) {
     if (last == EventKind::topple) return MotionMode::topple;
     if (last == EventKind::fall || last == EventKind::strike) return MotionMode::fall;
   }
-  Freedom ever = freedom(scene.initial);
+  unsigned ever = freedom(scene.initial);
   for (const Event& event : history.events) ever |= freedom(event.to);
   return mode_of(ever);
 }

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 #include "analytic/scene/solve_options.hpp"

@@ -1,4 +1,3 @@
-#include "analytic/scene/lists.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 
 #include "analytic/scene/messages/number_text.hpp"
@@ -42,21 +41,15 @@ Run run_in(const CsvLine& line, const SummaryKeys& keys) {
   return run;
 }
 
-std::vector<Run> read_runs(const std::filesystem::path& file, const SummaryKeys& keys) {
-  std::vector<Run> runs;
-  for (CsvLine line(file); line.next();) runs.push_back(run_in(line, keys));
-  return runs;
-}
-
 /// The level that an intensity belongs to: its own; or where there are many, as values are drawn, the middle
 /// one of a bin, each bin with as many runs as any other.
-std::map<double, double> levels_of(const std::vector<Run>& runs) {
-  constexpr std::size_t most_levels = 100, bins = 20;
+std::map<double, double> levels_of(const std::vector<Run>& runs, std::size_t most) {
+  constexpr std::size_t bins = 20;
   std::vector<double> all = each_of(runs, &Run::intensity);
   std::ranges::sort(all);
   std::map<double, double> levels;
   for (const double intensity : all) levels.emplace(intensity, intensity);
-  if (levels.size() <= most_levels) return levels;
+  if (levels.size() <= most) return levels;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t bin = i * bins / all.size();
     levels[all[i]] = all[(2 * bin + 1) * all.size() / (2 * bins)];
@@ -80,16 +73,14 @@ std::vector<Level> tallied(const std::vector<Run>& runs, const std::map<double, 
 /// The curve is fitted to all intensities as they are, whatever the levels of the table.
 void write_fragility(const std::vector<Run>& runs, const std::map<double, double>& levels,
                      const std::filesystem::path& folder) {
-  std::map<double, double> own;
-  for (const auto& [intensity, level] : levels) own.emplace(intensity, intensity);
-  const auto fit = fit_fragility(tallied(runs, own));
+  const auto fit = fit_fragility(tallied(runs, levels_of(runs, runs.size())));
   CsvWriter csv;
   csv.line("intensity", "runs", "toppled", "failed", "fraction", "lower", "upper", "fitted");
   for (const Level& level : tallied(runs, levels)) {
     const Bounds bounds = wilson_bounds(level.toppled, level.runs);
-    const auto runs_there = static_cast<double>(level.runs);
     const std::string fraction =
-        level.runs == 0 ? "" : number_text(static_cast<double>(level.toppled) / runs_there);
+        level.runs == 0 ? ""
+                        : number_text(static_cast<double>(level.toppled) / static_cast<double>(level.runs));
     csv.line(number_text(level.intensity), level.runs, level.toppled, level.failed, fraction,
              number_text(bounds.lower), number_text(bounds.upper),
              fit ? number_text(probability(*fit, level.intensity)) : "");
@@ -112,17 +103,13 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
   std::map<std::string, std::size_t> numbers;
   for (const Run& run : runs) numbers.emplace(run.others, numbers.size());
   if (numbers.size() == runs.size()) return;
-  std::vector<std::pair<std::size_t, const Run*>> ordered;
-  ordered.reserve(runs.size());
-  for (const Run& run : runs) ordered.emplace_back(numbers[run.others], &run);
-  std::ranges::stable_sort(ordered, [](const auto& a, const auto& b) {
-    return std::pair(a.first, a.second->intensity) < std::pair(b.first, b.second->intensity);
-  });
+  std::ranges::stable_sort(runs, {},
+                           [&](const Run& run) { return std::pair(numbers[run.others], run.intensity); });
   CsvWriter curves;
   curves.line("curve", "values", "intensity", "peak_ratio", "toppled");
-  for (const auto& [number, run] : ordered)
-    curves.line(number + 1, run->others, number_text(run->intensity), number_text(run->peak_ratio),
-                run->toppled ? 1 : 0);
+  for (const Run& run : runs)
+    curves.line(numbers[run.others] + 1, run.others, number_text(run.intensity), number_text(run.peak_ratio),
+                run.toppled ? 1 : 0);
   write_file(folder / "incremental.csv", curves.text());
   CsvWriter fractiles;
   fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
@@ -134,82 +121,72 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
   write_file(folder / "incremental-fractiles.csv", fractiles.text());
 }
 
-void write_overturning(const std::vector<Run>& runs, const std::filesystem::path& folder) {
-  struct Cell {
-    std::size_t runs = 0, rest = 0, rocking = 0, after_impact = 0, without_impact = 0, failed = 0;
-  };
-  std::map<std::pair<double, double>, Cell> cells;
-  for (const Run& run : runs) {
-    Cell& cell = cells[{run.period, run.intensity}];
-    ++cell.runs;
-    ++(run.failed        ? cell.failed
-       : !run.toppled    ? (run.moved ? cell.rocking : cell.rest)
-       : run.with_impact ? cell.after_impact
-                         : cell.without_impact);
-  }
+/// How many runs of each kind, by the names of columns, there are at each place of a map.
+using Counts = std::map<std::vector<double>, std::map<std::string, std::size_t>>;
+
+void write_counts(const std::filesystem::path& file, const std::vector<std::string>& axes,
+                  const std::vector<std::string>& kinds, const Counts& counts) {
   CsvWriter csv;
-  csv.line("period", "frequency", "intensity", "runs", "rest", "rocking", "toppled_after_impact",
-           "toppled_without_impact", "failed");
-  for (const auto& [place, cell] : cells) {
-    for (const double value : {place.first, 1 / place.first, place.second}) csv.add(number_text(value));
-    csv.line(cell.runs, cell.rest, cell.rocking, cell.after_impact, cell.without_impact, cell.failed);
+  csv.line(axes, kinds);
+  for (const auto& [place, count] : counts) {
+    for (const double value : place) csv.add(number_text(value));
+    for (const std::string& kind : kinds) csv.add(count.contains(kind) ? count.at(kind) : 0);
+    csv.end_line();
   }
-  write_file(folder / "overturning.csv", csv.text());
+  write_file(file, csv.text());
+}
+
+void write_overturning(const std::vector<Run>& runs, const std::filesystem::path& folder) {
+  Counts counts;
+  for (const Run& run : runs) {
+    auto& count = counts[{run.period, 1 / run.period, run.intensity}];
+    ++count["runs"];
+    ++count[run.failed        ? "failed"
+            : !run.toppled    ? (run.moved ? "rocking" : "rest")
+            : run.with_impact ? "toppled_after_impact"
+                              : "toppled_without_impact"];
+  }
+  write_counts(folder / "overturning.csv", {"period", "frequency", "intensity"},
+               {"runs", "rest", "rocking", "toppled_after_impact", "toppled_without_impact", "failed"},
+               std::move(counts));
 }
 
 /// "slide_rock" of slide-rock.
-std::string column_of(MotionMode mode) {
-  std::string column = name(mode);
-  std::replace_if(
-      column.begin(), column.end(), [](char c) { return c == '-' || c == ' '; }, '_');
-  return column;
-}
-
-/// Whether a motion may begin so; others are ends.
-bool begins(MotionMode mode) {
-  return mode <= MotionMode::free_flight;
+std::string column_of(std::string mode) {
+  std::ranges::replace_if(
+      mode, [](char c) { return c == '-' || c == ' '; }, '_');
+  return mode;
 }
 
 void write_modes(const std::vector<Run>& runs, const std::filesystem::path& folder) {
-  struct Cell {
-    std::size_t runs = 0, failed = 0;
-    std::map<std::string, std::size_t> onset, motion;
-  };
-  std::map<std::pair<double, double>, Cell> cells;
+  Counts counts;
   for (const Run& run : runs) {
-    Cell& cell = cells[{run.intensity, run.friction}];
-    ++cell.runs;
-    ++(run.failed ? cell.failed : cell.onset[run.onset]);
-    if (!run.failed) ++cell.motion[run.motion];
+    auto& count = counts[{run.intensity, run.friction}];
+    ++count["runs"];
+    ++count[run.failed ? "failed" : "onset_" + column_of(run.onset)];
+    if (!run.failed) ++count[column_of(run.motion)];
   }
-  CsvWriter csv;
-  csv.add("intensity", "friction", "runs");
+  std::vector<std::string> kinds{"runs"};
   for (const MotionMode mode : motion_modes)
-    if (begins(mode)) csv.add("onset_" + column_of(mode));
-  for (const MotionMode mode : motion_modes) csv.add(column_of(mode));
-  csv.line("failed");
-  for (auto& [place, cell] : cells) {
-    csv.add(number_text(place.first), number_text(place.second), cell.runs);
-    for (const MotionMode mode : motion_modes)
-      if (begins(mode)) csv.add(cell.onset[name(mode)]);
-    for (const MotionMode mode : motion_modes) csv.add(cell.motion[name(mode)]);
-    csv.line(cell.failed);
-  }
-  write_file(folder / "modes.csv", csv.text());
+    if (mode <= MotionMode::free_flight) kinds.push_back("onset_" + column_of(name(mode)));
+  for (const MotionMode mode : motion_modes) kinds.push_back(column_of(name(mode)));
+  kinds.emplace_back("failed");
+  write_counts(folder / "modes.csv", {"intensity", "friction"}, kinds, std::move(counts));
 }
 
 }  // namespace
 
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys) {
   for (const char* name : {"fragility.csv", "fragility-fit.csv", "incremental.csv",
-                           "incremental-fractiles.csv", "overturning.csv", "modes.csv"}) {
+                           "incremental-fractiles.csv", "overturning.csv", "modes.csv"})
     std::filesystem::remove(folder / name);
-  }
   if (keys.intensity.empty()) return;
-  const std::vector<Run> runs = read_runs(folder / "runs.csv", keys);
+  std::vector<Run> runs;
+  for (CsvLine line(folder / "runs.csv"); line.next();) runs.push_back(run_in(line, keys));
   if (!keys.period.empty()) return write_overturning(runs, folder);
   if (!keys.friction.empty()) return write_modes(runs, folder);
-  const std::map<double, double> levels = levels_of(runs);
+  constexpr std::size_t most_lines = 100;
+  const std::map<double, double> levels = levels_of(runs, most_lines);
   write_fragility(runs, levels, folder);
   write_incremental(runs, levels, folder);
 }

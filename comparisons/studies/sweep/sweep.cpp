@@ -1,14 +1,68 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
+#include <new>
+
+#include "analytic/scene/input/page_scene.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+#include "analytic/solve_batch.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_comparisons_texts.hpp"
 
 namespace rockstack {
 namespace {
 
+/// What `part` throws, as a text; empty where it throws nothing.
+template <class Part>
+std::string failure_of(const Part& part) {
+  try {
+    part();
+    return {};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+OutcomeColumn::Measure demand(Demand RunOutcome::*of, double Demand::*value) {
+  return [of, value](const RunOutcome& outcome) -> std::optional<double> {
+    const Demand& demand = outcome.*of;
+    if (!std::isfinite(demand.least_normal)) return {};
+    return demand.*value;
+  };
+}
+
+void add_cell(CsvWriter& line, const OutcomeColumn& column, const RunResult& result) {
+  const RunOutcome* outcome = result.outcome;
+  if (column.name == "status") return line.add(outcome ? "done" : "failed");
+  if (column.name == "reason") return line.add(result.reason);
+  if (!outcome) return line.add("");
+  if (const auto* measure = std::get_if<OutcomeColumn::Measure>(&column.value)) {
+    const std::optional<double> value = (*measure)(*outcome);
+    line.add(value ? number_text(*value) : "");
+  }
+  if (const auto* count = std::get_if<OutcomeColumn::Count>(&column.value)) line.add((*count)(*outcome));
+  if (const auto* mode = std::get_if<OutcomeColumn::Mode>(&column.value)) line.add(name(outcome->**mode));
+}
+
 std::size_t length_of(std::size_t block, std::size_t runs) {
   return std::min(block_size(runs), runs - block * block_size(runs));
+}
+
+/// All columns of runs.csv and what they mean: the run's number, a column a variation, then what came out.
+std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble) {
+  std::vector<std::pair<std::string, std::string>> columns{{"run", "number of the run, from 0"}};
+  for (const Variation& variation : ensemble.variations) {
+    std::string meaning = "scene key";
+    for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
+    columns.emplace_back(variation.name(), meaning);
+  }
+  for (const OutcomeColumn& column : outcome_columns(ensemble))
+    columns.emplace_back(column.name, column.meaning);
+  return columns;
 }
 
 /// All that is needed to make the runs again, and what the columns mean.
@@ -17,8 +71,8 @@ Json description(const Ensemble& ensemble) {
             {"runs", run_count(ensemble)},
             {"samples", ensemble.samples},
             {"seed", ensemble.seed},
-            {"scene", page_scene(ensemble.base.root)}};
-  for (const Variation& variation : ensemble.variations) json["vary"].push_back(json_of(variation));
+            {"scene", page_scene(ensemble.base.root)},
+            {"vary", each_of(ensemble.variations, json_of)}};
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
   json["summary"] = {{"intensity", ensemble.summary.intensity},
                      {"period", ensemble.summary.period},
@@ -40,32 +94,102 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
   write_summaries(folder, ensemble.summary);
 }
 
-std::size_t count_failed(const std::filesystem::path& runs) {
-  std::size_t count = 0;
-  for (CsvLine line(runs); line.next();) count += line.text("status") == "failed" ? 1 : 0;
-  return count;
-}
-
-void write_timing(const SweepResult& result, const Executor& executor, const SweepOptions& options) {
-  const Json json{{"command", options.command},
-                  {"workers", executor.description()},
-                  {"runs_computed", result.computed},
-                  {"seconds", result.seconds}};
-  write_file(options.folder / "timing.json", json.dump(2) + "\n");
-}
-
 }  // namespace
+
+void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
+               const std::function<void(const RunResult&)>& take, const std::function<bool()>* unwanted) {
+  struct Run {
+    std::size_t number;
+    std::vector<Value> values;
+  };
+  std::map<std::size_t, Run> under_way;  // by the number of the scene
+  SceneDocument document = ensemble.base;
+  std::size_t next = first, begun = 0;
+  // The scene of the next run that has one; of a run that has none it tells why.
+  const auto next_scene = [&]() -> std::optional<Scene> {
+    while (next < last) {
+      Run run{next, values_of(ensemble, next)};
+      ++next;
+      std::optional<Scene> scene;
+      const std::string reason = failure_of([&] {
+        for (std::size_t v = 0; v < run.values.size(); ++v)
+          set_values(document, ensemble.variations[v], run.values[v]);
+        scene = make_scene(document, library);
+      });
+      if (scene) {
+        under_way.emplace(begun++, std::move(run));
+        return scene;
+      }
+      take({run.number, run.values, nullptr, reason});
+    }
+    return std::nullopt;
+  };
+  SolveOptions options = run_options(ensemble.tolerance);
+  options.cancelled = unwanted;
+  options.validity = ensemble.demands;
+  solve_batch(next_scene, options, [&](const Solved& solved) {
+    const Run run = std::move(under_way.extract(solved.number).mapped());
+    std::optional<RunOutcome> outcome;
+    const std::string reason = failure_of([&] {
+      if (solved.failure) std::rethrow_exception(solved.failure);
+      outcome = run_outcome(solved.scene, solved.history);
+    });
+    take({run.number, run.values, outcome ? &*outcome : nullptr, reason});
+  });
+}
+
+std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble) {
+  using Measure = OutcomeColumn::Measure;
+  using Count = OutcomeColumn::Count;
+  const std::map<std::string, OutcomeColumn::Value> values{
+      {"peak_ratio", Measure(&RunOutcome::peak_ratio)},
+      {"toppled", Count(&RunOutcome::toppled)},
+      {"topple_time", Measure(&RunOutcome::topple_time)},
+      {"impacts", Count(&RunOutcome::impacts)},
+      {"events", Count(&RunOutcome::events)},
+      {"last_event_time", Measure(&RunOutcome::last_event_time)},
+      {"least_normal_force", demand(&RunOutcome::force, &Demand::least_normal)},
+      {"force_friction", demand(&RunOutcome::force, &Demand::friction)},
+      {"least_normal_impulse", demand(&RunOutcome::impulse, &Demand::least_normal)},
+      {"impulse_friction", demand(&RunOutcome::impulse, &Demand::friction)},
+      {"onset", &RunOutcome::onset},
+      {"motion", &RunOutcome::motion},
+      {"status", {}},
+      {"reason", {}},
+      {"slip", Measure(&RunOutcome::slip)},
+      {"lift", Measure(&RunOutcome::lift)}};
+  std::vector<OutcomeColumn> columns;
+  const std::size_t blocks = find(ensemble.base.root, "blocks")->children.size();
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const std::string number = std::to_string(k + 1);
+    columns.push_back({"peak_" + number, "largest absolute angle of block " + number + ", rad",
+                       Measure([k](const RunOutcome& outcome) { return outcome.peaks[k]; })});
+  }
+  for (const Paragraph& column : paragraphs(run_columns_txt))
+    columns.push_back({column.name, column.words, values.at(column.name)});
+  return columns;
+}
+
+std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
+  const std::size_t runs = run_count(ensemble), first = block * block_size(runs);
+  std::vector<CsvWriter> lines(length_of(block, runs));
+  const std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
+  make_runs(ensemble, first, first + lines.size(), library, [&](const RunResult& result) {
+    CsvWriter& line = lines[result.run - first];
+    line.add(result.run);
+    for (const Value& value : result.values) line.add(value.text);
+    for (const OutcomeColumn& column : columns) add_cell(line, column, result);
+    line.end_line();
+  });
+  std::string text;
+  for (const CsvWriter& line : lines) text += line.text();
+  return text;
+}
 
 std::size_t block_size(std::size_t runs) {
   constexpr std::size_t smallest = 32;  // enough to be solved side by side
   constexpr std::size_t largest = 256, fewest_blocks = 64;
   return std::clamp(runs / fewest_blocks, smallest, largest);
-}
-
-std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
-  const std::size_t runs = run_count(ensemble);
-  const std::size_t first = block * block_size(runs);
-  return run_lines(ensemble, first, first + length_of(block, runs), library);
 }
 
 SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
@@ -74,11 +198,10 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   Journal journal(options.folder, identity(ensemble, library) + std::to_string(block_size(result.runs)));
   std::vector<std::size_t> blocks;
   for (std::size_t block = 0; block * block_size(result.runs) < result.runs; ++block) {
-    if (journal.has(block)) {
+    if (journal.has(block))
       result.done += length_of(block, result.runs);
-    } else {
+    else
       blocks.push_back(block);
-    }
   }
   const std::size_t begun_with = result.done;
   options.progress(result.done, begun_with, result.runs);
@@ -94,8 +217,13 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!result.finished()) return result;
   write_results(ensemble, journal, options.folder);
-  result.failed = count_failed(options.folder / "runs.csv");
-  if (result.computed > 0) write_timing(result, executor, options);
+  for (CsvLine line(options.folder / "runs.csv"); line.next();)
+    result.failed += line.text("status") == "failed" ? 1 : 0;
+  const Json timing{{"command", options.command},
+                    {"workers", executor.description()},
+                    {"runs_computed", result.computed},
+                    {"seconds", result.seconds}};
+  if (result.computed > 0) write_file(options.folder / "timing.json", timing.dump(2) + "\n");
   return result;
 }
 

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
@@ -43,16 +36,6 @@ struct OutcomeColumn {
 
 /// In the order of runs.csv.
 std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble);
-
-/// A column of runs.csv and what it means.
-using ColumnMeaning = std::pair<std::string, std::string>;
-
-/// All columns in order: the run's number, a column a variation, then what came out.
-std::vector<ColumnMeaning> run_columns(const Ensemble& ensemble);
-
-/// Runs `first` up to and without `last`, one line each. A run whose scene is out of range or that the solver
-/// cannot finish says so in its line. May be called from several threads at once.
-std::string run_lines(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library);
 
 /// Writes the summaries that an ensemble asks for, from DIR/runs.csv alone. Runs that failed are counted and
 /// left out.
@@ -92,7 +75,8 @@ struct SweepResult {
 /// Consecutive runs are computed and kept in blocks of this size.
 std::size_t block_size(std::size_t runs);
 
-/// The lines of a block of runs.
+/// A block of runs, one line each. A run whose scene is out of range or that the solver cannot finish says so
+/// in its line. May be called from several threads at once.
 std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library);
 
 /// Makes the runs of an ensemble that DIR/runs.journal does not have yet. Once all are there it writes

@@ -1,4 +1,5 @@
 #include "analytic/scene/messages/number_text.hpp"
+#include "comparisons/measures/metrics/bodies.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -18,24 +19,25 @@ struct CommonAxes {
   double strength(double dt, double palest) const {
     return steps.size() < 2 ? 1 : palest + (1 - palest) * place(dt) / static_cast<double>(steps.size() - 1);
   }
-  /// Where the line of a set and step lies, from the row's middle.
-  double height(std::size_t set, double dt) const {
-    constexpr double part = 0.27;
-    return static_cast<double>(set) + part * (place(dt) - 0.5 * static_cast<double>(steps.size() - 1));
+  std::string colour(const Run& run, double palest) const {
+    return paler(style_of(run).colour, strength(*run.dt, palest));
+  }
+  /// Where the line of a run lies, beside its row's middle; none of a set or step that is not shown.
+  std::optional<double> height(const Run& run) const {
+    const auto set = std::ranges::find(sets, line_label(run));
+    if (set == sets.end() || std::ranges::find(steps, run.dt) == steps.end()) return std::nullopt;
+    return static_cast<double>(set - sets.begin()) +
+           0.27 * (place(*run.dt) - 0.5 * static_cast<double>(steps.size() - 1));
   }
   double place(double dt) const { return static_cast<double>(std::ranges::find(steps, dt) - steps.begin()); }
 };
 
 bool is_shown(const Run& run) {
-  return is_engine(run) && !is_variant(run);
+  return is_engine(run) && !run.is_variant();
 }
 
-/// The solver of each engine that the verdict ranks first, or where it ranks none, that of its first run.
-std::map<std::string, std::string> first_solvers(const Comparison& comparison) {
-  std::map<std::string, std::string> first;
-  for (const RankedSet& set : comparison.verdict.ranking) first.try_emplace(set.engine, set.solver);
-  for (const Run& run : comparison.runs) first.try_emplace(run.engine, run.solver);
-  return first;
+JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {
+  return {scene.name, least_height(scene.stack), scene.duration, comparison.tolerance};
 }
 
 /// Of engines alone, those of the set that the verdict ranks first before all others.
@@ -53,18 +55,20 @@ std::vector<Run> best_first(const Comparison& comparison) {
 
 /// Where all sets are more than a page shows, those of each engine's first solver.
 CommonAxes frame_of(const Comparison& comparison) {
-  CommonAxes frame, first;
-  const std::map<std::string, std::string> solvers = first_solvers(comparison);
+  CommonAxes frame;
+  std::vector<std::string> first;
+  std::map<std::string, std::string> solvers;  // of each engine that which is ranked first, or runs first
+  for (const RankedSet& set : comparison.verdict.ranking) solvers.try_emplace(set.engine, set.solver);
+  for (const Run& run : comparison.runs) solvers.try_emplace(run.engine, run.solver);
   const std::vector<Run> runs = best_first(comparison);
   for (const Run& run : runs) {
-    found_or_added(
-        frame.sets, [&](const std::string& set) { return set == line_label(run); }, line_label(run));
-    if (solvers.at(run.engine) == run.solver)
-      found_or_added(
-          first.sets, [&](const std::string& set) { return set == line_label(run); }, line_label(run));
+    const std::string label = line_label(run);
+    const auto is_own = [&](const std::string& set) { return set == label; };
+    found_or_added(frame.sets, is_own, label);
+    if (solvers.at(run.engine) == run.solver) found_or_added(first, is_own, label);
   }
   if (frame.sets.size() > most_rows) {
-    frame.sets = first.sets;
+    frame.sets = first;
     frame.note = "of each engine the solver that comes nearest over all scenes";
     if (frame.sets.size() > most_rows)
       frame.note += fmt::format(", the first {} of {} sets", most_rows, frame.sets.size());
@@ -74,54 +78,30 @@ CommonAxes frame_of(const Comparison& comparison) {
   return frame;
 }
 
-/// A run of a scene with its place.
-struct Place {
-  const Run* run;
-  double height;
-  std::string line, mark;  ///< colours
-};
-
 /// Marks are small: the palest has a contrast of 3 to white and more.
 constexpr double palest_line = 0.5, palest_mark = 0.75;
-
-std::vector<Place> places_of(const Comparison& comparison, const ComparedScene& scene,
-                             const CommonAxes& frame) {
-  std::vector<Place> places;
-  for (const Run& run : comparison.runs) {
-    const auto set = std::ranges::find(frame.sets, line_label(run));
-    if (run.scene != scene.name || !is_shown(run) || set == frame.sets.end() ||
-        std::ranges::find(frame.steps, run.dt) == frame.steps.end())
-      continue;
-    places.push_back({&run, frame.height(static_cast<std::size_t>(set - frame.sets.begin()), *run.dt),
-                      paler(style_of(run).colour, frame.strength(*run.dt, palest_line)),
-                      paler(style_of(run).colour, frame.strength(*run.dt, palest_mark))});
-  }
-  return places;
-}
 
 constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
 
-/// From nought to when it stops agreeing, or to the edge, with the quartiles over replicates of what decides:
-/// angles or centres.
-void add_times(Plots& plots, const Place& place, const SceneScale& scale, double edge) {
-  const Run& run = *place.run;
-  if (!run.done()) return plots.add({{0, place.height}}, {fmt::format("using 1:2 {}", failure_style)});
+/// From nought to when it stops agreeing, or to the edge, with quartiles of what decides, angles or centres.
+void add_times(Plots& plots, const Run& run, double height, const std::string& colour,
+               const JudgedScene& scale, double edge) {
+  if (!run.done()) return plots.add({{0, height}}, {fmt::format("using 1:2 {}", failure_style)});
   const double end = agreement_end(run, scale);
-  plots.add({{0, place.height, std::min(end, edge)}},
-            {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", place.line)});
+  plots.add({{0, height, std::min(end, edge)}},
+            {fmt::format("using 1:2:3:(0) with vectors nohead lw 6 lc rgb '{}'", colour)});
   const bool by_angles = run.agreement_time.value_or(end) <= run.position_agreement_time.value_or(INFINITY);
   const auto lower = by_angles ? run.agreement_time_lower : run.position_agreement_time_lower;
   const auto upper = by_angles ? run.agreement_time_upper : run.position_agreement_time_upper;
   if (!lower || !upper) return;
   const double low = std::min(*lower, edge), high = std::min(*upper, edge);
   if (low == high && end >= edge) return;
-  plots.add({{low, place.height, high - low}},
+  plots.add({{low, height, high - low}},
             {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
 }
 
-/// The largest difference before the horizon: of an angle in rad, or of a centre as a share of the least
-/// block height.
+/// The largest difference before the horizon: of an angle, rad, or of a centre over the least block height.
 double largest_of(const Run& run) {
   return std::max(run.largest_angle_difference.value_or(0), run.relative_position_difference.value_or(0));
 }
@@ -138,25 +118,16 @@ Reach size_axis(const Comparison& comparison) {
   return {std::max(axis.low, comparison.tolerance * decades_below), axis.high};
 }
 
-void add_size(Plots& plots, const Place& place, double least) {
-  if (!place.run->done() || !place.run->error) return;
-  plots.add({{std::max(largest_of(*place.run), least), place.height}},
-            {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark", place.mark,
-                         style_of(*place.run).mark)});
-}
-
 /// A scene's axis ends behind its horizon, or with the motion where rows that agree so long do so to the end.
 TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
-  constexpr double beyond = 1.15;
-  const double whole = std::min(scene.duration, beyond * scene.horizon());
+  const double whole = std::min(scene.duration, 1.15 * scene.horizon());
   const std::vector<Run> exact = shown_runs(comparison, scene.name).exact;
   double end = scene.has("histories") && !exact.empty() ? time_axis(scene, exact).end : whole;
-  const SceneScale scale = scale_of(comparison, scene);
+  const JudgedScene scale = scale_of(comparison, scene);
   for (const Run& run : comparison.runs)
     if (run.scene == scene.name && is_shown(run) && run.done() && !agrees(run, scale))
       end = std::max(end, agreement_end(run, scale));
-  end = std::min(end, whole);
-  return scene.horizon() < end ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end};
+  return {std::min(end, whole), scene.horizon()};
 }
 
 /// Scenes side by side, from one to another: until when, and under that by how much.
@@ -170,19 +141,24 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
     off.add({{comparison.tolerance, -0.7, static_cast<double>(frame.sets.size())}},
             {fmt::format("using 1:2:(0):3 with vectors nohead {}", tolerance_style)});
     const TimeAxis axis = axis_of(comparison, scene);
-    for (const Place& place : places_of(comparison, scene, frame)) {
-      add_times(until, place, scale_of(comparison, scene), axis.end);
-      add_size(off, place, sizes.low);
+    for (const Run& run : comparison.runs) {
+      if (run.scene != scene.name || !is_shown(run)) continue;
+      const std::optional<double> height = frame.height(run);
+      if (!height) continue;
+      add_times(until, run, *height, frame.colour(run, palest_line), scale_of(comparison, scene), axis.end);
+      if (run.done() && run.error)
+        off.add({{std::max(largest_of(run), sizes.low), *height}},
+                {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark",
+                             frame.colour(run, palest_mark), style_of(run).mark)});
     }
     times.push_back({"agrees until (s)", until.list(), scene.name, scene.title, [axis](double width) {
                        return time_range(axis) + linear_tics("x", 0, axis.end, width);
                      }});
     largest.push_back({"off by (rad, or share)", off.list()});
   }
-  constexpr double between = 90;
-  sheet.leave_room_above(from == 0 ? 0 : between);
+  sheet.leave_room_above(from == 0 ? 0 : 90);
   add_rows(sheet, {frame.sets, 0, 1}, times);
-  sheet.leave_room_above(between);
+  sheet.leave_room_above(90);
   add_rows(sheet, {frame.sets, sizes.low, sizes.high}, largest);
 }
 
@@ -198,11 +174,11 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   if (any([](const Run& run) { return run.draws.value_or(1) > 1; }))
     legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
-  for (const ComparedScene& scene : comparison.scenes) {
-    const TimeAxis axis = axis_of(comparison, scene);
-    explain_shade(axis, legend);
-    if (axis.is_shaded()) break;
-  }
+  for (const ComparedScene& scene : comparison.scenes)
+    if (const TimeAxis axis = axis_of(comparison, scene); axis.is_shaded()) {
+      explain_shade(axis, legend);
+      break;
+    }
   if (any([](const Run& run) { return !run.done(); })) legend.emplace_back(failure_style, "failed");
   return legend;
 }
@@ -226,7 +202,7 @@ Drawing drawn(Sheet sheet, const Comparison& comparison, const CommonAxes& frame
     add_scenes(sheet, comparison, frame, from, std::min(from + beside, scenes));
   if (scenes < comparison.scenes.size())
     sheet.note(fmt::format("the first {} of {} scenes", scenes, comparison.scenes.size()));
-  if (!frame.note.empty()) sheet.note(frame.note);
+  sheet.note(frame.note);
   return sheet.finish();
 }
 
@@ -235,9 +211,8 @@ Drawing drawn(Sheet sheet, const Comparison& comparison, const CommonAxes& frame
 Drawings agreement(const ComparisonSubject& subject) {
   const Comparison& comparison = subject.comparison;
   const CommonAxes frame = frame_of(comparison);
-  const bool any =
-      std::ranges::any_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; });
-  if (!any) return {};
+  if (std::ranges::none_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; }))
+    return {};
   const Legend legend = legend_of(comparison, frame);
   const std::string question = subject.figure.question + " " + answer(comparison);
   const bool player = std::ranges::any_of(

@@ -11,7 +11,6 @@ struct Errors {
   std::optional<double> RunMetrics::*upper = nullptr;
 };
 
-/// The errors of one series, and their fit.
 struct ErrorLine {
   Run run;  ///< any of the line
   std::string label;
@@ -24,17 +23,11 @@ struct ErrorLine {
 
 std::string fit_label(const StepFit& fit) {
   if (!fit.holds()) return "no fit, " + fit.reason;
-  const std::string model_error = fit.model_error.low > 0
-                                      ? fmt::format("{:.2g} ({:.2g}–{:.2g})", fit.model_error.value,
-                                                    fit.model_error.low, fit.model_error.high)
-                                      : fmt::format("≤ {:.2g}", fit.model_error.high);
+  const auto& [value, low, high] = fit.model_error;
+  const std::string model_error =
+      low > 0 ? fmt::format("{:.2g} ({:.2g}–{:.2g})", value, low, high) : fmt::format("≤ {:.2g}", high);
   return fmt::format("p {:.2f} ({:.2f}–{:.2f}), model error {}", fit.order.value, fit.order.low,
                      fit.order.high, model_error);
-}
-
-/// An engine may have no error at all in a replicate, which no logarithm shows.
-double drawable(double error) {
-  return std::max(error, least_error);
 }
 
 std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::string& scene,
@@ -45,18 +38,17 @@ std::vector<ErrorLine> error_lines(const Comparison& comparison, const std::stri
     for (const Run& run : runs) {
       const double error = std::abs(value_of(run.*errors.of));
       if (!(error > 0) || !std::isfinite(error)) continue;
-      const auto quartile = [&](std::optional<double> RunMetrics::*of) {
-        return drawable(of == nullptr ? error : (run.*of).value_or(error));
+      // An engine may have no error at all in a replicate, which no logarithm shows.
+      const auto shown = [&](std::optional<double> RunMetrics::*of) {
+        return std::max(of == nullptr ? error : (run.*of).value_or(error), least_error);
       };
-      line.errors.push_back(
-          {value_of(run.dt), drawable(error), quartile(errors.lower), quartile(errors.upper)});
+      line.errors.push_back({value_of(run.dt), shown(nullptr), shown(errors.lower), shown(errors.upper)});
     }
     if (!line.errors.empty()) lines.push_back(line);
   }
   return lines;
 }
 
-/// The fitted curve between the smallest and the largest step.
 Curve fitted_curve(const ErrorLine& line) {
   constexpr int points = 60;
   const double first = line.errors.front()[0], last = line.errors.back()[0];
@@ -68,25 +60,22 @@ Curve fitted_curve(const ErrorLine& line) {
   return curve;
 }
 
-/// Half a decade of room around all marks.
-std::string ranges(const std::vector<ErrorLine>& lines, double width, double height) {
+std::function<std::string(double, double)> axes_of(const std::vector<ErrorLine>& lines) {
   Reach across, up;
   for (const ErrorLine& line : lines)
     for (const std::vector<double>& error : line.errors) {
       across.add(error[0]);
       up.add(error[2]), up.add(error[3]);
     }
-  constexpr double room = 1.6;
-  return logarithmic_axes(across.wider_times(room), up.wider_times(room), width, height);
+  return logarithmic_axes(across.wider_times(1.6), up.wider_times(1.6));
 }
 
-/// The least error of all, with its step.
 std::string answer(const std::vector<ErrorLine>& lines, const Errors& errors) {
-  double least = 1e300, dt = 0;
+  std::vector<double> least{0, 1e300};
   for (const ErrorLine& line : lines)
     for (const std::vector<double>& error : line.errors)
-      if (error[1] < least) least = error[1], dt = error[0];
-  return fmt::format("At least {:.2g} {}, at {}", least, errors.unit, duration_text(dt));
+      if (error[1] < least[1]) least = error;
+  return fmt::format("At least {:.2g} {}, at {}", least[1], errors.unit, duration_text(least[0]));
 }
 
 /// Marks, quartiles and fitted curve of a series, with the model error that no step takes away.
@@ -94,13 +83,13 @@ std::vector<std::string> plots_of(const ErrorLine& line, std::size_t i, double s
   const Style style = style_of(line.run);
   std::vector<std::string> plots;
   if (line.fits()) {
-    plots.push_back(fmt::format("$fitted_{} using 1:2 with lines lw 2 lc rgb '{}' dt {} notitle", i,
-                                style.colour, style.dash));
+    plots.push_back(plot_of(fmt::format("fitted_{}", i),
+                            fmt::format("with lines lw 2 lc rgb '{}' dt {}", style.colour, style.dash)));
     if (line.fit->model_error.value > 0) plots.push_back(floor_plot(*line.fit, style.colour));
   }
   plots.push_back(fmt::format("$errors_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i,
                               style.colour));
-  plots.push_back(fmt::format("$errors_{} using 1:2 {} notitle", i, mark_style(line.run, size)));
+  plots.push_back(plot_of(fmt::format("errors_{}", i), mark_style(line.run, size)));
   return plots;
 }
 
@@ -115,25 +104,18 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
   std::vector<Series> series;
   Numbers all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    series.push_back({lines[i].label,
-                      style_of(lines[i].run).colour,
-                      plots_of(lines[i], i, 1.5),
-                      plots_of(lines[i], i, 1.1),
-                      {}});
-    std::ranges::copy(lines[i].errors, std::back_inserter(all));
-    sheet.data(number_block(fmt::format("errors_{}", i), lines[i].errors));
-    if (lines[i].fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(lines[i])));
+    const ErrorLine& line = lines[i];
+    series.push_back({line.label, style_of(line.run).colour, plots_of(line, i, 1.5), plots_of(line, i, 1.1)});
+    std::ranges::copy(line.errors, std::back_inserter(all));
+    sheet.data(number_block(fmt::format("errors_{}", i), line.errors));
+    if (line.fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(line)));
   }
-  const auto axes = [&](double width, double height) { return ranges(lines, width, height); };
-  SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes, 560, 0};
-  if (many) {
-    sheet.data(context_block("all", all));
-    panel.under = {context_marks("all")};
-  }
+  SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes_of(lines), 560, 0};
+  if (many) panel.under = {context_marks(sheet, all)};
   add_series(sheet, panel, series, many);
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
-  subject.add_replicates_note(sheet);
+  sheet.note(draws_note(subject.comparison, subject.scene.name));
   return sheet.finish();
 }
 

@@ -11,24 +11,19 @@ struct Cost {
   double lower = 0, upper = 0;  ///< quartiles over replicates; the error itself where there are none
 };
 
-constexpr double panel_up = 520;  ///< height of the one panel of few, pixels
-
 struct CostLine {
   Run run;                  ///< any of the line
   std::string label, unit;  ///< " iterations" where these vary
   const StepFit* fit;       ///< of the errors over time steps; null where there is none
-  std::vector<Cost> costs;
+  std::vector<Cost> costs = {};
 };
 
 std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
   std::vector<CostLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
     const bool varies = varies_iterations(runs);
-    CostLine line{runs.front(),
-                  line_label(runs),
-                  varies ? " iterations" : "",
-                  fit_of(comparison, runs, "rms_angle_difference"),
-                  {}};
+    CostLine line{runs.front(), line_label(runs), varies ? " iterations" : "",
+                  fit_of(comparison, runs, "rms_angle_difference")};
     for (const Run& run : runs) {
       const double error = value_of(run.rms_angle_difference);
       const auto shown = [](double value) { return std::max(value, least_error); };
@@ -59,19 +54,16 @@ Numbers numbers_of(const CostLine& line) {
   });
 }
 
-/// Whether the errors of two neighbouring runs tell a trend: their quartiles over replicates differ, and
+/// The lines between neighbours whose errors tell a trend: their quartiles over replicates differ, and
 /// without replicates histories can be compared to the end. Elsewhere a line between them would mean nothing.
-bool differ(const Cost& a, const Cost& b, bool comparable) {
-  const bool spread = a.lower < a.upper || b.lower < b.upper;
-  return spread ? a.upper < b.lower || b.upper < a.lower : comparable;
-}
-
-/// The lines between neighbours that differ, as pieces.
 Numbers pieces(const CostLine& line, bool comparable) {
   Numbers numbers;
-  for (std::size_t i = 1; i < line.costs.size(); ++i)
-    if (const Cost& a = line.costs[i - 1], &b = line.costs[i]; differ(a, b, comparable))
+  for (std::size_t i = 1; i < line.costs.size(); ++i) {
+    const Cost &a = line.costs[i - 1], &b = line.costs[i];
+    const bool spread = a.lower < a.upper || b.lower < b.upper;
+    if (spread ? a.upper < b.lower || b.upper < a.lower : comparable)
       numbers.push_back({a.time, a.error, b.time, b.error});
+  }
   return numbers;
 }
 
@@ -81,7 +73,6 @@ bool are_comparable(const ComparedScene& scene, const Run& run) {
   return !scene.perturbed && (std::isnan(scene.predictable_time) || scene.predictable_time >= 0.99 * end);
 }
 
-/// The panel's edges.
 struct Frame {
   Reach across, up;
 };
@@ -101,14 +92,11 @@ Frame frame_of(const std::vector<CostLine>& lines, double exact) {
 
 /// What a method of an order would gain by smaller steps, from the fastest run on.
 struct Slope {
-  int order;
+  std::string words;
   Cost from, to;
-
-  std::string words() const { return fmt::format(" order {}", order); }
 };
 
-/// Of orders one and two; none where no solver has more than one run, or where errors differ too little for
-/// slopes to be told apart.
+/// Of orders one and two; none where no solver has several runs, or errors differ too little to tell them.
 std::vector<Slope> slopes_of(const std::vector<CostLine>& lines, const Frame& frame) {
   constexpr double enough = 30;
   const bool single = std::ranges::none_of(lines, [](const CostLine& line) { return line.costs.size() > 1; });
@@ -120,7 +108,7 @@ std::vector<Slope> slopes_of(const std::vector<CostLine>& lines, const Frame& fr
     const double high = up.high / 1.4;
     const double gain = std::min(std::pow(high / up.low / 1.4, 1.0 / order), across.high / from / 2);
     slopes.push_back(
-        {order, {.time = from, .error = high}, {.time = from * gain, .error = high / std::pow(gain, order)}});
+        {fmt::format(" order {}", order), {from, high}, {from * gain, high / std::pow(gain, order)}});
   }
   return slopes;
 }
@@ -132,7 +120,7 @@ std::string slope_guides(const std::vector<Slope>& slopes, bool named) {
     text += fmt::format("set arrow from {}, {} to {} nohead lw 1.5 dt (2,5) lc rgb '#707070' back\n",
                         plain(slope.from.time), plain(slope.from.error), to);
     if (named)
-      text += fmt::format("set label '{}' at {} left font ',11' tc rgb '#606060'\n", slope.words(), to);
+      text += fmt::format("set label '{}' at {} left font ',11' tc rgb '#606060'\n", slope.words, to);
   }
   return text;
 }
@@ -145,12 +133,10 @@ std::string labels(const std::vector<CostLine>& lines, const std::vector<Slope>&
                         colour};
   };
   LabelledPanel panel{width, height, {}};
-  for (const Slope& slope : slopes) panel.words.push_back(mark(slope.to, slope.words(), ""));
-  for (const CostLine& line : lines) {
-    panel.lines.emplace_back();
-    for (const Cost& cost : line.costs)
-      panel.lines.back().push_back(mark(cost, cost.label, style_of(line.run).colour));
-  }
+  for (const Slope& slope : slopes) panel.words.push_back(mark(slope.to, slope.words, ""));
+  for (const CostLine& line : lines)
+    panel.lines.push_back(each_of(
+        line.costs, [&](const Cost& cost) { return mark(cost, cost.label, style_of(line.run).colour); }));
   return placed_labels(panel);
 }
 
@@ -160,20 +146,17 @@ std::vector<std::string> plots_of(const std::vector<CostLine>& lines, std::size_
       fmt::format("$pieces_{} using 1:2:($3-$1):($4-$2) with vectors nohead lw 2 lc rgb '{}' dt {} notitle",
                   i, style.colour, style.dash),
       fmt::format("$line_{} using 1:2:3:4 with yerrorbars lw 1.5 lc rgb '{}' pt 0 notitle", i, style.colour),
-      fmt::format("$line_{} using 1:2 {} notitle", i, mark_style(lines[i].run, size))};
+      plot_of(fmt::format("line_{}", i), mark_style(lines[i].run, size))};
 }
 
 /// A series a line; where they are many, one a solver with all of its sets.
 std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
   std::vector<Series> list;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    Series one = mark_series(lines[i].run, fmt::format("line_{}", i), 1.7);
-    one.words = many ? solver_name(lines[i].run) : lines[i].label;
-    one.plots = plots_of(lines, i, 1.7);
-    one.alone = plots_of(lines, i, 1.1);
-    Series& all = found_or_added(list, [&](const Series& other) { return many && other.words == one.words; },
-                                 {one.words, one.colour, one.plots, {}, {}});
-    all.alone.insert(all.alone.end(), one.alone.begin(), one.alone.end());
+    const std::string words = many ? lines[i].run.solver_name() : lines[i].label;
+    Series& all = found_or_added(list, [&](const Series& other) { return many && other.words == words; },
+                                 {words, style_of(lines[i].run).colour, plots_of(lines, i, 1.7)});
+    for (const std::string& plot : plots_of(lines, i, 1.1)) all.alone.push_back(plot);
   }
   return list;
 }
@@ -183,7 +166,6 @@ std::string off_by(double error) {
                              : fmt::format("off by less than {:g} rad", least_error);
 }
 
-/// The cheapest run within the tolerance, where there is one.
 std::string answer(const std::vector<CostLine>& lines, double tolerance) {
   const Cost* best = nullptr;
   const CostLine* of = nullptr;
@@ -245,28 +227,20 @@ Drawing error_time(const SceneSubject& subject) {
   Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance));
   Numbers all;
   for (const CostLine& line : lines) std::ranges::copy(numbers_of(line), std::back_inserter(all));
-  sheet.data(context_block("all", all));
   for (std::size_t i = 0; i < lines.size(); ++i)
     sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
   const std::vector<Slope> slopes = slopes_of(lines, frame);
   const std::string guides = slope_guides(slopes, !many);
-  const auto axes = [&](double width, double up) {
-    return logarithmic_axes(frame.across, frame.up, width, up);
-  };
-  const double height = subject.height(panel_up, panel_up);
-  SeriesPanel panel{many ? "stepping time a second (s)" : "stepping time for one second of motion (s)",
-                    "RMS angle difference (rad)",
-                    "RMS (rad)",
-                    true,
-                    axes,
-                    height,
-                    0};
-  panel.under = many ? std::vector{context_marks("all")} : floors(lines);
-  panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, subject.panel(), height);
+  const auto axes = logarithmic_axes(frame.across, frame.up);
+  const double height = subject.height(520, 520);
+  const char* across = many ? "stepping time a second (s)" : "stepping time for one second of motion (s)";
+  SeriesPanel panel{across, "RMS angle difference (rad)", "RMS (rad)", true, axes, height, 0};
+  panel.under = many ? std::vector{context_marks(sheet, all)} : floors(lines);
+  panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, sheet.panel_width(), height);
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);
-  subject.add_replicates_note(sheet);
+  sheet.note(draws_note(subject.comparison, subject.scene.name));
   if (!subject.on_slide) add_notes(sheet, lines, !slopes.empty(), many);
   return sheet.finish();
 }

@@ -4,7 +4,6 @@
 namespace rockstack::plots {
 namespace {
 
-/// One of the terms of a difference.
 struct Term {
   const char* name;
   const char* colour;
@@ -18,15 +17,6 @@ constexpr std::array terms_of_difference{
 
 /// What a logarithmic axis does not reach stands on its left edge.
 constexpr double least_term = 1e-9;  // rad
-
-std::vector<StepLine> split_lines(const Comparison& comparison, const std::string& scene) {
-  std::vector<StepLine> lines;
-  for (StepLine line : step_lines(comparison, scene)) {
-    std::erase_if(line, [](const Run& run) { return !run.step_difference; });
-    if (!line.empty()) lines.push_back(std::move(line));
-  }
-  return lines;
-}
 
 /// The bars of one step: left end, row, left and right end, lower and upper edge of each.
 std::vector<std::string> bars(Sheet& sheet, const std::vector<StepLine>& lines, double dt, std::size_t at) {
@@ -47,44 +37,37 @@ std::vector<std::string> bars(Sheet& sheet, const std::vector<StepLine>& lines, 
   return plots.list();
 }
 
-double largest_term(const std::vector<Run>& runs) {
-  double largest = 10 * least_term;
-  for (const Run& run : runs)
-    for (const Term& term : terms_of_difference) largest = std::max(largest, (run.*term.size).value_or(0));
-  return largest;
-}
-
-/// How many of the runs have that term as their largest.
-auto led_by(const std::vector<Run>& runs, const Term& led) {
-  return std::ranges::count_if(runs, [&](const Run& run) {
-    return std::ranges::all_of(terms_of_difference, [&](const Term& term) {
-      return term.size == led.size || run.*term.size < run.*led.size;
-    });
-  });
-}
-
 }  // namespace
 
 Drawing split_parts(const SceneSubject& subject) {
-  const std::vector<StepLine> lines = split_lines(subject.comparison, subject.scene.name);
+  std::vector<StepLine> lines = step_lines(subject.comparison, subject.scene.name);
+  for (StepLine& line : lines) std::erase_if(line, [](const Run& run) { return !run.step_difference; });
+  std::erase_if(lines, [](const StepLine& line) { return line.empty(); });
   if (lines.empty()) return subject.nothing("No engine run of this scene that is split.");
-  std::vector<std::string> words;
   std::vector<Run> runs;
-  for (const StepLine& line : lines) {
-    words.push_back(line_label(line));
-    runs.insert(runs.end(), line.begin(), line.end());
-  }
+  for (const StepLine& line : lines) runs.insert(runs.end(), line.begin(), line.end());
   Legend legend;
   std::string answer;
+  double largest = 10 * least_term;
   for (const Term& term : terms_of_difference) {
+    std::size_t led = 0;  // runs whose largest term it is
+    for (const Run& run : runs) {
+      largest = std::max(largest, (run.*term.size).value_or(0));
+      led += std::ranges::all_of(terms_of_difference, [&](const Term& other) {
+        return other.size == term.size || run.*other.size < run.*term.size;
+      });
+    }
     legend.emplace_back(fmt::format("with lines lw 8 lc rgb '{}'", term.colour), term.name);
-    answer += fmt::format("{}{} in {}", answer.empty() ? "" : ", ", term.name, led_by(runs, term));
+    answer += fmt::format("{}{} in {}", answer.empty() ? "" : ", ", term.name, led);
   }
   Sheet sheet = subject.sheet(legend, "The largest part, runs: " + answer);
   std::vector<RowColumn> columns;
   for (const double dt : chosen_steps(runs))
     columns.push_back({"step " + duration_text(dt), bars(sheet, lines, dt, columns.size())});
-  add_rows(sheet, {words, least_term, 1.5 * largest_term(runs), "x", 34}, columns);
+  add_rows(sheet,
+           {each_of(lines, [](const StepLine& line) { return line_label(line); }), least_term, 1.5 * largest,
+            "x", 34},
+           columns);
   sheet.note("RMS of each part over all samples and blocks (rad); as histories the three add up");
   if (!draws_note(subject.comparison, subject.scene.name).empty()) sheet.note("medians over replicates");
   return sheet.finish();

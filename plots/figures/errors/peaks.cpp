@@ -22,10 +22,9 @@ void add_run(Plots& plots, const Run& run, double row, double end) {
 
 std::string answer(double exact, const std::vector<Run>& runs) {
   const auto [least, most] =
-      std::ranges::minmax(runs, {}, [](const Run& run) { return *run.peak_over_slenderness; });
+      std::ranges::minmax(each_of(runs, [](const Run& run) { return *run.peak_over_slenderness; }));
   return fmt::format("Exact {}, engines {} to {} of the slenderness angle, in the median of replicates",
-                     number_text(exact, 2), number_text(*least.peak_over_slenderness, 2),
-                     number_text(*most.peak_over_slenderness, 2));
+                     number_text(exact, 2), number_text(least, 2), number_text(most, 2));
 }
 
 }  // namespace
@@ -35,7 +34,7 @@ Drawing peaks(const SceneSubject& subject) {
   std::vector<Run> runs;
   double exact = 0;
   for (StepLine& line : lines) {
-    std::erase_if(line, [](const Run& run) { return is_variant(run) || !run.peak_over_slenderness; });
+    std::erase_if(line, [](const Run& run) { return run.is_variant() || !run.peak_over_slenderness; });
     for (const Run& run : line) exact = std::max(exact, run.exact_peak_over_slenderness.value_or(0));
     runs.insert(runs.end(), line.begin(), line.end());
   }

@@ -34,14 +34,6 @@ std::vector<Sample> samples_of(const std::vector<Run>& runs, int block) {
   return samples;
 }
 
-/// Of all values, with room on both sides.
-Reach reach_of(const std::vector<Sample>& samples) {
-  Reach reach;
-  for (const Sample& sample : samples)
-    for (const double value : {sample.values.front(), sample.values.back()}) reach.add(value);
-  return reach.wider(reach.high > reach.low ? 0.04 * (reach.high - reach.low) : 0.5);
-}
-
 /// The share of values at or below, from one end of the panel to the other, as gnuplot's steps.
 Curve shares(const std::vector<double>& values, const Reach& reach) {
   Curve curve{{reach.low}, {0}};
@@ -57,20 +49,6 @@ std::string style(const Run& run) {
   return fmt::format("with steps lw 2 lc rgb '{}' dt {}", style.colour, style.dash);
 }
 
-/// A mark on every few steps, which tells sets of one solver apart.
-std::string marks_on(const std::string& block, const Run& run, std::size_t order) {
-  constexpr std::size_t pace = 9;
-  return fmt::format("${} using 1:2 every {}::{} {} notitle", block, pace, 2 + 2 * order % pace,
-                     mark_style(run, 1.2));
-}
-
-const DistributionDistance* distance_of(const Comparison& comparison, const Run& run,
-                                        const std::string& quantity) {
-  for (const DistributionDistance& one : comparison.distances)
-    if (one.run == run.run && one.quantity == quantity) return &one;
-  return nullptr;
-}
-
 struct Quantity {
   std::string name, axis;
   int block = 0;  ///< 0: of the whole stack
@@ -84,47 +62,51 @@ std::vector<Quantity> quantities_of(const ComparedScene& scene) {
   return list;
 }
 
-/// The distances of each run, a line a run under the panels.
 void add_distances(Sheet& sheet, const SceneSubject& subject, const std::vector<Run>& runs) {
   double critical = 0;
   for (const Run& run : runs) {
     std::string words;
     for (const auto& [name, axis, block] : quantities_of(subject.scene))
-      if (const DistributionDistance* one = distance_of(subject.comparison, run, name); one != nullptr) {
-        words += fmt::format("{} {:.2f} of {}", words.empty() ? ": D" : ",", one->apart.distance,
+      for (const DistributionDistance& one : subject.comparison.distances) {
+        if (one.run != run.run || one.quantity != name) continue;
+        words += fmt::format("{} {:.2f} of {}", words.empty() ? ": D" : ",", one.apart.distance,
                              axis.substr(0, axis.find(" (")));
-        critical = one->apart.critical;
+        critical = one.apart.critical;
       }
     if (!words.empty()) sheet.note(run_label(run) + words, style_of(run).colour);
   }
   if (critical > 0) sheet.note(fmt::format("by chance D is above {:.2f} once in twenty times", critical));
 }
 
-/// How many of the distances are larger than chance makes them.
 std::string answer(const SceneSubject& subject) {
   int all = 0, beyond = 0;
-  for (const DistributionDistance& one : subject.comparison.distances) {
-    if (one.scene != subject.scene.name) continue;
-    ++all;
-    beyond += one.apart.distance > one.apart.critical ? 1 : 0;
-  }
+  for (const DistributionDistance& one : subject.comparison.distances)
+    if (one.scene == subject.scene.name) {
+      ++all;
+      beyond += one.apart.distance > one.apart.critical ? 1 : 0;
+    }
   return fmt::format("{} of {} distances from the exact distribution are beyond chance", beyond, all);
 }
 
 Series series_of(const Sample& sample, const std::string& block, std::size_t order) {
-  const std::string plot = fmt::format("${} using 1:2 {} notitle", block, style(sample.run));
+  const std::string plot = plot_of(block, style(sample.run));
   if (sample.run.exact()) return {"", "", {plot}, {}, {plot}};
+  constexpr std::size_t pace = 9;  // a mark on every few steps tells sets of one solver apart
   return {run_label(sample.run),
           style_of(sample.run).colour,
-          {plot, marks_on(block, sample.run, order)},
+          {plot, plot_of(block, fmt::format("every {}::{} {}", pace, 2 + 2 * order % pace,
+                                            mark_style(sample.run, 1.2)))},
           {plot},
-          {fmt::format("${} using 1:2 with steps lw 1 lc rgb '{}' notitle", block, context_colour)}};
+          {plot_of(block, fmt::format("with steps lw 1 lc rgb '{}'", context_colour))}};
 }
 
 void add_quantity(Sheet& sheet, const Quantity& quantity, const std::vector<Run>& runs) {
   const std::vector<Sample> samples = samples_of(runs, quantity.block);
   if (samples.empty()) return;
-  const Reach reach = reach_of(samples);
+  Reach reach;
+  for (const Sample& sample : samples)
+    for (const double value : {sample.values.front(), sample.values.back()}) reach.add(value);
+  reach = reach.wider(reach.high > reach.low ? 0.04 * (reach.high - reach.low) : 0.5);
   std::vector<Series> series;
   for (const Sample& sample : samples) {
     const std::string block = fmt::format("{}_{}", quantity.name, series.size());
@@ -138,28 +120,14 @@ void add_quantity(Sheet& sheet, const Quantity& quantity, const std::vector<Run>
   add_series(sheet, {quantity.axis, "share of scenes", "share", true, axes, 320, 84}, series, are_many(runs));
 }
 
-struct TopplingShare {
-  Run run;
-  Share share;
-};
-
-std::vector<TopplingShare> toppling_shares(const std::vector<Run>& runs) {
-  std::vector<TopplingShare> shares;
-  for (const Run& run : runs)
-    if (const Share share = toppled_share(*tallies_of(run), *tallies_of(runs.front())); share.of > 0)
-      shares.push_back({run, share});
-  return shares;
-}
-
 /// Words over the row of a share, which stay inside the panel.
-std::string label_of(const TopplingShare& one, std::size_t row) {
-  const auto [of, toppled, agree] = one.share;
-  const std::string count = fmt::format("{} of {}", toppled, of);
-  const bool right = one.share.value() > 0.5;
+std::string label_of(const Run& run, const Share& share, std::size_t row) {
+  const std::string count = fmt::format("{} of {}", share.toppled, share.of);
+  const bool right = share.value() > 0.5;
   return fmt::format(
       "set label {} noenhanced at {}, {} {} offset 0,0.9 font ',11' front\n",
-      in_quotes(one.run.exact() ? count : fmt::format("{}; {} as the exact solution says", count, agree)),
-      plain(right ? one.share.bounds().upper : one.share.bounds().lower), row, right ? "right" : "left");
+      in_quotes(run.exact() ? count : fmt::format("{}; {} as the exact solution says", count, share.agree)),
+      plain(right ? share.bounds().upper : share.bounds().lower), row, right ? "right" : "left");
 }
 
 }  // namespace
@@ -176,33 +144,35 @@ Drawing distributions(const SceneSubject& subject) {
 }
 
 Drawing toppling(const SceneSubject& subject) {
-  const std::vector<TopplingShare> shares =
-      toppling_shares(perturbed_runs(subject.comparison, subject.scene.name));
-  if (shares.empty() || !shares.front().run.exact())
+  const std::vector<Run> runs = perturbed_runs(subject.comparison, subject.scene.name);
+  const auto share_of = [&](const Run& run) {
+    return toppled_share(*tallies_of(run), *tallies_of(runs.front()));
+  };
+  if (runs.empty() || !runs.front().exact() || share_of(runs.front()).of == 0)
     return subject.nothing("No exact answers over perturbed scenes to compare with.");
-  const Share& exact = shares.front().share;
+  const Share exact = share_of(runs.front());
   Sheet sheet = subject.sheet({}, fmt::format("By the exact solution {} of {}", exact.toppled, exact.of));
   std::string settings = fmt::format(
       "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '#E6E6E6' fillstyle solid noborder behind\n",
       plain(exact.bounds().lower), plain(exact.bounds().upper));
   Plots plots(sheet, "share");
   std::vector<std::string> names;
-  for (const TopplingShare& one : shares) {
+  for (const Run& run : runs) {
+    const Share share = share_of(run);
+    if (share.of == 0) continue;
     const std::size_t row = names.size();
-    plots.add(
-        {{one.share.value(), static_cast<double>(row), one.share.bounds().lower, one.share.bounds().upper}},
-        {fmt::format("using 1:2:3:4 with xerrorbars lw 2 lc rgb '{}' pt 0", style_of(one.run).colour),
-         "using 1:2 " + mark_style(one.run, 1.8)});
-    settings += label_of(one, row);
-    names.push_back(run_label(one.run));
+    plots.add({{share.value(), static_cast<double>(row), share.bounds().lower, share.bounds().upper}},
+              {fmt::format("using 1:2:3:4 with xerrorbars lw 2 lc rgb '{}' pt 0", style_of(run).colour),
+               "using 1:2 " + mark_style(run, 1.8)});
+    settings += label_of(run, share, row);
+    names.push_back(run_label(run));
   }
-  constexpr double row = 52, left = 0.4;
-  const auto rows = static_cast<double>(shares.size());
+  const auto rows = static_cast<double>(names.size());
   settings += fmt::format(
       "set xrange [0:1]\nset yrange [{}:-0.7]\nset ytics ({}) noenhanced\n"
       "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xlabel 'share of scenes that topple'\n",
       rows - 0.5, word_tics(names));
-  sheet.row(row * rows, 0, {{settings, plots.list()}}, 1, left);
+  sheet.row(52 * rows, 0, {{settings, plots.list()}}, 1, 0.4);
   sheet.note("bars: 95 % bounds of each share; grey: those of the exact one");
   return sheet.finish();
 }

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "plots/data/run_files.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/scores.hpp"
 #include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
@@ -10,32 +10,38 @@
 namespace rockstack::plots {
 namespace {
 
-using Ranges = std::map<std::string, SpreadRange>;
+/// The whole range of the errors of a run's replicates, by the names of the runs that have some.
+using Ranges = std::map<std::string, Reach>;
+
+Ranges read_ranges(const fs::path& file) {
+  Ranges ranges;
+  if (!fs::exists(file)) return ranges;
+  for (CsvLine row(file); row.next();)
+    if (row.text("quantity") == "error")
+      ranges[row.text("run")] = {row.value("least"), row.value("greatest")};
+  return ranges;
+}
 
 /// One row: the runs of a series that have errors, and what the rows are ordered by.
 struct RankedSeries {
   std::string label;
   std::vector<Run> runs;
-  std::size_t steps = 0;  ///< of the whole line
-  double largest = 0;     ///< error of the whole line
+  double largest = 0;  ///< error of the whole line
 };
 
 /// A row for the whole line, or one for each number of iterations, rising, where these vary.
 std::vector<RankedSeries> rows_of(const StepLine& line) {
-  RankedSeries whole{line_label(line), {}, 0, 0};
+  RankedSeries whole{line_label(line), {}};
   for (const Run& run : line)
-    if (!is_variant(run) && run.error > 0) {
+    if (!run.is_variant() && run.error > 0) {
       whole.runs.push_back(run);
       whole.largest = std::max(whole.largest, *run.error);
     }
   if (whole.runs.empty()) return {};
-  if (!varies_iterations(line)) {
-    whole.steps = whole.runs.size();
-    return {whole};
-  }
+  if (!varies_iterations(line)) return {whole};
   std::vector<RankedSeries> rows;
   for (auto run = whole.runs.rbegin(); run != whole.runs.rend(); ++run)
-    rows.push_back({line_label(*run), {*run}, 1, whole.largest});
+    rows.push_back({line_label(*run), {*run}, whole.largest});
   return rows;
 }
 
@@ -45,16 +51,15 @@ std::vector<RankedSeries> ranked(const Comparison& comparison, const std::string
   for (const StepLine& line : step_lines(comparison, scene))
     for (const RankedSeries& row : rows_of(line)) rows.push_back(row);
   std::ranges::stable_sort(rows, [](const RankedSeries& a, const RankedSeries& b) {
-    return a.steps != b.steps ? a.steps > b.steps : a.largest < b.largest;
+    return a.runs.size() != b.runs.size() ? a.runs.size() > b.runs.size() : a.largest < b.largest;
   });
   rows.resize(std::min(rows.size(), most_rows));
   return rows;
 }
 
-/// The whole range of a run's error over replicates.
-SpreadRange range_of(const Run& run, const Ranges& ranges) {
+Reach range_of(const Run& run, const Ranges& ranges) {
   const auto found = ranges.find(run.run);
-  return found == ranges.end() ? SpreadRange{*run.error, *run.error} : found->second;
+  return found == ranges.end() ? Reach{*run.error, *run.error} : found->second;
 }
 
 /// With room about it on a logarithmic axis, a twenty-fifth of its decades or more.
@@ -65,26 +70,24 @@ Reach with_log_room(const Reach& reach) {
 Reach reach_of(const std::vector<Run>& runs, const Ranges& ranges) {
   Reach reach;
   for (const Run& run : runs) {
-    const SpreadRange range = range_of(run, ranges);
-    reach.low = std::min(reach.low, std::max(range.least, *run.error / 100));
-    reach.high = std::max(reach.high, range.greatest);
+    const auto [least, greatest] = range_of(run, ranges);
+    reach.low = std::min(reach.low, std::max(least, *run.error / 100));
+    reach.high = std::max(reach.high, greatest);
   }
   return with_log_room({std::max(reach.low, least_error), std::max(reach.high, least_error)});
 }
 
-/// A run's error, its quartiles and its whole range over replicates.
 void add_run(Plots& plots, const Run& run, std::size_t row, const Ranges& ranges) {
   const double error = *run.error;
-  const SpreadRange range = range_of(run, ranges);
+  const auto [least, greatest] = range_of(run, ranges);
   const auto shown = [](double value) { return std::max(value, least_error); };
   const std::string bars = fmt::format("lc rgb '{}' pt 0", style_of(run).colour);
   plots.add({{shown(error), static_cast<double>(row), shown(run.error_lower.value_or(error)),
-              shown(run.error_upper.value_or(error)), shown(range.least), shown(range.greatest)}},
+              shown(run.error_upper.value_or(error)), shown(least), shown(greatest)}},
             {"using 1:2:5:6 with xerrorbars lw 1 " + bars, "using 1:2:3:4 with xerrorbars lw 4 " + bars,
              "using 1:2 " + mark_style(run, 1.4)});
 }
 
-/// Which rows share the first rank, step by step.
 std::string answer(const std::vector<Run>& runs, const std::vector<double>& steps) {
   std::vector<std::string> parts;
   for (const double dt : steps) {
@@ -113,12 +116,6 @@ Reach reach_of(const std::vector<Score>& list) {
   return with_log_room({std::max(reach.low, reach.high / decades), reach.high});
 }
 
-std::string words_of(const Score& score, std::size_t scenes) {
-  const std::size_t answered = score.runs.size();
-  return line_label(score.runs.front()) +
-         (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : "");
-}
-
 /// All solvers by their answers to one question: a row a solver and set, a small mark a scene, a large one
 /// their median. Precondition: there is a score.
 Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question, std::vector<Score> list) {
@@ -136,12 +133,13 @@ Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question
   for (const Score& score : list) {
     const Run& run = score.runs.front();
     const auto row = static_cast<double>(panel.words.size());
-    panel.words.push_back(words_of(score, scenes));
-    Numbers marks;
-    marks.reserve(score.values.size());
-    for (const double value : score.values) marks.push_back({std::max(value, reach.low), row});
-    plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7 lc rgb '{}'", style_of(run).colour)});
-    plots.add({{std::max(score.median, reach.low), row}}, {"using 1:2 " + mark_style(run, 1.6)});
+    const std::size_t answered = score.runs.size();
+    panel.words.push_back(line_label(run) +
+                          (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : ""));
+    const auto mark = [&](double value) { return std::vector{std::max(value, reach.low), row}; };
+    plots.add(each_of(score.values, mark),
+              {fmt::format("using 1:2 with points pt 2 ps 0.7 lc rgb '{}'", style_of(run).colour)});
+    plots.add({mark(score.median)}, {"using 1:2 " + mark_style(run, 1.6)});
   }
   add_rows(sheet, panel, {{question.axis, plots.list()}});
   if (all > list.size()) sheet.note(fmt::format("the first {} of {}", list.size(), all));
@@ -156,13 +154,10 @@ Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question
 Drawing ranking(const SceneSubject& subject) {
   const std::vector<RankedSeries> rows = ranked(subject.comparison, subject.scene.name);
   if (rows.empty()) return subject.nothing("No engine run of this scene with an error.");
-  const Ranges ranges = ranges_of(rows.front().runs.front().folder.parent_path().parent_path(), "error");
+  const Ranges ranges =
+      read_ranges(rows.front().runs.front().folder.parent_path().parent_path() / "spread.csv");
   std::vector<Run> runs;
-  std::vector<std::string> words;
-  for (const RankedSeries& row : rows) {
-    words.push_back(row.label);
-    runs.insert(runs.end(), row.runs.begin(), row.runs.end());
-  }
+  for (const RankedSeries& row : rows) runs.insert(runs.end(), row.runs.begin(), row.runs.end());
   const std::vector<double> steps = chosen_steps(runs);
   Sheet sheet = subject.sheet({}, answer(runs, steps));
   std::vector<RowColumn> columns;
@@ -174,7 +169,7 @@ Drawing ranking(const SceneSubject& subject) {
     columns.push_back({"step " + duration_text(dt), plots.list()});
   }
   const Reach reach = reach_of(runs, ranges);
-  add_rows(sheet, {words, reach.low, reach.high}, columns);
+  add_rows(sheet, {each_of(rows, &RankedSeries::label), reach.low, reach.high}, columns);
   sheet.note(
       "RMS differences up to the horizon: of angles (rad), or of centres as a share of the least block height");
   sheet.note(ranges.empty()

@@ -11,13 +11,9 @@ constexpr double frame_rate = 25;  // 1/s
 /// One column of the picture.
 struct Actor {
   Run run;
-  std::string colour;
   std::shared_ptr<const History> history;
-
-  double end() const { return history->times.back(); }
 };
 
-/// Everything that frames are made of.
 struct Stage {
   const ComparedScene& scene;
   std::vector<Actor> actors;
@@ -27,14 +23,6 @@ struct Stage {
   double side = 0;   ///< half the width of a column, m
   double above = 0;  ///< top of the picture, m
 };
-
-/// Of blocks whose centres of mass are in their middles: pictures show no others.
-Stack<double> stack_of(const std::vector<Block>& blocks) {
-  Scene scene;
-  scene.blocks = blocks;
-  for (Block& block : scene.blocks) block.offset_x = block.offset_y = 0;
-  return make_stack<double>(scene);
-}
 
 /// Angles of all blocks, or their places, between samples on straight lines; held after the end.
 std::vector<double> values_at(const History& history, const std::vector<double>& rows, double time) {
@@ -91,58 +79,45 @@ std::string drawn(const Stage& stage, std::size_t index, double time) {
   std::string text;
   for (Eigen::Index k = 0; k < middles.cols(); ++k)
     text += fmt::format(
-        "set object polygon from {} fillstyle transparent solid 0.18 border lc rgb '{}' fillcolor rgb '{}' "
+        "set object polygon from {0} fillstyle transparent solid 0.18 border lc rgb '{1}' fillcolor rgb '{1}' "
         "lw 2\n",
         polygon(stage.scene.stack[static_cast<std::size_t>(k)], middles.col(k),
                 angles[static_cast<std::size_t>(k)], middle),
-        actor.colour, actor.colour);
+        style_of(actor.run).colour);
   return text;
 }
 
-/// In words; none where it is not known.
-std::string pattern_at(const std::vector<PatternSpan>& spans, double time) {
-  std::string pattern;
-  for (const PatternSpan& span : spans)
-    if (span.from <= time) pattern = ", exact pattern " + shown_pattern(span.pattern);
-  return pattern;
-}
-
 std::string frame(const Stage& stage, double time) {
-  std::string text = "unset object\n";
+  std::string text = "unset object\n", pattern;
   for (std::size_t i = 0; i < stage.actors.size(); ++i) text += drawn(stage, i, time);
-  const std::string label = fmt::format("{:.2f} s{}", time, pattern_at(stage.spans, time));
+  for (const PatternSpan& span : stage.spans)
+    if (span.from <= time) pattern = ", exact pattern " + shown_pattern(span.pattern);
   return text + fmt::format("set label 1 {} noenhanced at graph 0.5, graph 0.965 center\nplot NaN notitle\n",
-                            in_quotes(label));
-}
-
-/// How fast a film runs: as players do at first.
-double speed_of(double duration) {
-  constexpr double long_motion = 8, short_motion = 2;
-  return duration > long_motion ? 1 : duration > short_motion ? 0.5 : 0.1;
+                            in_quotes(fmt::format("{:.2f} s{}", time, pattern)));
 }
 
 /// Two engines at most: more would be too small to look at.
 std::vector<Actor> actors_of(const Comparison& comparison, const ComparedScene& scene) {
-  const Shown shown = shown_runs(comparison, scene.name);
-  std::vector<Run> runs = shown.exact;
-  for (const Run& run : shown.engines)
-    if (runs.size() < shown.exact.size() + 2 && run.dt) runs.push_back(run);
+  const auto [exact, engines] = shown_runs(comparison, scene.name);
+  std::vector<Run> runs = exact;
+  for (const Run& run : engines)
+    if (runs.size() < exact.size() + 2 && run.dt) runs.push_back(run);
   std::vector<Actor> actors;
-  for (const Run& run : runs) {
-    Actor actor{run, style_of(run).colour, history_of(run)};
-    if (actor.history->size() > 1) actors.push_back(std::move(actor));
-  }
+  for (const Run& run : runs)
+    if (const auto history = history_of(run); history->size() > 1) actors.push_back({run, history});
   return actors;
 }
 
 Stage stage_of(const Comparison& comparison, const ComparedScene& scene) {
-  Stage stage{
-      .scene = scene, .actors = actors_of(comparison, scene), .spans = {}, .stack = stack_of(scene.stack)};
+  Scene middles;  // of blocks whose centres of mass are in their middles: pictures show no others
+  middles.blocks = scene.stack;
+  for (Block& block : middles.blocks) block.offset_x = block.offset_y = 0;
+  Stage stage{scene, actors_of(comparison, scene), {}, make_stack<double>(middles)};
   double height = 0, width = 0, most = 0, across = 0, up = 0;
   for (const Block& block : scene.stack)
     height += 2 * block.half_height, width = std::max(width, 2 * block.half_width);
   for (const Actor& actor : stage.actors) {
-    stage.end = std::max(stage.end, actor.end());
+    stage.end = std::max(stage.end, actor.history->times.back());
     for (const double angle : actor.history->angles) most = std::max(most, std::abs(angle));
     if (!actor.run.exact()) continue;
     const std::vector<double>& places = actor.history->centres;
@@ -159,23 +134,21 @@ Stage stage_of(const Comparison& comparison, const ComparedScene& scene) {
 }
 
 Animation animation_of(const Stage& stage) {
-  const double speed = speed_of(stage.end);
+  const double speed = stage.end > 8 ? 1 : stage.end > 2 ? 0.5 : 0.1;  // as players run at first
   const double wide = 2 * stage.side * static_cast<double>(stage.actors.size()), high = 1.08 * stage.above;
   Animation animation;
   animation.height = 2 * static_cast<int>(std::clamp(500.0 * high / wide + 30, 140.0, 400.0));
-  animation.settings =
+  const std::string slow = speed < 1 ? fmt::format(" (1/{:.0f} of the speed)", 1 / speed) : "";
+  animation.settings = fmt::format(
       "unset tics\nunset key\nunset border\nset size ratio -1\nset margins screen 0.01, screen 0.99, screen "
-      "0.02, screen 0.93\n" +
-      fmt::format("set xrange [0:{}]\nset yrange [{}:{}]\nset title {} noenhanced offset 0,-0.6\n",
-                  plain(wide), plain(-0.08 * stage.above), plain(stage.above),
-                  in_quotes(stage.scene.title +
-                            (speed < 1 ? fmt::format(" (1/{:.0f} of the speed)", 1 / speed) : ""))) +
-      fmt::format("set arrow from 0,0 to {},0 nohead lw 2 lc rgb '#555555'\n", plain(wide));
+      "0.02, screen 0.93\nset xrange [0:{0}]\nset yrange [{1}:{2}]\nset title {3} noenhanced offset 0,-0.6\n"
+      "set arrow from 0,0 to {0},0 nohead lw 2 lc rgb '#555555'\n",
+      plain(wide), plain(-0.08 * stage.above), plain(stage.above), in_quotes(stage.scene.title + slow));
   for (std::size_t i = 0; i < stage.actors.size(); ++i)
     animation.settings += fmt::format(
         "set label {} {} noenhanced at {},{} center textcolor rgb '{}' font ',10'\n", i + 2,
         in_quotes(run_label(stage.actors[i].run)), plain((2 * static_cast<double>(i) + 1) * stage.side),
-        plain(-0.05 * stage.above), stage.actors[i].colour);
+        plain(-0.05 * stage.above), style_of(stage.actors[i].run).colour);
   const auto frames = static_cast<std::size_t>(std::ceil(stage.end / speed * frame_rate));
   for (std::size_t i = 0; i <= frames; ++i)
     animation.frames.push_back(
@@ -185,15 +158,15 @@ Animation animation_of(const Stage& stage) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> draw_animations(const std::filesystem::path& results) {
+std::vector<fs::path> draw_animations(const fs::path& results) {
   const Comparison comparison = read_comparison(results);
-  std::vector<std::filesystem::path> files;
+  std::vector<fs::path> files;
   for (const ComparedScene& scene : comparison.scenes) {
     if (!has_motion(comparison, scene)) continue;
-    const std::filesystem::path stem = results / "figures" / (scene.name + ".motion");
+    const fs::path stem = results / "figures" / (scene.name + ".motion");
     draw(animation_of(stage_of(comparison, scene)), stem);
-    files.push_back(std::filesystem::path(stem).concat(".gif"));
-    if (has_program("ffmpeg")) files.push_back(std::filesystem::path(stem).concat(".mp4"));
+    files.push_back(fs::path(stem).concat(".gif"));
+    if (has_program("ffmpeg")) files.push_back(fs::path(stem).concat(".mp4"));
   }
   return files;
 }

@@ -7,8 +7,6 @@ namespace {
 
 constexpr std::array colours{"#000000", "#0072B2", "#C04A00", "#117733",
                              "#882255", "#806600", "#332288", "#AA4499"};
-constexpr double branch_row_height = 34;  // pixels
-constexpr double room_for_endings = 1.2;  // of time, for words behind its end
 
 /// A row of branches.csv and its motion. Numbers that it does not have are NaN.
 struct BranchRow {
@@ -17,16 +15,17 @@ struct BranchRow {
   History history;
 };
 
-std::string end_words(const std::string& ends, const std::string& like, bool mirrored) {
-  return like.empty() ? ends : fmt::format("{}, {} {}", ends, mirrored ? "mirror image of" : "as", like);
+std::string end_words(const CsvLine& line) {
+  if (line.text("like").empty()) return line.text("ends");
+  return fmt::format("{}, {} {}", line.text("ends"),
+                     line.text("mirrored") == "true" ? "mirror image of" : "as", line.text("like"));
 }
 
-std::vector<BranchRow> read_branches(const std::filesystem::path& folder) {
+std::vector<BranchRow> read_branches(const fs::path& folder) {
   std::vector<BranchRow> rows;
   for (CsvLine line(folder / "branches.csv"); line.next();)
     rows.push_back({line.value("parent"), line.value("time"), line.value("like"), line.value("like_from"),
-                    line.value("end_time"), line.text("takes"),
-                    end_words(line.text("ends"), line.text("like"), line.text("mirrored") == "true"),
+                    line.value("end_time"), line.text("takes"), end_words(line),
                     read_history(rows.empty() ? folder : folder / "branches" / line.text("branch"))});
   return rows;
 }
@@ -70,32 +69,29 @@ void add_tree(Sheet& sheet, const std::vector<BranchRow>& rows, const std::strin
     numbers.push_back(std::to_string(i + 1));
   }
   const auto size = static_cast<double>(rows.size());
-  sheet.panel(branch_row_height * (size + 0.4), 16,
+  sheet.panel(34 * (size + 0.4), 16,
               range + time_numbers + labels +
                   fmt::format("set yrange [{}:0.3]\nset ytics ({})\nset ylabel 'branch'\n", size + 0.7,
                               word_tics(numbers, 1)),
               tree.list());
 }
 
-std::string answer_of(const std::vector<BranchRow>& rows) {
-  const auto unlike = std::ranges::count_if(rows, [](const BranchRow& row) { return std::isnan(row.like); });
-  return fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike);
-}
-
 }  // namespace
 
-/// The angles of all branches, and where they leave each other.
 Drawings branches(const FolderSubject& subject) {
   const std::vector<BranchRow> rows = read_branches(subject.folder);
   Legend legend;
   for (std::size_t i = 0; i < std::min(rows.size(), colours.size()); ++i)
     legend.emplace_back(fmt::format("with lines lw 3 lc rgb '{}'", colour_of(i)),
                         fmt::format("branch {}", i + 1));
-  Sheet sheet =
-      subject.figure.sheet(read_json(subject.folder / "summary.json").at("title"), legend, answer_of(rows));
+  const auto unlike = std::ranges::count_if(rows, [](const BranchRow& row) { return std::isnan(row.like); });
+  Sheet sheet = subject.figure.sheet(
+      read_json(subject.folder / "summary.json").at("title"), legend,
+      fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike));
+  constexpr double room = 1.2;  // of time, for words behind the end
   double end = 0;
   for (const BranchRow& row : rows) end = std::max(end, row.end);
-  const std::string range = fmt::format("set xrange [0:{}]\n", plain(room_for_endings * (end > 0 ? end : 1)));
+  const std::string range = fmt::format("set xrange [0:{}]\n", plain(room * (end > 0 ? end : 1)));
   const int blocks = rows.front().history.blocks;
   const std::size_t bins = bins_for(rows.size() * static_cast<std::size_t>(blocks));
   for (int k = 0; k < blocks; ++k) {
@@ -104,7 +100,7 @@ Drawings branches(const FolderSubject& subject) {
       angles.add(angle_of(rows[i], k, bins),
                  {fmt::format("using 1:2 with lines lw 2 lc rgb '{}'", colour_of(i))});
     sheet.panel(panel_height(blocks + 1), 16,
-                range + without_horizontal_labels() + grid_lines +
+                range + without_horizontal_labels + grid_lines +
                     fmt::format("set ylabel '{} (rad)' offset 0.5\n", angle_name(k + 1)),
                 angles.list());
   }

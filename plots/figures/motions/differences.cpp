@@ -12,22 +12,19 @@ struct Departure {
   std::vector<double> agreement_times;  ///< s, rising; one where there are no replicates
 };
 
-/// The largest absolute value over all blocks at each time.
-std::vector<double> largest_of(const std::vector<std::vector<double>>& columns) {
-  std::vector<double> largest(columns[0].size(), 0);
-  for (std::size_t k = 1; k < columns.size(); ++k)
-    for (std::size_t i = 0; i < largest.size(); ++i)
-      largest[i] = std::max(largest[i], std::abs(columns[k][i]));
-  return largest;
-}
-
-/// One curve a block, or where `together` is set one of all of them.
+/// One curve a block, or where `together` is set one of the largest of all of them.
 Departure read_departure(const Run& run, int blocks, std::size_t bins, bool together) {
   std::vector<std::string> names = numbered("difference_", blocks);
   names.insert(names.begin(), "time");
   std::vector<std::vector<double>> columns = read_columns(run.folder / "difference.csv", names);
-  if (together) columns = {columns[0], largest_of(columns)};
-  Departure departure{.run = run, .sizes = {}, .agreement_times = replicates_of(run, "agreement_time")};
+  if (together) {
+    std::vector<double> largest(columns[0].size(), 0);
+    for (std::size_t k = 1; k < columns.size(); ++k)
+      for (std::size_t i = 0; i < largest.size(); ++i)
+        largest[i] = std::max(largest[i], std::abs(columns[k][i]));
+    columns = {columns[0], largest};
+  }
+  Departure departure{run, {}, replicates_of(run, "agreement_time")};
   if (departure.agreement_times.empty()) departure.agreement_times = {value_of(run.agreement_time)};
   constexpr double nothing = 1e-30;  // under every axis: a curve that is nearer leaves the panel
   for (std::size_t k = 1; k < columns.size(); ++k)
@@ -60,8 +57,8 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
   const std::size_t panels = departures.front().sizes.size();
   const double usual = panel_height(static_cast<int>(panels)),
                height = subject.height(usual, (static_cast<double>(panels) + 1.1) * usual);
+  const std::vector<Run> runs = each_of(departures, &Departure::run);
   for (std::size_t k = 0; k < panels; ++k) {
-    const std::vector<Run> runs = each_of(departures, &Departure::run);
     const auto sizes = each_of(departures, [&](const Departure& one) { return one.sizes[k]; });
     const std::string words = together ? (subject.on_slide ? "|Δθ| (rad)" : "largest |Δθ| (rad)")
                                        : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
@@ -71,7 +68,7 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
     };
     SeriesPanel panel{"time (s)", words, words, false, axes, height, 20};
     panel.under = {fmt::format("{} with lines {} notitle", plain(tolerance), tolerance_style)};
-    add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), {2.5, true});
+    add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), 2.5);
   }
 }
 
@@ -79,7 +76,6 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
 /// does not up to the horizon, beyond which nothing is compared.
 void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, const TimeAxis& axis,
                     double horizon) {
-  constexpr double room_for_names = 0.34;
   const double row_height = sheet.width() < full_width ? 15 : 22;
   const auto rows = static_cast<double>(departures.size());
   const bool named = departures.size() > most_series;
@@ -88,9 +84,9 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
   for (const Departure& one : departures) {
     const double row = rows - static_cast<double>(names.size());
     const auto mark = [&](double time) { return std::vector{std::min(time, axis.end), row}; };
-    const Numbers marks = each_of(one.agreement_times, mark);
-    plots.add(marks, {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'",
-                                  style_of(one.run).colour)});
+    plots.add(
+        each_of(one.agreement_times, mark),
+        {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'", style_of(one.run).colour)});
     const double agrees = value_of(one.run.agreement_time);
     plots.add({mark(agrees)}, {"using 1:2 " + mark_style(one.run, 1.6)});
     if (agrees >= horizon) plots.add({mark(agrees)}, {"using 1:2:('≥') with labels right offset -1.2,0"});
@@ -107,14 +103,13 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
                               named ? "agrees until " : "") +
                   grid_lines + words,
               plots.list()}},
-            1, named ? room_for_names : left_edge * full_width / sheet.width());
+            1, named ? 0.34 : left_edge * full_width / sheet.width());
 }
 
-/// The first and the last time at which an engine passes the tolerance.
 std::string answer(const std::vector<Departure>& departures, const ComparedScene& scene, double tolerance) {
   double first = scene.horizon(), last = 0;
   for (const Departure& one : departures) {
-    if (is_variant(one.run)) continue;
+    if (one.run.is_variant()) continue;
     first = std::min(first, one.run.agreement_time.value_or(first));
     last = std::max(last, one.run.agreement_time.value_or(last));
   }

@@ -63,12 +63,6 @@ std::string range_of(const std::vector<Curve>& curves, double height) {
   return linear_range("y", reach.low, reach.high, height) + "set format y '%.5g'\n";
 }
 
-/// The exact curve of the run that lasts longest.
-const Curve& longest_exact(const std::vector<Energies>& all) {
-  const auto last = [](const Energies& one) { return one.exact.times.empty() ? 0 : one.exact.times.back(); };
-  return std::ranges::max_element(all, {}, last)->exact;
-}
-
 std::string answer(const std::vector<Energies>& all) {
   Reach largest;
   for (const Energies& one : all) largest.add(one.apart.largest());
@@ -92,38 +86,29 @@ Drawing energy(const SceneSubject& subject) {
   if (many) legend.emplace_back(in_grey, "engines");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   Sheet sheet = subject.sheet(legend, answer(all));
-  std::vector<Curve> levels{longest_exact(all)}, differences;
-  std::string data = data_block("exact", levels.front());
+  const auto last = [](const Energies& one) { return one.exact.times.empty() ? 0 : one.exact.times.back(); };
+  std::vector<Curve> levels{std::ranges::max_element(all, {}, last)->exact};
+  sheet.data(data_block("exact", levels.front()));
   std::vector<std::string> plots;
   for (const Energies& one : all) {
-    const std::size_t order = differences.size();
-    const std::string engine = fmt::format("engine_{}", order);
-    data += data_block(engine, one.engine);
-    plots.push_back(
-        fmt::format("${} using 1:2 {} notitle", engine, many ? in_grey : curve_style(one.run, order)));
+    const std::string engine = fmt::format("engine_{}", plots.size());
+    sheet.data(data_block(engine, one.engine));
+    plots.push_back(plot_of(engine, many ? in_grey : curve_style(one.run, plots.size())));
     levels.push_back(one.engine);
-    differences.push_back(one.apart);
   }
-  sheet.data(data);
-  plots.push_back(fmt::format("$exact using 1:2 {} notitle", exact_style));
-  plots.push_back(exact_core("exact"));
+  plots.insert(plots.end(), {plot_of("exact", exact_style), exact_core("exact")});
   const std::string across = time_range(axis) + grid_lines;
   const double tall = subject.height(380, 640), low = subject.height(260, 640);
-  constexpr double space = 20;
   sheet.panel(tall, 0,
-              across + range_of(levels, tall) + without_horizontal_labels() +
+              across + range_of(levels, tall) + without_horizontal_labels +
                   fmt::format("set ylabel 'energy{} (J)' offset 0\n", subject.on_slide ? "" : " above rest"),
               plots);
+  const std::vector<Curve> differences = each_of(all, &Energies::apart);
   const auto axes = [&](double, double height) { return across + range_of(differences, height); };
-  SeriesPanel panel{"time (s)",
-                    "engine − exact, median (J)",
-                    subject.on_slide ? "apart (J)" : "engine − exact (J)",
-                    true,
-                    axes,
-                    low,
-                    space,
-                    {zero_line}};
-  add_curves(sheet, panel, shown.engines, differences, "apart", {2, true});
+  const char* apart = subject.on_slide ? "apart (J)" : "engine − exact (J)";
+  SeriesPanel panel{"time (s)", "engine − exact, median (J)", apart, true, axes, low, 20};
+  panel.under = {zero_line};
+  add_curves(sheet, panel, shown.engines, differences, "apart", 2);
   return sheet.finish();
 }
 

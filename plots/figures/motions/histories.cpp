@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/data/patterns.hpp"
 #include "plots/data/run_files.hpp"
 #include "plots/figures/figure.hpp"
@@ -6,10 +7,11 @@ namespace rockstack::plots {
 namespace {
 
 /// Ticks that hang from the upper edge of a panel of so many pixels, no two nearer than one of them.
-std::string impact_ticks(const std::vector<double>& times, double end, double width) {
+std::string impact_ticks(const Run& first, int block, double end, double width) {
   std::string text;
+  if (!first.exact()) return text;
   double last = -end;
-  for (const double time : times) {
+  for (const double time : impact_times(*history_of(first), block + 1)) {
     if (time > end) break;
     if (time - last < end / width) continue;
     text += fmt::format("set arrow from {0}, graph 1 to {0}, graph 0.94 nohead lw 2 lc rgb '#000000' front\n",
@@ -18,6 +20,10 @@ std::string impact_ticks(const std::vector<double>& times, double end, double wi
   }
   return text;
 }
+
+/// Pale enough for black letters.
+constexpr std::array tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0",
+                           "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"};
 
 /// One box a span, named where it is wide enough in a figure so many pixels wide; spans under a pixel belong
 /// to the one before.
@@ -33,7 +39,7 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end, doub
     const std::size_t tint = tint_of.try_emplace(pattern, tint_of.size()).first->second;
     text += fmt::format(
         "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder behind\n",
-        plain(from), plain(to), pattern_tint(tint));
+        plain(from), plain(to), tints.at(tint % tints.size()));
     const double letter = end / 95;
     if (to - from > letter * full_width / width * static_cast<double>(pattern.size() + 1))
       text += fmt::format("set label {} noenhanced at {}, graph 0.5 center font ',12' front\n",
@@ -46,8 +52,7 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end, doub
 void add_band(Sheet& sheet, const History& exact, double end) {
   const std::vector<PatternSpan> spans = pattern_spans(exact);
   if (spans.empty()) return;
-  constexpr double height = 26, space = 8;
-  sheet.panel(height, space,
+  sheet.panel(26, 8,
               fmt::format("set xrange [0:{}]\n", plain(end)) + time_numbers +
                   "set yrange [0:1]\nunset ytics\nunset grid\nunset ylabel\n"
                   "set label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
@@ -63,34 +68,26 @@ void add_band(Sheet& sheet, const History& exact, double end) {
         "#444444");
 }
 
-/// The largest angles of the first motion, the exact one where there is one, or of all that are asked about.
-std::string answer(const std::vector<Run>& runs, bool all) {
-  std::string text = "Largest angles: ";
-  for (std::size_t i = 0; i < (all ? runs.size() : 1); ++i)
-    text += fmt::format("{}{} {:.3g} rad", i > 0 ? "; " : "", line_label(runs[i]),
-                        largest_magnitude(history_of(runs[i])->angles));
-  return text;
+std::string largest_angles(const std::vector<Run>& runs) {
+  const auto largest = [](const Run& run) {
+    return fmt::format("{} {:.3g} rad", line_label(run), largest_magnitude(history_of(run)->angles));
+  };
+  return "Largest angles: " + text_of_each(runs, largest, "; ");
 }
 
 /// All angles of a block; `drawn`: how many curves the figure has for one.
 std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, int blocks, int block) {
   const std::size_t bins = bins_for(drawn * static_cast<std::size_t>(blocks));
-  std::vector<Curve> curves;
-  for (const Run& run : runs) {
+  return each_of(runs, [&](const Run& run) {
     const auto history = history_of(run);
-    curves.push_back(thin({history->times, column_of(*history, &History::angles, block)}, bins));
-  }
-  return curves;
+    return thin({history->times, column_of(*history, &History::angles, block)}, bins);
+  });
 }
 
 std::string axes_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, const TimeAxis& axis,
                     double height) {
   const Reach extent = extent_of(runs, curves, 0.5, 1e-6);
   return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
-}
-
-std::string ticks_of(const Run& first, int block, double end, double width) {
-  return first.exact() ? impact_ticks(impact_times(*history_of(first), block + 1), end, width) : "";
 }
 
 /// One panel of all runs, the exact one first.
@@ -103,19 +100,23 @@ void add_angles(Sheet& sheet, const SceneSubject& subject, const std::vector<Run
   const auto axes = [&](double, double height) { return axes_of(runs, curves, axis, height); };
   SeriesPanel panel{"time (s)", words, words, lowest, axes, tall};
   if (runs.front().exact() && curves.front().size() > 0) panel.over = {exact_core(stem + "_0")};
-  panel.few = ticks_of(runs.front(), block, axis.end, subject.panel());
+  panel.few = impact_ticks(runs.front(), block, axis.end, sheet.panel_width());
   add_curves(sheet, panel, runs, curves, stem);
 }
 
 constexpr auto fine = "with lines lw 1.5", coarse = "with lines lw 1.5 dt (5,5)";
 constexpr auto band_style = "with filledcurves fs transparent solid 0.25 noborder";
 
-/// The band of a run's replicates up to where the axis ends; nothing where it has none.
+/// Between what the middle half of a block's angles lie over a run's replicates, rad, at times up to the end;
+/// nothing where the run has none, or its files no histories.
 Numbers band_lines(const Run& run, int block, double end) {
-  const Band band = band_of(run, block);
   Numbers lines;
-  for (std::size_t i = 0; i < band.times.size() && band.times[i] <= end; ++i)
-    lines.push_back({band.times[i], band.lower[i], band.upper[i]});
+  const fs::path file = run.folder / "band.csv";
+  if (!fs::exists(file)) return lines;
+  const std::string number = std::to_string(block + 1);
+  const auto band = read_columns(file, {"time", "lower_" + number, "upper_" + number});
+  for (std::size_t i = 0; i < band[0].size() && band[0][i] <= end; ++i)
+    lines.push_back({band[0][i], band[1][i], band[2][i]});
   return lines;
 }
 
@@ -130,49 +131,48 @@ std::string words_of(const StepLine& line) {
   return line.size() < 2 ? finest : finest + ", " + step(line.back()) + " dashed";
 }
 
-/// A panel a line over the exact curve; `runs` are the exact one, where there is one, and both ends of each
-/// line.
+/// A panel a line over the exact curve; `runs` are the exact one, if any, and both ends of each line.
 void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Curve>& curves,
                const std::vector<StepLine>& lines, int block, const TimeAxis& axis) {
   const auto plot = [&](std::size_t run, const std::string& style) {
     const std::string name = fmt::format("angle_{}_{}", block + 1, run);
     sheet.data(data_block(name, curves[run]));
-    return fmt::format("${} using 1:2 {} notitle", name, style);
+    return plot_of(name, style);
   };
   std::vector<std::string> context;
   std::size_t at = 0;
   if (runs.front().exact()) context.push_back(plot(at++, exact_style));
-  std::vector<Multiple> multiples;
+  std::vector<Series> multiples;
   for (const StepLine& line : lines) {
-    Multiple one{words_of(line), style_of(line.front()).colour, {}};
+    Series one{words_of(line), style_of(line.front()).colour};
     const std::size_t last = at + ends_of(line).size() - 1;
     for (std::size_t i = at; i <= last; ++i) {
       const Numbers band = band_lines(runs[i], block, axis.end);
       if (band.empty()) continue;
       const std::string name = fmt::format("band_{}_{}", block + 1, i);
       sheet.data(number_block(name, band));
-      one.plots.push_back(
+      one.alone.push_back(
           fmt::format("${} using 1:2:3 {} fc rgb '{}' notitle", name, band_style, one.colour));
     }
     for (; at <= last; ++at)
       if (curves[at].size() > 0)
-        one.plots.push_back(plot(at, fmt::format("{} lc rgb '{}'", at < last ? coarse : fine, one.colour)));
+        one.alone.push_back(plot(at, fmt::format("{} lc rgb '{}'", at < last ? coarse : fine, one.colour)));
     multiples.push_back(std::move(one));
   }
   add_multiples(sheet, multiples, context,
                 axes_of(runs, curves, axis, multiple_height) + linear_tics("x", 0, axis.end, multiple_width) +
-                    ticks_of(runs.front(), block, axis.end, multiple_width),
+                    impact_ticks(runs.front(), block, axis.end, multiple_width),
                 "time (s)", angle_name(block + 1) + " (rad)");
 }
 
-/// All runs in one panel a block; `all`: the answer is of each.
+/// All runs in one panel a block; `all`: the answer is of each, else of the first, exact where there is one.
 Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, bool all) {
   const int blocks = subject.scene.blocks();
   if (runs.empty()) return subject.nothing("No run of this scene was done.");
   Legend legend = legend_of(runs, curve_style);
   const TimeAxis axis = subject.time_axis(runs, legend);
   const bool banded = runs.front().exact() && !pattern_spans(*history_of(runs.front())).empty();
-  Sheet sheet = subject.sheet(legend, answer(runs, all));
+  Sheet sheet = subject.sheet(legend, largest_angles(all ? runs : std::vector{runs.front()}));
   for (int k = 0; k < blocks; ++k) add_angles(sheet, subject, runs, k, axis, k + 1 == blocks && !banded);
   if (banded) add_band(sheet, *history_of(runs.front()), axis.end);
   return sheet.finish();
@@ -193,20 +193,17 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
   };
   explain(fine, dashed ? "engine, finest step" : "engine");
   if (dashed) explain(coarse, "engine, coarsest step");
-  if (std::ranges::any_of(runs, [](const Run& run) { return !band_of(run, 0).times.empty(); }))
+  if (std::ranges::any_of(runs, [](const Run& run) { return !band_lines(run, 0, HUGE_VAL).empty(); }))
     legend.emplace_back(fmt::format("{} fc rgb '#000000'", band_style), "middle half of its replicates");
   const TimeAxis axis = subject.time_axis(runs, legend);
-  Sheet sheet = subject.sheet(legend, answer(runs, false));
-  constexpr double first = 24, between = 24;
+  Sheet sheet = subject.sheet(legend, largest_angles({runs.front()}));
   const std::size_t drawn = runs.size() + lines.size() * exact.size();
-  sheet.leave_room_above(first);
   for (int k = 0; k < blocks; ++k) {
-    if (k > 0) sheet.leave_room_above(between);
+    sheet.leave_room_above(24);
     add_lines(sheet, runs, curves_of(runs, drawn, blocks, k), lines, k, axis);
   }
   if (!exact.empty()) {
-    constexpr double room = 70;
-    sheet.leave_room_above(room);
+    sheet.leave_room_above(70);
     add_band(sheet, *history_of(exact.front()), axis.end);
   }
   return sheet.finish();
@@ -225,7 +222,7 @@ Drawing histories(const SceneSubject& subject) {
 Drawing equations(const SceneSubject& subject) {
   std::vector<Run> runs;
   for (const Run& run : done_runs(subject.comparison, subject.scene.name))
-    if (run.exact() || has_other_equations(run)) runs.push_back(run);
+    if (run.exact() || run.has_other_equations()) runs.push_back(run);
   return draw_runs(subject, runs, true);
 }
 

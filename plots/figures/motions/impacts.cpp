@@ -8,8 +8,7 @@ namespace {
 
 constexpr auto number_words = "number of the exact impact";
 
-/// Impacts are counted, so that the axis has whole numbers alone, up to `most` of them, and none beyond the
-/// last.
+/// Impacts are counted: the axis has whole numbers alone, up to `most` of them, and none beyond the last.
 std::string number_settings(double last, double most) {
   int step = 1;
   for (int i = 0; last / step > most; ++i) step = i % 2 == 0 ? step * 5 : step * 2;
@@ -21,13 +20,13 @@ std::string number_settings(double last, double most) {
 /// The impacts of an engine by the number of the exact ones, from 1.
 struct Verdicts {
   Run run;
-  std::vector<double> numbers, lateness;  ///< of matched impacts; s, positive where the engine is late
-  std::vector<double> missed;             ///< exact impacts that it does not have
-  std::vector<double> extra;  ///< its own, between the numbers of the exact impacts before and after
+  std::vector<double> numbers = {}, lateness = {};  ///< matched; s, positive where the engine is late
+  std::vector<double> missed = {};                  ///< exact impacts that it does not have
+  std::vector<double> extra = {};  ///< its own, between the numbers of the exact impacts before and after
 };
 
 Verdicts verdicts_on(const Run& run) {
-  Verdicts verdicts{run, {}, {}, {}, {}};
+  Verdicts verdicts{run};
   const auto list = impacts_of(run);
   for (const AlignedImpact& one : *list) {
     if (one.exact && one.engine) {
@@ -44,6 +43,30 @@ Verdicts verdicts_on(const Run& run) {
   return verdicts;
 }
 
+/// A scale that is linear up to 10^first and logarithmic beyond, either side of zero; a unit a power of ten.
+struct SignedLog {
+  int first, last;
+
+  double place(double value) const {
+    const double size = std::abs(value) / std::pow(10, first);
+    const double height = size <= 1 ? size : 1 + std::log10(size);
+    return std::copysign(height, value);
+  }
+  double edge() const { return last - first + 1.5; }  ///< of the axis, on either side
+
+  /// For "set ytics (…)" of a panel that is so many pixels high: as many powers as there is room for.
+  std::string tics(double height) const {
+    constexpr double room = 26;  // pixels a number
+    const double unit = height / (2 * edge());
+    const int stride = std::max(1 + (last - first) / 4, static_cast<int>(std::ceil(room / unit)));
+    std::string text = "'0' 0";
+    for (int power = last; power >= first && (power - first + 1) * unit >= room; power -= stride)
+      text += fmt::format(", '+10^{{{0}}}' {1}, '−10^{{{0}}}' -{1}", power, power - first + 1);
+    return text;
+  }
+};
+
+/// Of all that are late or early; at most eight decades.
 SignedLog scale_of(const std::vector<Verdicts>& all) {
   double low = 1e-3, high = 1e-5;
   for (const Verdicts& verdicts : all)
@@ -51,15 +74,9 @@ SignedLog scale_of(const std::vector<Verdicts>& all) {
       high = std::max(high, std::abs(late));
       if (late != 0) low = std::min(low, std::abs(late));
     }
-  return signed_log(low, high);
-}
-
-double last_number(const std::vector<Verdicts>& all) {
-  double last = 1;
-  for (const Verdicts& verdicts : all)
-    for (const std::vector<double>* numbers : {&verdicts.numbers, &verdicts.missed, &verdicts.extra})
-      for (const double number : *numbers) last = std::max(last, number);
-  return last;
+  constexpr int most_decades = 8;
+  const int last = static_cast<int>(std::ceil(std::log10(high) - 1e-9));
+  return {std::clamp(static_cast<int>(std::floor(std::log10(low))), last - most_decades, last), last};
 }
 
 constexpr double most_numbers = 20;  // along the panel of few
@@ -71,9 +88,8 @@ void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) 
   double row = 2 * runs;
   for (const Verdicts& one : all) {
     for (const auto& numbers_at : {std::pair{&one.missed, row}, {&one.extra, row - runs}}) {
-      const Numbers marks = each_of(*numbers_at.first, [&](double number) {
-        return std::vector{number, numbers_at.second};
-      });
+      const auto mark = [&](double number) { return std::vector{number, numbers_at.second}; };
+      const Numbers marks = each_of(*numbers_at.first, mark);
       if (!marks.empty()) plots.add(marks, {"using 1:2 " + mark_style(one.run, 1.1)});
     }
     --row;
@@ -99,7 +115,7 @@ template <class Value, class Text>
 std::string span_of(const std::vector<Verdicts>& all, const Value& value, const Text& text) {
   Reach reach;
   for (const Verdicts& one : all)
-    if (!is_variant(one.run) && std::isfinite(value(one))) reach.add(value(one));
+    if (!one.run.is_variant() && std::isfinite(value(one))) reach.add(value(one));
   return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
 }
 
@@ -114,18 +130,16 @@ std::string answer(const std::vector<Verdicts>& all) {
                      count(&Verdicts::missed), count(&Verdicts::extra));
 }
 
-/// What there is to say where no impact is matched.
+/// What there is to say where no impact is matched. Precondition: there are runs.
 std::string without_matches(const std::vector<Verdicts>& all) {
-  std::size_t missed = 0, extra = 0;
-  for (const Verdicts& verdicts : all) {
-    missed = std::max(missed, verdicts.missed.size());
-    extra = std::max(extra, verdicts.extra.size());
-  }
+  const auto most = [&](std::vector<double> Verdicts::*list) {
+    return std::ranges::max(each_of(all, [&](const Verdicts& one) { return (one.*list).size(); }));
+  };
+  const std::size_t missed = most(&Verdicts::missed), extra = most(&Verdicts::extra);
   if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
   return fmt::format("No impact is in both: the exact motion has {}, an engine at most {}.", missed, extra);
 }
 
-/// How late each matched impact is, by its number.
 void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last, double height) {
   constexpr double few = 40;
   const SignedLog scale = scale_of(all);
@@ -143,8 +157,8 @@ void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last
     return number_settings(last, width > multiple_width ? most_numbers : 8) +
            fmt::format("set yrange [-{0}:{0}]\nset ytics ({1})\n", plain(scale.edge()), scale.tics(up));
   };
-  SeriesPanel panel{number_words, "engine − exact impact time (s)", "late (s)", false, axes, height, 0,
-                    {zero_line}};
+  SeriesPanel panel{number_words, "engine − exact impact time (s)", "late (s)", false, axes, height, 0};
+  panel.under = {zero_line};
   add_series(sheet, panel, series, all.size() > most_series);
 }
 
@@ -156,13 +170,6 @@ struct Losses {
   Run run;
   std::vector<ImpactLoss> impacts;
 };
-
-double largest_loss(const std::vector<Losses>& all) {
-  double largest = 0;
-  for (const Losses& one : all)
-    for (const ImpactLoss& loss : one.impacts) largest = std::max(largest, loss.exact);
-  return largest;
-}
 
 /// The difference over what the exact impact loses, in percent.
 struct Excess {
@@ -199,7 +206,10 @@ Drawing impact_times(const SceneSubject& subject) {
   if (std::ranges::all_of(all, [](const Verdicts& one) { return one.numbers.empty(); }))
     return subject.nothing(without_matches(all));
   Sheet sheet = subject.sheet(mark_legend(runs, 1.6), answer(all));
-  const double last = last_number(all);
+  double last = 1;
+  for (const Verdicts& verdicts : all)
+    for (const std::vector<double>* numbers : {&verdicts.numbers, &verdicts.missed, &verdicts.extra})
+      for (const double number : *numbers) last = std::max(last, number);
   add_differences(sheet, all, last, subject.height(380, 480));
   if (are_many(runs))
     sheet.note("−: exact impacts that the engine misses; +: impacts of its own that match none");
@@ -213,7 +223,9 @@ Drawing impact_energy(const SceneSubject& subject) {
     return Losses{run, impact_losses(run)};
   });
   std::erase_if(all, [](const Losses& one) { return one.impacts.empty(); });
-  const double largest = largest_loss(all);
+  double largest = 0;
+  for (const Losses& one : all)
+    for (const ImpactLoss& loss : one.impacts) largest = std::max(largest, loss.exact);
   if (!(largest > 0)) return subject.nothing("No impact that loses energy and that an engine has too.");
   const auto count = [](const Losses& one) { return one.impacts.size(); };
   const auto most = std::ranges::max_element(all, {}, count) - all.begin();
@@ -223,36 +235,34 @@ Drawing impact_energy(const SceneSubject& subject) {
   for (const ImpactLoss& loss : all[static_cast<std::size_t>(most)].impacts)
     exact.add(loss.number, loss.exact);
   const double last = exact.times.empty() ? 1 : exact.times.back();
-  std::vector<Run> runs;
   std::vector<Series> series;
   std::string data = data_block("exact", exact);
   double widest = 1e-3;
   Reach medians;
   for (const Losses& one : all) {
-    const Excess excess = excess_of(one, aside(runs.size(), all.size()));
-    const std::string name = fmt::format("excess_{}", runs.size());
+    const Excess excess = excess_of(one, aside(series.size(), all.size()));
+    const std::string name = fmt::format("excess_{}", series.size());
     data += data_block(name, excess.curve);
     widest = std::max(widest, excess.largest);
     medians.add(excess.median);
-    runs.push_back(one.run);
     series.push_back(mark_series(one.run, name, 1.6));
   }
   const auto percent = [](double value) { return fmt::format("{:.2g}", value); };
-  Sheet sheet = subject.sheet(mark_legend(runs, 1.6),
+  Sheet sheet = subject.sheet(mark_legend(each_of(all, &Losses::run), 1.6),
                               fmt::format("Off by {} % at an engine's median",
                                           span_text(percent(medians.low), percent(medians.high))));
   sheet.data(data);
   constexpr double height = 200;
   sheet.panel(height, 0,
-              numbers(last) + without_horizontal_labels() +
+              numbers(last) + without_horizontal_labels +
                   logarithmic_range("y", counted * largest / 1.5, largest * 2, height) +
                   "set ylabel 'exact loss (J)'\n",
               {"$exact using 1:2 with impulses lw 3 lc rgb '#9A9A9A' notitle",
                "$exact using 1:2 with points pt 7 ps 1.1*mark lc rgb '#000000' notitle"});
   const double edge = 1.08 * std::min(widest, most_percent);
   const auto axes = [&](double, double up) { return numbers(last) + linear_range("y", -edge, edge, up); };
-  SeriesPanel panel{number_words, "engine loses more (%)", "loses more (%)", true, axes, 330, 16,
-                    {zero_line}};
+  SeriesPanel panel{number_words, "engine loses more (%)", "loses more (%)", true, axes, 330};
+  panel.under = {zero_line};
   add_series(sheet, panel, series, all.size() > most_series);
   return sheet.finish();
 }

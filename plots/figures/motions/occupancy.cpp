@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
@@ -8,12 +9,12 @@ using Shares = std::map<std::string, double>;
 /// Shares of time of one engine run: in each pattern, the exact motion's and its own, and in the same one.
 struct Occupancy {
   Run run;
-  Shares exact, engine;
+  Shares exact = {}, engine = {};
   double same = 0;
 };
 
 Occupancy read_occupancy(const Run& run) {
-  Occupancy result{.run = run, .exact = {}, .engine = {}};
+  Occupancy result{run};
   for (CsvLine row(run.folder / "patterns.csv"); row.next();) {
     const std::string &exact = row.text("exact"), &engine = row.text("engine");
     const double share = row.value("share");
@@ -25,11 +26,9 @@ Occupancy read_occupancy(const Run& run) {
 }
 
 double share_in(const Shares& shares, const std::string& pattern) {
-  const auto found = shares.find(pattern);
-  return found == shares.end() ? 0 : found->second;
+  return shares.contains(pattern) ? shares.at(pattern) : 0;
 }
 
-/// The largest share of time of any motion in each pattern.
 Shares largest_shares(const std::vector<Occupancy>& all) {
   Shares largest;
   for (const Occupancy& one : all)
@@ -45,10 +44,8 @@ std::vector<std::string> patterns_of(const std::vector<Occupancy>& all) {
   std::vector<std::string> patterns;
   for (const auto& [pattern, share] : largest_shares(all))
     if (share >= visible) patterns.push_back(pattern);
-  const Shares& exact = all.front().exact;
-  std::ranges::stable_sort(patterns, [&](const std::string& a, const std::string& b) {
-    return share_in(exact, a) > share_in(exact, b);
-  });
+  const auto exact = [&](const std::string& pattern) { return share_in(all.front().exact, pattern); };
+  std::ranges::stable_sort(patterns, std::greater(), exact);
   patterns.resize(std::min(patterns.size(), most));
   return patterns;
 }
@@ -66,11 +63,10 @@ constexpr auto exact_bar =
     "$exact using (0):2:(0):1:($2-0.42):($2+0.42) with boxxyerror fillcolor rgb '#9A9A9A' fillstyle solid 1 "
     "noborder notitle";
 
-std::string pattern_tics(std::vector<std::string> patterns) {
-  constexpr std::size_t longest = 52;  // letters beside the panel
-  for (std::string& name : patterns)
-    if (name.size() > longest) name = name.substr(0, longest - 1) + "…";
-  return word_tics(patterns);
+/// No more letters than have room beside the panel.
+std::string shortened(const std::string& pattern) {
+  constexpr std::size_t longest = 52;
+  return pattern.size() > longest ? pattern.substr(0, longest - 1) + "…" : pattern;
 }
 
 /// Where the panel begins, so that the longest name has room beside it.
@@ -82,15 +78,14 @@ double names_room(const std::vector<std::string>& patterns) {
 }
 
 std::string answer(const std::vector<Occupancy>& all) {
-  std::vector<const Occupancy*> engines;
-  for (const Occupancy& one : all)
-    if (!is_variant(one.run)) engines.push_back(&one);
-  if (engines.empty()) engines.push_back(&all.front());
+  std::vector<Occupancy> engines = all;
+  std::erase_if(engines, [](const Occupancy& one) { return one.run.is_variant(); });
+  if (engines.empty()) engines = {all.front()};
   const auto [least, most] = std::ranges::minmax_element(engines, {}, &Occupancy::same);
   const auto words = [](const Occupancy& one) {
     return fmt::format("{} for {:.1f} % of the time", run_phrase(one.run), 100 * one.same);
   };
-  return engines.size() == 1 ? words(**most) : words(**most) + ", " + words(**least);
+  return engines.size() == 1 ? words(*most) : words(*most) + ", " + words(*least);
 }
 
 std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<std::string>& patterns,
@@ -100,7 +95,8 @@ std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<
   return fmt::format(
              "set yrange [{}:-0.6]\nset ytics ({}) noenhanced font ',11'\nset xrange [0:{}]\n"
              "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n",
-             plain(static_cast<double>(patterns.size()) - 0.4), pattern_tics(patterns), plain(end)) +
+             plain(static_cast<double>(patterns.size()) - 0.4), word_tics(each_of(patterns, shortened)),
+             plain(end)) +
          linear_tics("x", 0, end, width);
 }
 
@@ -111,29 +107,24 @@ Drawing occupancy(const SceneSubject& subject) {
   const std::vector<Occupancy> all = each_of(runs, read_occupancy);
   if (all.empty()) return subject.nothing("No engine run of this scene tells its patterns.");
   const std::vector<std::string> patterns = patterns_of(all);
-  std::vector<Series> series;
-  std::string data = data_block("exact", marks(patterns, all.front().exact, 0));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string block = fmt::format("marks_{}", i);
-    data += data_block(block, marks(patterns, all[i].engine, aside(i, all.size())));
-    series.push_back(mark_series(all[i].run, block, 1.2));
-    series.back().words += fmt::format(": {:.1f} %", 100 * all[i].same);
-    series.back().context.clear();
-  }
   Legend legend = mark_legend(runs, 1.5);
   legend.insert(legend.begin(), {"with boxes fillcolor rgb '#9A9A9A' fillstyle solid 1 noborder", "exact"});
   Sheet sheet = subject.sheet(legend, answer(all));
-  sheet.data(data);
+  sheet.data(data_block("exact", marks(patterns, all.front().exact, 0)));
+  std::vector<Series> series;
+  for (const Occupancy& one : all) {
+    const std::size_t order = series.size();
+    const std::string block = fmt::format("marks_{}", order);
+    sheet.data(data_block(block, marks(patterns, one.engine, aside(order, all.size()))));
+    series.push_back(mark_series(one.run, block, 1.2));
+    series.back().words += fmt::format(": {:.1f} %", 100 * one.same);
+    series.back().context.clear();
+  }
   const double row = 16 + 8 * static_cast<double>(all.size()),
                usual = std::max(static_cast<double>(patterns.size()) * row, 120.0);
-  SeriesPanel panel{"share of time",
-                    "",
-                    "",
-                    true,
-                    [&](double width, double) { return panel_settings(all, patterns, width); },
-                    subject.height(usual, usual),
-                    0,
-                    {exact_bar}};
+  const auto axes = [&](double width, double) { return panel_settings(all, patterns, width); };
+  SeriesPanel panel{"share of time", "", "", true, axes, subject.height(usual, usual), 0};
+  panel.under = {exact_bar};
   panel.left = names_room(patterns);
   add_series(sheet, panel, series, are_many(runs));
   if (are_many(runs))

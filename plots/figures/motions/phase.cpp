@@ -23,7 +23,7 @@ Reach reach_of(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
                std::vector<double> Curve::*along) {
   Reach reach{0, 0};
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs.front().exact() && !runs[i].exact() && !has_other_equations(runs[i])) continue;
+    if (runs.front().exact() && !runs[i].exact() && !runs[i].has_other_equations()) continue;
     for (const double value : orbits[i].*along) reach.add(value);
   }
   return reach.wider(std::max(0.12 * (reach.high - reach.low), 1e-6));
@@ -36,19 +36,11 @@ void add_block(Sheet& sheet, const std::vector<Run>& runs, int block, double hei
     return linear_range("x", across.low, across.high, width) + linear_range("y", up.low, up.high, tall) +
            grid_lines;
   };
-  constexpr double space = 78;
   const std::string angle = angle_name(block + 1), rate = fmt::format("d{}/dt (rad/s)", angle);
   const std::string stem = fmt::format("orbit_{}", block + 1);
-  SeriesPanel panel{angle + " (rad)", rate, rate, true, axes, height, space};
+  SeriesPanel panel{angle + " (rad)", rate, rate, true, axes, height, 78};
   if (runs.front().exact() && orbits.front().size() > 0) panel.over = {exact_core(stem + "_0")};
   add_curves(sheet, panel, runs, orbits, stem);
-}
-
-/// The largest angle of any block, the exact motion's where there is one.
-std::string answer(const std::vector<Run>& runs) {
-  return fmt::format("{} goes as far as {:.3g} rad",
-                     runs.front().exact() ? "The exact motion" : run_phrase(runs.front()),
-                     largest_magnitude(history_of(runs.front())->angles));
 }
 
 }  // namespace
@@ -59,10 +51,13 @@ Drawing phase(const SceneSubject& subject) {
   const std::vector<Run> runs = all_runs(shown);
   if (runs.empty()) return subject.nothing("No run of this scene was done.");
   const auto curves = static_cast<double>(shown.engines.size() + 1) * scene.blocks();
-  constexpr double finest = 3e-4,
-                   few = 8;  // curves, more of which must be coarser for the file to stay small
+  constexpr double finest = 3e-4, few = 8;  // more curves must be coarser for the file to stay small
   const double tolerance = finest * std::max(1.0, curves / few);
-  Sheet sheet = subject.sheet(legend_of(runs, curve_style), answer(runs));
+  const Run& first = runs.front();
+  Sheet sheet = subject.sheet(
+      legend_of(runs, curve_style),
+      fmt::format("{} goes as far as {:.3g} rad", first.exact() ? "The exact motion" : run_phrase(first),
+                  largest_magnitude(history_of(first)->angles)));
   const double usual = panel_height(scene.blocks()), height = subject.height(usual, scene.blocks() * usual);
   for (int k = 0; k < scene.blocks(); ++k)
     add_block(sheet, runs, k, height,

@@ -5,10 +5,6 @@
 namespace rockstack::plots {
 namespace {
 
-std::vector<std::vector<double>> reading_columns(const Run& run, const std::string& quantity) {
-  return read_columns(run.folder / "readings.csv", {"time", quantity});
-}
-
 std::string off_phrase(const Run& run, const std::string& unit) {
   return fmt::format("{} by {:.2g} {}", line_label(run), value_of(run.rms_test_difference), unit);
 }
@@ -17,13 +13,12 @@ std::string off_phrase(const Run& run, const std::string& unit) {
 std::string readings_answer(std::vector<Run> runs, const std::string& unit) {
   std::erase_if(runs, [](const Run& run) { return !run.rms_test_difference; });
   if (runs.empty()) return "Up to the horizon nothing was held against it.";
-  const auto nearest = std::min_element(runs.begin() + 1, runs.end(), [](const Run& a, const Run& b) {
-    return *a.rms_test_difference < *b.rms_test_difference;
-  });
+  const auto nearest = std::ranges::min_element(runs.begin() + 1, runs.end(), {}, &Run::rms_test_difference);
   return "RMS differences up to the horizon: " + off_phrase(runs.front(), unit) +
          (nearest == runs.end() ? "" : ", the nearest engine " + off_phrase(*nearest, unit));
 }
 
+constexpr auto reading_style = "with points pt 7 ps 0.5*mark lc rgb '#C2187A'";  // what a test has measured
 constexpr auto model_style = "with lines lw 2 lc rgb '#0B4F8A'";
 
 }  // namespace
@@ -38,35 +33,35 @@ Drawing readings(const SceneSubject& subject) {
   Sheet sheet = subject.sheet(legend, readings_answer(runs, scene.reading_unit));
   for (std::size_t k = 0; k < scene.readings.size(); ++k) {
     const std::string number = std::to_string(k + 1);
-    std::vector<Curve> curves;
-    for (const Run& run : runs) {
-      auto columns = reading_columns(run, "motion_" + number);
-      curves.push_back(thin({std::move(columns[0]), std::move(columns[1])}, bins_for(runs.size())));
-    }
+    const auto read = [&](const Run& run, const std::string& quantity) {
+      const auto columns = read_columns(run.folder / "readings.csv", {"time", quantity + number});
+      return Curve{columns[0], columns[1]};
+    };
+    const std::vector<Curve> curves =
+        each_of(runs, [&](const Run& run) { return thin(read(run, "motion_"), bins_for(runs.size())); });
     Reach extent = extent_of(runs, curves, 1, 1e-6);
-    const auto seen = reading_columns(runs.front(), "measured_" + number);
+    const Curve seen = read(runs.front(), "measured_");
     Numbers marks;
-    for (std::size_t i = 0; i < seen[0].size(); ++i) {
-      if (std::isnan(seen[1][i])) continue;
-      marks.push_back({seen[0][i], seen[1][i]});
-      extent.add(seen[1][i]);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (std::isnan(seen.values[i])) continue;
+      marks.push_back({seen.times[i], seen.values[i]});
+      extent.add(seen.values[i]);
     }
     Plots measured(sheet, "measured_" + number);
     measured.add(marks, {fmt::format("using 1:2 {}", reading_style)});
     const std::string words = fmt::format("{} ({})", scene.readings[k], scene.reading_unit);
-    const auto axes = [&](double, double height) {
-      return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
+    const auto axes = [&](double, double up) {
+      return time_range(axis) + linear_range("y", extent.low, extent.high, up) + grid_lines;
     };
-    SeriesPanel panel{"time (s)", words,
-                      words,      k + 1 == scene.readings.size(),
-                      axes,       panel_height(static_cast<int>(scene.readings.size()))};
+    const bool last = k + 1 == scene.readings.size();
+    const double height = panel_height(static_cast<int>(scene.readings.size()));
+    SeriesPanel panel{"time (s)", words, words, last, axes, height};
     panel.under = measured.list();
     add_curves(sheet, panel, runs, curves, "motion_" + number);
   }
   return sheet.finish();
 }
 
-/// What was measured and the fitted motion, and under both what they differ by, of each column.
 Drawings fit(const FolderSubject& subject) {
   const Json json = read_json(subject.folder / "fit.json");
   const std::string unit = json.at("unit");
@@ -92,7 +87,7 @@ Drawings fit(const FolderSubject& subject) {
     residual.add(off, {fmt::format("using 1:2 {}", reading_style)});
     sheet.panel(
         300, 16,
-        range + without_horizontal_labels() +
+        range + without_horizontal_labels +
             fmt::format("set ylabel {} offset 0.5\n", in_quotes(fmt::format("{} ({})", column, unit))),
         motion.list());
     sheet.panel(150, 16, range + time_numbers + fmt::format("set ylabel 'residual ({})' offset 0.5\n", unit),

@@ -4,12 +4,10 @@ namespace rockstack::plots {
 namespace {
 
 constexpr double tall = 460;  // pixels
-constexpr auto other_colour = "#808080";
-const std::string other_style = "with points lw 2 pt 2 ps 1.1*mark lc rgb '#808080'";
+constexpr auto other_style = "with points lw 2 pt 2 ps 1.1*mark lc rgb '#808080'";
 constexpr auto ring = "with points pt 6 lw 2.5 lc rgb '#000000'";
 constexpr auto limit_style = "with lines lw 2 dt (8,6) lc rgb '#404040'";
 
-/// A run that was tried.
 struct TrialMark {
   Run run;
   double time, error;
@@ -28,15 +26,11 @@ TrialLines lines_of(const Json& advice) {
     const double time = value_of(run.stepping_time_minimum);
     if (!run.done() || !(time > 0) || !(off >= 0)) continue;
     const bool picked = !pick.is_null() && pick.at("run") == trial.at("run");
-    const auto is_own = [&](const auto& line) { return solver_name(line.front().run) == solver_name(run); };
+    const auto is_own = [&](const auto& line) { return line.front().run.solver_name() == run.solver_name(); };
     found_or_added(lines, is_own, {})
         .push_back({run, time, std::max(off, least_error), trial.at("passes").get<bool>(), picked});
   }
   return lines;
-}
-
-bool holds(const std::vector<TrialMark>& line) {
-  return std::ranges::any_of(line, &TrialMark::passes);
 }
 
 double nearest(const std::vector<TrialMark>& line) {
@@ -46,6 +40,7 @@ double nearest(const std::vector<TrialMark>& line) {
 /// The solvers that are told apart: those that hold at some step, or where none does, those that come nearest
 /// up to a factor of two. All others are drawn alike.
 std::vector<bool> told_of(const TrialLines& lines) {
+  const auto holds = [](const auto& line) { return std::ranges::any_of(line, &TrialMark::passes); };
   const bool any = std::ranges::any_of(lines, holds);
   const double least = nearest(std::ranges::min(lines, {}, nearest));
   return each_of(lines, [&](const std::vector<TrialMark>& line) {
@@ -53,15 +48,11 @@ std::vector<bool> told_of(const TrialLines& lines) {
   });
 }
 
-Numbers numbers_of(const std::vector<TrialMark>& marks) {
-  return each_of(marks, [](const TrialMark& mark) { return std::vector{mark.time, mark.error}; });
-}
-
 std::string answer_of(const TrialLines& lines, double error) {
   for (const auto& line : lines)
     for (const TrialMark& mark : line)
       if (mark.picked)
-        return fmt::format("{} at {}, within {:g}", solver_name(mark.run),
+        return fmt::format("{} at {}, within {:g}", mark.run.solver_name(),
                            duration_text(value_of(mark.run.dt)), error);
   return fmt::format("None that was tried holds to {:g}", error);
 }
@@ -71,9 +62,9 @@ std::string answer_of(const TrialLines& lines, double error) {
 Drawings advice(const FolderSubject& subject) {
   const Json json = read_json(subject.folder / "advice.json");
   const TrialLines lines = lines_of(json);
-  const std::string title = json.at("title").get<std::string>();
+  const std::string title = json.at("title");
   if (lines.empty()) return {{"", empty_sheet(title, "No trial was done.")}};
-  const double error = json.at("error").get<double>();
+  const double error = json.at("error");
   Reach across, up{error, error};
   for (const auto& line : lines)
     for (const TrialMark& mark : line) across.add(mark.time), up.add(mark.error);
@@ -82,35 +73,40 @@ Drawings advice(const FolderSubject& subject) {
   const std::vector<bool> told = told_of(lines);
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (told[i])
-      legend.emplace_back(mark_style(lines[i].front().run, 1.5), solver_name(lines[i].front().run));
+      legend.emplace_back(mark_style(lines[i].front().run, 1.5), lines[i].front().run.solver_name());
   if (std::ranges::find(told, false) != told.end()) legend.emplace_back(other_style, "other solvers");
   legend.emplace_back(limit_style, fmt::format("asked for: {:g}", error));
   legend.emplace_back(fmt::format("{} ps 2.6*mark", ring), "nine of ten replicates are within");
   Sheet sheet = subject.sheet(title, legend, answer_of(lines, error));
-  const double width = subject.panel();
+  const double width = sheet.panel_width();
   LabelledPanel labelled{width, tall, {}};
   Plots trials(sheet, "trials");
-  std::vector<TrialMark> passing, picked;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto& line = lines[i];
     const Run& run = line.front().run;
-    const std::string colour = told[i] ? style_of(run).colour : other_colour;
-    labelled.lines.emplace_back();
-    for (const TrialMark& mark : line) {
-      labelled.lines.back().push_back({across.place(mark.time, width), up.place(mark.error, tall),
-                                       duration_text(value_of(mark.run.dt)), colour});
-      if (mark.passes) passing.push_back(mark);
-      if (mark.picked) picked.push_back(mark);
-    }
-    trials.add(numbers_of(line), {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
-                                  "using 1:2 " + (told[i] ? mark_style(run, 1.5) : other_style)});
+    const std::string colour = told[i] ? style_of(run).colour : "#808080";
+    labelled.lines.push_back(each_of(line, [&](const TrialMark& mark) {
+      return LabelledMark{across.place(mark.time, width), up.place(mark.error, tall),
+                          duration_text(value_of(mark.run.dt)), colour};
+    }));
+    trials.add(each_of(line,
+                       [](const TrialMark& mark) {
+                         return std::vector{mark.time, mark.error};
+                       }),
+               {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
+                "using 1:2 " + (told[i] ? mark_style(run, 1.5) : other_style)});
   }
-  for (const auto& [marks, size] : {std::pair{&passing, 2.6}, {&picked, 3.6}})
-    if (!marks->empty()) trials.add(numbers_of(*marks), {fmt::format("using 1:2 {} ps {}*mark", ring, size)});
+  for (const auto& [is_ringed, size] : {std::pair{&TrialMark::passes, 2.6}, {&TrialMark::picked, 3.6}}) {
+    Numbers rings;
+    for (const auto& line : lines)
+      for (const TrialMark& mark : line)
+        if (mark.*is_ringed) rings.push_back({mark.time, mark.error});
+    if (!rings.empty()) trials.add(rings, {fmt::format("using 1:2 {} ps {}*mark", ring, size)});
+  }
   std::vector<std::string> plots = trials.list();
   plots.insert(plots.begin(), fmt::format("{} {} notitle", plain(error), limit_style));
   sheet.panel(tall, 0,
-              logarithmic_axes(across, up, width, tall) +
+              logarithmic_axes(across, up)(width, tall) +
                   "set logscale xy\nset xlabel 'computing time of stepping (s)'\n"
                   "set ylabel 'largest difference (rad, least heights)'\n" +
                   placed_labels(labelled),

@@ -12,7 +12,6 @@ constexpr auto counted_style = "with yerrorbars pt 7 ps 1.1*mark lw 1.4 lc rgb '
 constexpr auto fitted_style = "with lines lw 2 lc rgb '#0B4F8A'";
 constexpr auto bounds_style = "with filledcurves fc rgb '#CFE0EE' fs solid 1 noborder";
 
-/// The fitted curve between its bounds, from zero to the highest intensity.
 Numbers fitted_curve(const Fragility& fit, const FragilityBounds& bounds, double end) {
   constexpr int points = 200;
   Numbers numbers;
@@ -36,7 +35,7 @@ struct ScaledMotion {
   std::vector<double> reached;              ///< the largest ratio up to each intensity
 };
 
-std::vector<ScaledMotion> read_motions(const std::filesystem::path& file) {
+std::vector<ScaledMotion> read_motions(const fs::path& file) {
   const auto columns = read_columns(file, {"curve", "intensity", "peak_ratio", "toppled"});
   std::vector<ScaledMotion> motions;
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
@@ -50,26 +49,6 @@ std::vector<ScaledMotion> read_motions(const std::filesystem::path& file) {
   return motions;
 }
 
-/// A mark a run: lines between them would go to and fro, since a stronger motion may turn a block less.
-Numbers run_marks(const std::vector<ScaledMotion>& motions) {
-  Numbers marks;
-  for (const ScaledMotion& motion : motions)
-    for (std::size_t i = 0; i < motion.ratios.size(); ++i)
-      marks.push_back({std::min(motion.ratios[i], edge), motion.intensities[i]});
-  return marks;
-}
-
-/// The largest ratio up to an intensity, of each motion that has a run there or below.
-std::vector<double> reached_at(const std::vector<ScaledMotion>& motions, double intensity) {
-  std::vector<double> reached;
-  for (const ScaledMotion& motion : motions) {
-    const auto above = std::ranges::upper_bound(motion.intensities, intensity);
-    if (above != motion.intensities.begin())
-      reached.push_back(motion.reached[static_cast<std::size_t>(above - motion.intensities.begin()) - 1]);
-  }
-  return reached;
-}
-
 /// A capacity curve: the angle that a share of the motions stays within up to each intensity, or of very many
 /// to some of them. It never turns back. A line is an angle over slenderness, and an intensity.
 Numbers capacity(const std::vector<ScaledMotion>& motions, double share) {
@@ -81,13 +60,18 @@ Numbers capacity(const std::vector<ScaledMotion>& motions, double share) {
   std::size_t i = 0;
   for (const double intensity : all) {
     if (i++ % stride != 0 && i != all.size()) continue;
-    curve.push_back({std::min(quantile(reached_at(motions, intensity), share), edge), intensity});
+    std::vector<double> reached;  // of each motion that has a run there or below
+    for (const ScaledMotion& motion : motions) {
+      const auto above = std::ranges::upper_bound(motion.intensities, intensity);
+      if (above != motion.intensities.begin())
+        reached.push_back(motion.reached[static_cast<std::size_t>(above - motion.intensities.begin()) - 1]);
+    }
+    curve.push_back({std::min(quantile(reached, share), edge), intensity});
     if (curve.back()[0] >= edge) break;
   }
   return curve;
 }
 
-/// The first intensity at which a capacity curve reaches the slenderness.
 std::string answer_of(const Numbers& median, const std::string& axis) {
   for (const std::vector<double>& line : median)
     if (line[0] >= 1) return "Half of the motions turn it by its slenderness at " + value_on(axis, line[1]);
@@ -157,7 +141,11 @@ Drawings incremental(const FolderSubject& subject) {
   }
   Sheet sheet = subject.figure.sheet(facts.title, legend, answer);
   Plots plots(sheet, "motions");
-  plots.add(run_marks(motions), {fmt::format("using 1:2 {}", run_style)});
+  Numbers runs;  // marks: lines would go to and fro, since a stronger motion may turn a block less
+  for (const ScaledMotion& motion : motions)
+    for (std::size_t i = 0; i < motion.ratios.size(); ++i)
+      runs.push_back({std::min(motion.ratios[i], edge), motion.intensities[i]});
+  plots.add(runs, {fmt::format("using 1:2 {}", run_style)});
   if (are_enough)
     for (const auto& [share, style] :
          {std::pair{0.16, outer_style}, {0.84, outer_style}, {0.5, middle_style}})

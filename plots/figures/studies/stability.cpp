@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/csv.hpp"
 #include "plots/drawing/maps.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -11,7 +12,6 @@ const std::vector<MapKind> verdict_kinds{
     {"unstable", "#C43C4E", "unstable: gains energy, or topples what stands"},
     {"failed", "#2F2F2F", "failed: the run did not end well"}};
 
-/// One square of a map.
 struct StabilityCell {
   double value, dt;
   std::string verdict;
@@ -36,7 +36,7 @@ struct StabilityMap {
   std::vector<std::pair<double, double>> stable;
 };
 
-std::map<std::string, StabilityMap> read_maps(const std::filesystem::path& results) {
+std::map<std::string, StabilityMap> read_maps(const fs::path& results) {
   std::map<std::string, StabilityMap> maps;
   const auto map_of = [&](const CsvLine& row) -> StabilityMap& {
     return maps[row.text("engine") + "-" + row.text("solver") + "-" + row.text("settings")];
@@ -62,12 +62,6 @@ Numbers staircase(const StabilityMap& map, const Places& across, const Places& u
   return stairs;
 }
 
-std::string answer(const StabilityMap& map) {
-  const auto sound =
-      std::ranges::count_if(map.cells, [](const StabilityCell& cell) { return cell.verdict == "sound"; });
-  return fmt::format("{} of {} runs are sound", sound, map.cells.size());
-}
-
 /// The index of a verdict; those that are none are failed.
 std::size_t kind_of(const std::string& verdict) {
   const auto found = std::find_if(verdict_kinds.begin(), verdict_kinds.end() - 1,
@@ -87,23 +81,22 @@ Drawing drawing(const FolderSubject& subject, const StabilityMap& map, const Jso
   Legend legend = map_legend(verdict_kinds, std::vector<bool>(verdict_kinds.size(), true));
   const char* stable_style = "with lines lw 4 lc rgb 'black'";
   legend.emplace_back(stable_style, "largest stable step");
-  drawn.elements.push_back(fmt::format("$stable using 1:2 {} notitle", stable_style));
-  Sheet sheet =
-      subject.figure.sheet(map.solver + ": " + facts.at("title").get<std::string>(), legend, answer(map));
+  drawn.elements.push_back(plot_of("stable", stable_style));
+  const std::string title = facts.at("title"), axis = facts.at("axis");
+  const auto sound = std::ranges::count(map.cells, "sound", &StabilityCell::verdict);
+  Sheet sheet = subject.figure.sheet(map.solver + ": " + title, legend,
+                                     fmt::format("{} of {} runs are sound", sound, map.cells.size()));
   sheet.data(number_block("stable", staircase(map, across, up)) + drawn.data);
   sheet.panel(460, 0,
               map_axes(drawn) + fmt::format("set xtics ({})\nset ytics ({})\nset xlabel {} noenhanced\n"
                                             "set ylabel 'time step (ms)'\n",
-                                            tics(across, 1), tics(up, 1000),
-                                            in_quotes(facts.at("axis").get<std::string>())),
+                                            tics(across, 1), tics(up, 1000), in_quotes(axis)),
               drawn.elements);
   return sheet.finish();
 }
 
 }  // namespace
 
-/// A map of verdicts over the study's axis and the time step for each solver, with the largest stable step as
-/// a line.
 Drawings stability(const FolderSubject& subject) {
   return read_json(subject.folder / "stability.json", [&](const Json& facts) {
     Drawings drawings;

@@ -22,8 +22,8 @@ void add_scales(SweepFacts& facts, const Json& scene) {
 std::vector<double> values_of(const Json& sweep, const std::string& key) {
   for (const Json& variation : sweep.at("vary")) {
     const auto keys = variation.at("keys").get<std::vector<std::string>>();
-    const bool named = std::ranges::find(keys, key) != keys.end();
-    if (named && variation.contains("values")) return variation.at("values").get<std::vector<double>>();
+    if (std::ranges::find(keys, key) != keys.end() && variation.contains("values"))
+      return variation.at("values").get<std::vector<double>>();
   }
   return {};
 }
@@ -55,17 +55,6 @@ std::optional<StruckBlock> struck_block(const Json& sweep) {
   return struck;
 }
 
-SweepFacts facts_in(const Json& json) {
-  const Json& summary = json.at("summary");
-  const std::string intensity = summary.at("intensity").get<std::string>();
-  SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0, {}};
-  if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
-    add_scales(facts, json.value("scene", Json::object()));
-  if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
-    facts.struck = struck_block(json);
-  return facts;
-}
-
 /// From one acceleration to another, up to the largest friction.
 template <class Friction>
 std::string line(double from, double to, double largest_friction, const Friction& friction) {
@@ -84,11 +73,6 @@ std::string upright(double acceleration, double from, double to) {
 }
 
 }  // namespace
-
-double rocking_friction(double slenderness_ratio, double push) {
-  const double r = slenderness_ratio;
-  return (push * (4 + r * r) + 3 * r) / (1 + 4 * r * r + 3 * push * r);
-}
 
 std::string initiation_boundaries(const StruckBlock& block, double largest_acceleration,
                                   double largest_friction) {
@@ -111,15 +95,24 @@ std::string initiation_boundaries(const StruckBlock& block, double largest_accel
   return text;
 }
 
-SweepFacts sweep_facts(const std::filesystem::path& results) {
-  return read_json(results / "sweep.json", facts_in);
+SweepFacts sweep_facts(const fs::path& results) {
+  return read_json(results / "sweep.json", [](const Json& json) {
+    const Json& summary = json.at("summary");
+    const std::string intensity = summary.at("intensity").get<std::string>();
+    SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0, {}};
+    if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
+      add_scales(facts, json.value("scene", Json::object()));
+    if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
+      facts.struck = struck_block(json);
+    return facts;
+  });
 }
 
 std::string axis_title(const std::string& key) {
-  const auto ends = [&](const char* end) { return key.ends_with(end); };
-  if (ends(".peak")) return "peak ground acceleration (m/s²)";
-  if (ends(".amplitude")) return "amplitude of the pulse (m/s²)";
-  if (ends(".scale")) return "scale of the record";
+  for (const auto& [end, title] : {std::pair{".peak", "peak ground acceleration (m/s²)"},
+                                   {".amplitude", "amplitude of the pulse (m/s²)"},
+                                   {".scale", "scale of the record"}})
+    if (key.ends_with(end)) return title;
   return key;
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
+#include "plots/data/results.hpp"
 
 namespace rockstack::plots {
 
@@ -17,7 +15,10 @@ struct StruckBlock {
 /// The least friction coefficient with which a block of ratio r that a pulse of A times gravity tilts does
 /// not slip: [A (4 + r²) + 3 r] / [1 + 4 r² + 3 A r]. Shenton 1996, Journal of Engineering Mechanics 122,
 /// 690–693.
-double rocking_friction(double slenderness_ratio, double push);
+inline double rocking_friction(double slenderness_ratio, double push) {
+  const double r = slenderness_ratio;
+  return (push * (4 + r * r) + 3 * r) / (1 + 4 * r * r + 3 * push * r);
+}
 
 /// The boundaries between rest, slide, rock, slide-rock and free flight over a, in m/s², and friction, up to
 /// either's largest value: gnuplot's lines of points, an empty one between lines. Vertical motion changes
@@ -35,7 +36,7 @@ struct SweepFacts {
 };
 
 /// From sweep.json. @throws InputError naming the file that is missing or malformed.
-SweepFacts sweep_facts(const std::filesystem::path& results);
+SweepFacts sweep_facts(const fs::path& results);
 
 /// The title of an axis along which a scene's key varies, with its unit where the key has one.
 std::string axis_title(const std::string& key);

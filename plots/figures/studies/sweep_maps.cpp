@@ -11,6 +11,47 @@
 namespace rockstack::plots {
 namespace {
 
+using Columns = std::vector<std::vector<double>>;
+
+/// Lower and upper edge of the cell around each value: halfway to its neighbours.
+std::map<double, std::pair<double, double>> edges_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  std::map<double, std::pair<double, double>> edges;
+  const std::size_t n = values.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double first = i > 0   ? (values[i - 1] + values[i]) / 2
+                         : n > 1 ? (3 * values[0] - values[1]) / 2
+                                 : values[0] - 0.5;
+    const double last = i + 1 < n ? (values[i] + values[i + 1]) / 2 : 2 * values[i] - first;
+    edges[values[i]] = {first, last};
+  }
+  return edges;
+}
+
+/// The column with the largest count in a row; the first wins a draw.
+std::size_t commonest(const Columns& counts, std::size_t row) {
+  const auto of_row = [&](const std::vector<double>& column) { return column[row]; };
+  return static_cast<std::size_t>(std::ranges::max_element(counts, {}, of_row) - counts.begin());
+}
+
+/// The cells around the values along both axes, each of its commonest kind, a column of counts a kind. Rows
+/// go up first, then across; cells above each other of one kind are one.
+std::vector<MapCell> counted_cells(const Columns& places, const Columns& counts) {
+  const auto columns = edges_of(places[0]), rows = edges_of(places[1]);
+  std::vector<MapCell> cells;
+  for (std::size_t row = 0; row < places[0].size(); ++row) {
+    const auto [left, right] = columns.at(places[0][row]);
+    const auto [low, high] = rows.at(places[1][row]);
+    const std::size_t kind = commonest(counts, row);
+    if (!cells.empty() && cells.back().kind == kind && cells.back().left == left && cells.back().high == low)
+      cells.back().high = high;
+    else
+      cells.push_back({left, right, low, high, kind});
+  }
+  return cells;
+}
+
 /// What may become of a stack, as columns of overturning.csv.
 const std::vector<MapKind> outcomes{{"rest", "#FFFFFF", "stays at rest"},
                                     {"rocking", "#C6DBEF", "rocks and stands"},
@@ -19,13 +60,11 @@ const std::vector<MapKind> outcomes{{"rest", "#FFFFFF", "stays at rest"},
                                     {"failed", "#808080", "could not be solved"}};
 
 /// The least intensity that topples in more than half of its runs.
-std::string answer_of(const std::vector<double>& frequencies, const std::vector<double>& intensities,
-                      const std::vector<std::vector<double>>& counts, const SweepFacts& facts) {
+std::string answer_of(const Columns& places, const Columns& counts, const SweepFacts& facts) {
   double least = std::numeric_limits<double>::infinity(), at = 0;
-  for (std::size_t row = 0; row < frequencies.size(); ++row) {
+  for (std::size_t row = 0; row < places[0].size(); ++row) {
     const std::string kind = outcomes[commonest(counts, row)].name;
-    if (kind.starts_with("toppled") && intensities[row] < least)
-      least = intensities[row], at = frequencies[row];
+    if (kind.starts_with("toppled") && places[1][row] < least) least = places[1][row], at = places[0][row];
   }
   if (!std::isfinite(least)) return "Nothing within these bounds";
   std::string answer = fmt::format("No less than {}, at {:.3g} Hz", value_on(facts.intensity, least), at);
@@ -46,9 +85,9 @@ const std::vector<MapKind> mode_kinds{{"rest", "#FFFFFF", "rest"},
                                       {"failed", "#808080", "could not be solved"}};
 
 /// The columns of every kind; without a column of that name, as of ends that no motion begins with, zeros.
-std::vector<std::vector<double>> mode_counts(const std::filesystem::path& file, const std::string& prefix) {
+Columns mode_counts(const fs::path& file, const std::string& prefix) {
   const Table table = read_table(file);
-  std::vector<std::vector<double>> list;
+  Columns list;
   for (const MapKind& kind : mode_kinds) {
     const std::string name = std::string(kind.name) == "failed" ? "failed" : prefix + kind.name;
     const bool there = std::ranges::find(table.columns, name) != table.columns.end();
@@ -58,7 +97,7 @@ std::vector<std::vector<double>> mode_counts(const std::filesystem::path& file, 
 }
 
 /// "Of 3024 runs 610 rest, …", without what does not happen.
-std::string answer_of(const std::vector<std::vector<double>>& counts) {
+std::string answer_of(const Columns& counts) {
   constexpr std::array words{"rest", "slide", "rock", "slide and rock", "fly", "topple", "fall off", "fail"};
   double all = 0;
   std::string text;
@@ -74,14 +113,14 @@ std::string answer_of(const std::vector<std::vector<double>>& counts) {
 
 Drawings overturning(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
-  const std::filesystem::path file = subject.folder / "overturning.csv";
+  const fs::path file = subject.folder / "overturning.csv";
   const auto places = read_columns(file, {"frequency", "intensity"});
   const auto counts =
       read_columns(file, each_of(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
-  const CellMap map = cell_map("kind", counted_cells(places[0], places[1], counts), outcomes);
-  Sheet sheet = subject.figure.sheet(facts.title, map_legend(outcomes, map.there),
-                                     answer_of(places[0], places[1], counts, facts));
+  const CellMap map = cell_map("kind", counted_cells(places, counts), outcomes);
+  Sheet sheet =
+      subject.figure.sheet(facts.title, map_legend(outcomes, map.there), answer_of(places, counts, facts));
   if (facts.least_acceleration > 0) {
     sheet.leave_room_above(axis_above);
     sheet.leave_room_beside();
@@ -100,13 +139,12 @@ Drawings overturning(const FolderSubject& subject) {
 
 Drawings modes(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
-  const std::filesystem::path file = subject.folder / "modes.csv";
+  const fs::path file = subject.folder / "modes.csv";
   const auto places = read_columns(file, {"intensity", "friction"});
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
-  CellMap onset =
-      cell_map("onset", counted_cells(places[0], places[1], mode_counts(file, "onset_")), mode_kinds);
+  CellMap onset = cell_map("onset", counted_cells(places, mode_counts(file, "onset_")), mode_kinds);
   const auto motions = mode_counts(file, "");
-  const CellMap whole = cell_map("whole", counted_cells(places[0], places[1], motions), mode_kinds);
+  const CellMap whole = cell_map("whole", counted_cells(places, motions), mode_kinds);
   std::vector<bool> there = onset.there;
   for (std::size_t k = 0; k < there.size(); ++k) there[k] = there[k] || whole.there[k];
   Legend legend = map_legend(mode_kinds, there);
@@ -119,8 +157,7 @@ Drawings modes(const FolderSubject& subject) {
   }
   Sheet sheet = subject.figure.sheet(facts.title, legend, answer_of(motions));
   sheet.data(onset.data + whole.data);
-  constexpr double titles = 18;
-  sheet.leave_room_above(titles);
+  sheet.leave_room_above(18);
   const std::string axes =
       map_axes(onset) + fmt::format("set xlabel {} noenhanced\n", in_quotes(facts.intensity));
   sheet.row(

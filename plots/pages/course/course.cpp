@@ -1,13 +1,16 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "plots/pages/html.hpp"
 #include "plots/pages/show.hpp"
 
-// The list of all lessons, and problem sheets.
+// The list of all lessons, problem sheets, and slides on paper.
 
 namespace rockstack::plots {
 namespace {
 
 /// The first figure of a lesson's slides, or its first motions, where its folder is beside the page.
-std::string picture_of(const std::filesystem::path& results, const std::string& lesson) {
+std::string picture_of(const fs::path& results, const std::string& lesson) {
   for (const auto& [folder, ending] : {std::pair{"figures/slides", ".png"}, {"figures", ".histories.png"}})
     for (const std::string& name : names_in(results / lesson / folder, {".png"}))
       if (name.ends_with(ending))
@@ -16,7 +19,7 @@ std::string picture_of(const std::filesystem::path& results, const std::string& 
   return "";
 }
 
-std::string entry(const std::filesystem::path& results, const Json& lesson) {
+std::string entry(const fs::path& results, const Json& lesson) {
   std::string aims, after;
   for (const Json& aim : lesson.at("aims")) aims += element("li", aim.get<std::string>()) + "\n";
   for (const Json& one : lesson.at("after"))
@@ -29,17 +32,16 @@ std::string entry(const std::filesystem::path& results, const Json& lesson) {
       picture_of(results, lesson.at("name")), escaped_at(lesson, "pattern"));
 }
 
-std::string course_page(const std::filesystem::path& results, const Json& course) {
+std::string course_page(const fs::path& results, const Json& course) {
   std::string lessons;
   double minutes = 0;
   for (const Json& lesson : course.at("lessons")) {
     lessons += entry(results, lesson);
     minutes += lesson.at("minutes").get<double>();
   }
-  constexpr double hour = 60;  // min
   return page("Contact modelling: a course", "course",
               filled_in(course_html, {{"count", fmt::format("{}", course.at("lessons").size())},
-                                      {"hours", fmt::format("{:.0f}", minutes / hour)},
+                                      {"hours", fmt::format("{:.0f}", minutes / 60)},
                                       {"lessons", lessons}}));
 }
 
@@ -89,9 +91,8 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 
 }  // namespace
 
-void write_course(const std::filesystem::path& results) {
-  read_json(results / "course.json",
-            [&](const Json& course) { write_file(results / "index.html", course_page(results, course)); });
+void write_course(const fs::path& results, const Json& course) {
+  write_file(results / "index.html", course_page(results, course));
   const std::string player =
       filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}});
   write_file(
@@ -101,7 +102,7 @@ void write_course(const std::filesystem::path& results) {
                element("main", std::string(glossary_html)) + element("div", player, " hidden")));
 }
 
-SheetPages write_sheet(const std::filesystem::path& answers) {
+SheetPages write_sheet(const fs::path& answers) {
   return read_json(answers, [&](const Json& sheet) {
     const auto place = [&](const char* kind) {
       return answers.parent_path() /
@@ -112,6 +113,27 @@ SheetPages write_sheet(const std::filesystem::path& answers) {
     write_file(pages.key, sheet_page(sheet, true));
     return pages;
   });
+}
+
+void print_pdf(const fs::path& page, const fs::path& pdf) {
+  if (!has_program("chromium"))
+    throw InputError("--pdf: must be asked where the program chromium is; slides.html is written");
+  const Scratch scratch(pdf.parent_path().empty() ? fs::path(".") : pdf.parent_path(), ".printing");
+  const fs::path made = fs::absolute(scratch.folder / "slides.pdf");
+  std::string line =
+      "chromium --headless --disable-gpu --no-first-run --disable-quic --disable-background-networking "
+      "--disable-component-update --disable-sync --no-pdf-header-footer --window-size=1280,768 "
+      "--virtual-time-budget=20000";
+  if (geteuid() == 0) line += " --no-sandbox";  // which it does not have for root
+  for (const std::string& word : {"--user-data-dir=" + fs::absolute(scratch.folder / "profile").string(),
+                                  "--print-to-pdf=" + made.string(), fs::absolute(page).string()})
+    line += " " + quoted_for_shell(word);
+  line += " >/dev/null 2>&1";
+  const int status = std::system(line.c_str());
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code != 0 || !fs::exists(made))
+    throw std::runtime_error(fmt::format("chromium: printing {} ended with {}", page.string(), code));
+  fs::rename(made, pdf);
 }
 
 }  // namespace rockstack::plots

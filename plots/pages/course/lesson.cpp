@@ -7,8 +7,7 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
-/// As many digits as tell the numbers of a column apart, four at least: times of chatter need more than
-/// those of swings.
+/// As many digits as tell a column's numbers apart, four at least: times of chatter need more than others.
 int digits_of(const Json& rows, std::size_t column) {
   std::set<std::string> numbers;
   for (const Json& row : rows)
@@ -27,14 +26,12 @@ std::string lesson_table(const Json& json) {
   const auto columns = json.at("columns").get<std::vector<std::string>>();
   std::vector<int> significant;
   for (std::size_t i = 0; i < columns.size(); ++i) significant.push_back(digits_of(json.at("rows"), i));
-  std::string rows;
-  for (const Json& row : json.at("rows")) {
-    std::string cells;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      cells += table_cell(columns[i], row.at(i).get<std::string>(), "", significant[i]);
-    rows += element("tr", cells) + "\n";
-  }
-  return table(columns, rows);
+  return table(columns, text_of_each(json.at("rows"), [&](const Json& row) {
+                 std::string cells;
+                 for (std::size_t i = 0; i < columns.size(); ++i)
+                   cells += table_cell(columns[i], row.at(i), "", significant[i]);
+                 return element("tr", cells) + "\n";
+               }));
 }
 
 std::string choices_of(const Json& part, const std::string& name) {
@@ -76,16 +73,7 @@ std::string prediction_section(const Json& question, Values numbers) {
       filled_in(text_at(part, "why"), numbers));
 }
 
-/// A figure drawn for a slide.
-std::string slide_figure(const fs::path& results, const Comparison& comparison, const ComparedScene& scene,
-                         const Figure& figure) {
-  const fs::path stem = fs::path("slides") / figure_stem("", scene, figure).filename();
-  draw(std::get<OfScene>(figure.of).draw({figure, comparison, scene, true}), results / "figures" / stem);
-  return drawn_figure(results, stem, figure.name + "-", figure.title + ": " + scene.title);
-}
-
-/// Names with a colon are parts of a page; numbers have none. A figure is drawn for slides where `slides`
-/// asks for it.
+/// Names with a colon are parts of a page, others numbers. A figure is drawn for slides that ask for it.
 void add_parts(const fs::path& results, const Comparison& comparison, const Json& start,
                const std::string& slides, Values& values) {
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
@@ -93,10 +81,14 @@ void add_parts(const fs::path& results, const Comparison& comparison, const Json
     if (has_motion(comparison, scene)) values["player:" + scene.name] = player_section(comparison, i, start);
     for (const Figure* figure : figures_of(scene)) {
       const std::string place = fmt::format("figure:{}.{}", scene.name, figure->name);
-      if (slides.empty())
+      if (slides.empty()) {
         values[place] = scene_figure(results, comparison, i, *figure);
-      else if (slides.find("{{" + place + "}}") != std::string::npos)
-        values[place] = slide_figure(results, comparison, scene, *figure);
+      } else if (slides.find("{{" + place + "}}") != std::string::npos) {
+        const fs::path stem = fs::path("slides") / figure_stem("", scene, *figure).filename();
+        draw(std::get<OfScene>(figure->of).draw({*figure, comparison, scene, true}),
+             results / "figures" / stem);
+        values[place] = drawn_figure(results, stem, figure->name + "-", figure->title + ": " + scene.title);
+      }
     }
   }
 }
@@ -119,19 +111,10 @@ std::string list_of(const Json& texts) {
   return element("ul", text_of_each(texts, item));
 }
 
-/// Other lessons and the course's own pages lie beside this one.
-bool is_in_course(const Json& lesson) {
-  return lesson.contains("neighbours");
-}
-
-std::string page_beside(const Json& lesson) {
-  return "../" + escaped_at(lesson, "name") + "/lesson.html";
-}
-
 /// To what the words mean, and to the course and the lessons beside this one, where they are.
 std::string navigation(const Json& lesson) {
   std::string links = link("report.html#words", "What the words mean");
-  if (is_in_course(lesson)) {
+  if (lesson.contains("neighbours")) {
     links =
         link("../index.html", "All lessons") + " " + link("../glossary.html", "What the words mean") + " ";
     for (const auto& [key, words] : {std::pair{"previous", "◀ the one before"}, {"next", "the next one ▶"}})
@@ -144,7 +127,8 @@ std::string navigation(const Json& lesson) {
 std::string titles_after(const Json& lesson) {
   const auto title = [&](const Json& one) {
     const std::string words = "“" + escaped_at(one, "title") + "”";
-    return is_in_course(lesson) ? link(page_beside(one), words) : words;
+    return lesson.contains("neighbours") ? link("../" + escaped_at(one, "name") + "/lesson.html", words)
+                                         : words;
   };
   const Json& before = lesson.at("after");
   return before.empty() ? "" : " · after " + text_of_each(before, title, ", ");
@@ -153,26 +137,15 @@ std::string titles_after(const Json& lesson) {
 /// What a lesson's page and its slides share.
 Values lesson_values(const fs::path& results, const Comparison& comparison, const Json& lesson) {
   const std::string text = text_at(lesson, "text");
-  return {{"title", escaped_at(lesson, "title")},
-          {"name", escaped_at(lesson, "name")},
-          {"number", lesson.at("number").dump()},
-          {"count", lesson.at("count").dump()},
-          {"minutes", lesson.at("minutes").dump()},
-          {"after", titles_after(lesson)},
-          {"navigation", navigation(lesson)},
-          {"aims", list_of(lesson.at("aims"))},
-          {"references", list_of(lesson.at("references"))},
-          {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
-          {"command", escaped(comparison.command)},
-          {"environment", definition_list(comparison.environment)}};
-}
-
-/// Those written for them, and after them the questions, which end a lesson's text.
-std::string slides_text(const fs::path& results, const Comparison& comparison, const Json& lesson) {
-  const std::string text = text_at(lesson, "text");
-  const std::string slides =
-      text_at(lesson, "slides") + text.substr(std::min(text.rfind("<section>"), text.size()));
-  return filled_in(slides, values_of(results, comparison, lesson, slides));
+  Values values{{"after", titles_after(lesson)},
+                {"navigation", navigation(lesson)},
+                {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
+                {"command", escaped(comparison.command)},
+                {"environment", definition_list(comparison.environment)}};
+  for (const char* key : {"title", "name"}) values[key] = escaped_at(lesson, key);
+  for (const char* key : {"number", "count", "minutes"}) values[key] = lesson.at(key).dump();
+  for (const char* key : {"aims", "references"}) values[key] = list_of(lesson.at(key));
+  return values;
 }
 
 std::string page_of(const std::string& title, Values values, const char* kind, std::string_view content,
@@ -184,12 +157,16 @@ std::string page_of(const std::string& title, Values values, const char* kind, s
 
 }  // namespace
 
-void write_lesson(const std::filesystem::path& results, const Comparison& comparison) {
+void write_lesson(const fs::path& results, const Comparison& comparison) {
   read_json(results / "lesson.json", [&](const Json& lesson) {
     Values values = lesson_values(results, comparison, lesson);
     const std::string title = text_at(lesson, "title");
     const std::string page = page_of(title, values, "lesson", lesson_html, "", lesson_js);
-    values["text"] = slides_text(results, comparison, lesson);
+    // Slides are those written for them, and after them the questions, which end a lesson's text.
+    const std::string text = text_at(lesson, "text");
+    const std::string shown =
+        text_at(lesson, "slides") + text.substr(std::min(text.rfind("<section>"), text.size()));
+    values["text"] = filled_in(shown, values_of(results, comparison, lesson, shown));
     const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
     write_file(results / "lesson.html", page);
     write_file(results / "slides.html", slides);

@@ -38,7 +38,7 @@ Energies energies(const Model<Quad>& model, const Pattern& pattern, const std::v
 
 /// The least share of a diagonal entry of the mass matrix that elimination leaves.
 Quad least_share(const Model<Quad>& model, const Pattern& pattern, const std::vector<double>& angles) {
-  const auto chain = chain_at(model, pattern, relative_values(angles, pattern));
+  const auto chain = make_chain(model.stack, pattern, directions_at(model, relative_values(angles, pattern)));
   Matrix<Quad> mass = mass_matrix(model.stack, chain);
   const Values entries = mass.diagonal();
   Quad least = 1;

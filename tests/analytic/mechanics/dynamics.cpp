@@ -104,7 +104,8 @@ TEST(Dynamics, EnergyChangesByThePowerOfTheGround) {
     const Number step = 1e-5L;
     const Number found = (at(step) - at(-step)) / (2 * step);
     const auto speeds =
-        centre_velocities(chain_at(model, state.pattern, state.angles), absolute(state.velocities));
+        centre_velocities(make_chain(model.stack, state.pattern, directions_at(model, state.angles)),
+                          absolute(state.velocities));
     const Number power = -(speeds * model.stack.mass).dot(ground);
     const Number scale = energy(model, state) + model.stack.mass.sum() * 100;
     EXPECT_NEAR(static_cast<double>(found), static_cast<double>(power), static_cast<double>(1e-6L * scale));

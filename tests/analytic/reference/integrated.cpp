@@ -131,7 +131,7 @@ class Walk {
     event.before = list(now.velocities);
     if (closing.any()) {
       const Resolution<Quad, Eigen::Dynamic> resolution =
-          resolve(model_, Impact<Quad>{now, closing}, scene_.law);
+          resolve(model_, Impact<Quad>{now, closing}, before_impact(model_, now), scene_.law);
       event.to = resolution.solution.pattern;
       event.consistency = resolution.consistency;
       now.velocities = resolution.solution.relative;

@@ -2,7 +2,6 @@
 
 #include "analytic/solver/solver.hpp"
 #include "analytic/unilateral/contact_solver.hpp"
-#include "analytic/unilateral/unilateral_history.hpp"
 
 namespace rockstack::testing {
 namespace {

@@ -79,7 +79,8 @@ double work(const Scene& scene, const History& history, const Nodes& nodes, doub
     const Point<double> ground{acceleration(scene.horizontal, nodes.times[i]),
                                acceleration(scene.vertical, nodes.times[i])};
     const auto speeds =
-        centre_velocities(chain_at(model, state.pattern, state.angles), absolute(state.velocities));
+        centre_velocities(make_chain(model.stack, state.pattern, directions_at(model, state.angles)),
+                          absolute(state.velocities));
     result -= nodes.weights[i] * (speeds * model.stack.mass).dot(ground);
   }
   return result;

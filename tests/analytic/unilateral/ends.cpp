@@ -38,7 +38,8 @@ TEST(Ends, APlankThatTipsStrikesWhatIsBesideTheBrick) {
     const ContactEvent<double>& last = history.events.back();
     EXPECT_EQ(last.kind, EventKind::strike);
     EXPECT_EQ(last.interface, static_cast<int>(scene.blocks.size()));
-    EXPECT_NEAR(last.at.back().angle, std::asin(thickness / (off + plank - brick)), 100 * round_off);
+    EXPECT_NEAR(last.at[scene.blocks.size() - 1].angle, std::asin(thickness / (off + plank - brick)),
+                100 * round_off);
   }
 }
 

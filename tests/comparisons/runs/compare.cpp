@@ -39,7 +39,7 @@ TEST(Compare, AFailingRunCostsItsOwnRow) {
     if (expected.count(engine.solver) == 0) continue;
     suite.series.insert(suite.series.begin(), make_series(engine, "default", {1e-2}));
   }
-  const auto rows = compare({suite}, folder.path(), {}).rows;
+  const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
   ASSERT_EQ(rows.size(), suite.series.size() + 1);
   for (const RunMetrics& row : rows) {
     EXPECT_EQ(name(row.status), row.engine == "faulty" ? expected.at(row.solver) : "done")
@@ -64,7 +64,7 @@ TEST(Compare, WhatATestHasMeasuredIsARowOfItsOwn) {
   Suite suite = suite_for(read_named_scene(folder.write("tested.toml", block + table), {}));
   suite.series.clear();
   suite.repeats = 1;
-  const auto rows = compare({suite}, folder.path(), {}).rows;
+  const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
   ASSERT_EQ(rows.size(), 2U);
   const RunMetrics& row = rows.back();
   EXPECT_EQ(row.run, "tested.measured");
@@ -84,7 +84,7 @@ TEST(Compare, EnginesRunWithoutARatioOfRestitutionAndTheLawSaysSo) {
   suite.repeats = 1;
   suite.series.resize(1);
   suite.series.front().steps = {1e-2};
-  for (const RunMetrics& row : compare({suite}, folder.path(), {}).rows)
+  for (const RunMetrics& row : compare({suite}, folder.path(), *make_threads(1), {}).rows)
     EXPECT_EQ(row.status, RunStatus::done) << row.reason;
   const auto json = nlohmann::ordered_json::parse(bytes_of(folder.path() / "comparison.json"));
   EXPECT_EQ(json.at("scenes").at(0).at("law"), "consistent with restitution 0.75, engines without");
@@ -124,7 +124,7 @@ point = [-0.25, 0.125]
   suite.repeats = 1;
   suite.series.resize(1);
   suite.series.front().steps = {1e-3};
-  const auto rows = compare({suite}, folder.path(), {}).rows;
+  const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
   ASSERT_EQ(rows.size(), 2U);  // no row of its own: a point tells no angles
   // Lines between samples of 1 ms leave out μg dt²/8 = 6e-7 m, and an engine's step is off by μg dt of speed.
   EXPECT_NEAR(rows[0].rms_test_difference.value(), 2e-3, 7e-7);
@@ -160,7 +160,7 @@ angles = [0, 0.05]
   Suite suite = suite_for(read_named_scene(folder.write("tested.toml", two + table), {}));
   suite.series.clear();
   suite.repeats = 1;
-  const auto rows = compare({suite}, folder.path(), {}).rows;
+  const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_NEAR(rows[0].rms_test_difference.value(), 1e-3, 1e-12);  // readings are at samples
 }
@@ -191,7 +191,7 @@ TEST(Compare, ASceneWithoutAMotionCostsItsOwnRows) {
   suite.repeats = 1;
   suite.series.resize(std::min<std::size_t>(suite.series.size(), 1));
   for (EngineSeries& series : suite.series) series.steps = {1e-2};
-  for (const RunMetrics& row : compare({suite}, folder.path(), {}).rows) {
+  for (const RunMetrics& row : compare({suite}, folder.path(), *make_threads(1), {}).rows) {
     const bool far = row.scene == "far";
     EXPECT_EQ(row.status, far ? RunStatus::failed : RunStatus::done) << row.run;
     EXPECT_EQ(row.reason.find(row.engine == "exact" ? "block masses or sizes" : "no exact motion"),
@@ -211,7 +211,7 @@ TEST(Compare, AMotionThatIsGivenUpIsKeptUpToThere) {
   Suite suite = suite_for(read_named_scene(folder.write("falling.toml", falling), {}));
   suite.series.clear();
   suite.variants = {{Variant::Choice::rk4, 0.1}};
-  const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
+  const RunMetrics row = compare({suite}, folder.path(), *make_threads(1), {}).rows.at(1);
   EXPECT_EQ(row.status, RunStatus::failed);
   EXPECT_EQ(row.reason.find("angles or velocities"), 0U) << row.reason;
   for (const char* name : {"history.csv", "events.csv"})
@@ -226,7 +226,7 @@ TEST(Compare, ResultsNotAskedForAreNotComputed) {
   suite.series.resize(1);
   suite.series[0].steps = {1e-2};
   suite.wanted = {false, false, false, false, false};
-  const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
+  const RunMetrics row = compare({suite}, folder.path(), *make_threads(1), {}).rows.at(1);
   EXPECT_EQ(row.status, RunStatus::done);
   for (const char* name : {"rms_angle_difference", "impacts_matched", "pattern_agreement", "slip"}) {
     EXPECT_TRUE(nlohmann::ordered_json(row).at(name).is_null()) << name;
@@ -239,7 +239,7 @@ TEST(Compare, ResultsNotAskedForAreNotComputed) {
 TEST(Compare, ScenesThatWouldShareAFolderAreRefused) {
   const TemporaryFolder folder;
   const Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
-  EXPECT_THROW(compare({suite, suite}, folder.path(), {}), InputError);
+  EXPECT_THROW(compare({suite, suite}, folder.path(), *make_threads(1), {}), InputError);
 }
 
 /// A suite of one block, and of the first engine where there is one.
@@ -264,8 +264,8 @@ nlohmann::ordered_json lasting(const RunMetrics& row) {
 
 TEST(Compare, TheSameSuiteTwiceGivesTheSameNumbersButForTimesHoweverManyRunsAreMadeAtATime) {
   const TemporaryFolder first, second;
-  const auto one = compare({small_suite(first)}, first.path(), {});
-  const auto other = compare({small_suite(second)}, second.path(), {.jobs = 3});
+  const auto one = compare({small_suite(first)}, first.path(), *make_threads(1), {});
+  const auto other = compare({small_suite(second)}, second.path(), *make_threads(3), {});
   EXPECT_EQ(one.reused + other.reused, 0U);
   ASSERT_EQ(one.rows.size(), other.rows.size());
   for (std::size_t i = 0; i < one.rows.size(); ++i) {
@@ -279,7 +279,7 @@ TEST(Compare, PerturbedScenesAreMadeOnEveryAnswerAndCompared) {
   const TemporaryFolder folder;
   Suite suite = small_suite(folder);
   suite.perturbations = {.runs = 4, .size = 1e-3, .seed = 1};
-  const auto rows = compare({suite}, folder.path(), {}).rows;
+  const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
   for (const RunMetrics& row : rows)
     EXPECT_EQ(read_tallies(folder.path() / "runs" / row.run / "perturbed.csv").size(), 4U) << row.run;
   const Table table = read_table(folder.path() / "distributions.csv");
@@ -289,9 +289,9 @@ TEST(Compare, PerturbedScenesAreMadeOnEveryAnswerAndCompared) {
 TEST(Compare, RunsThatAreDoneAreNotMadeAgain) {
   const TemporaryFolder folder;
   const Suite suite = small_suite(folder);
-  const auto first = compare({suite}, folder.path(), {});
+  const auto first = compare({suite}, folder.path(), *make_threads(1), {});
   std::size_t reports = 0;
-  const auto again = compare({suite}, folder.path(), {.progress = [&](const Progress& now) {
+  const auto again = compare({suite}, folder.path(), *make_threads(1), {.progress = [&](const Progress& now) {
                                EXPECT_EQ(now.done, reports++);
                                EXPECT_EQ(now.total, first.rows.size());
                              }});
@@ -349,21 +349,21 @@ TEST(Compare, AnEngineIsInAComparisonOnce) {
 TEST(Compare, RunsOfOtherInputsOrThatAreTornAreMadeAgain) {
   const TemporaryFolder folder;
   Suite suite = small_suite(folder);
-  const auto rows = compare({suite}, folder.path(), {}).rows;
+  const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
   std::filesystem::remove(folder.path() / "runs" / rows[0].run / "summary.json");
-  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - 1);
+  EXPECT_EQ(compare({suite}, folder.path(), *make_threads(1), {}).reused, rows.size() - 1);
   const auto history = folder.path() / "runs" / rows[0].run / "history.csv";
   std::filesystem::resize_file(history, std::filesystem::file_size(history) / 2);
-  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - 1);
+  EXPECT_EQ(compare({suite}, folder.path(), *make_threads(1), {}).reused, rows.size() - 1);
   std::filesystem::remove(folder.path() / "runs" / rows[0].run / "reactions.csv");
-  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - 1);
+  EXPECT_EQ(compare({suite}, folder.path(), *make_threads(1), {}).reused, rows.size() - 1);
   if (!suite.series.empty()) {
     suite.series[0].parameters.begin()->second += 1;
     const std::size_t changed = suite.series[0].steps.size();
-    EXPECT_EQ(compare({suite}, folder.path(), {}).reused, rows.size() - changed);
+    EXPECT_EQ(compare({suite}, folder.path(), *make_threads(1), {}).reused, rows.size() - changed);
   }
   suite.scenes[0].scene.gravity *= 1.0 + 1e-15;
-  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, 0U);
+  EXPECT_EQ(compare({suite}, folder.path(), *make_threads(1), {}).reused, 0U);
 }
 
 }  // namespace

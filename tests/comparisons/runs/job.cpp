@@ -1,4 +1,4 @@
-#include "comparisons/runs/job.hpp"
+#include "comparisons/runs/compare.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,20 +32,20 @@ TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", sampled_block), {}), {.steps = {1e-3}});
   suite.repeats = 1;
   suite.replicates.runs = 1;
-  const RunMetrics all = compare({suite}, folder.path() / "all", {}).rows.back();
+  const RunMetrics all = compare({suite}, folder.path() / "all", *make_threads(1), {}).rows.back();
   const double bytes = bytes_in(folder.path() / "all");
   // How long numbers are depends on the motion.
   EXPECT_GT(result_bytes({suite}), 0.7 * bytes);
   EXPECT_LT(result_bytes({suite}), 1.5 * bytes);
 
   for (EngineSeries& series : suite.series) series.steps = {1e-4};
-  const RunMetrics fine = compare({suite}, folder.path() / "fine", {}).rows.back();
+  const RunMetrics fine = compare({suite}, folder.path() / "fine", *make_threads(1), {}).rows.back();
   EXPECT_EQ(read_columns(folder.path() / "fine" / "runs" / fine.run / "history.csv", {"time"})[0].size(),
             501U);
   for (EngineSeries& series : suite.series) series.steps = {1e-3};
 
   suite.history_interval = 0.02;
-  const RunMetrics thin = compare({suite}, folder.path() / "thin", {}).rows.back();
+  const RunMetrics thin = compare({suite}, folder.path() / "thin", *make_threads(1), {}).rows.back();
   EXPECT_EQ(thin.rms_angle_difference, all.rms_angle_difference);
   EXPECT_LT(bytes_in(folder.path() / "thin"), 0.1 * bytes);
   const auto history = [&](const char* results) {

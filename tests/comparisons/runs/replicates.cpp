@@ -83,7 +83,7 @@ TEST(Replicates, StandBehindARowAndAreNotMadeAgain) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
   Suite suite = suite_of(folder, native_engines().front());
-  const RunMetrics row = compare({suite}, folder.path(), {}).rows.at(1);
+  const RunMetrics row = compare({suite}, folder.path(), *make_threads(1), {}).rows.at(1);
   EXPECT_EQ(row.draws, 5);
   const auto file = folder.path() / "runs" / row.run / "draws.csv";
   const auto read = [&] { return read_columns(file, {"dt", "rms_angle_difference"}); };
@@ -95,13 +95,13 @@ TEST(Replicates, StandBehindARowAndAreNotMadeAgain) {
   EXPECT_EQ(read_table(folder.path() / "spread.csv").rows.front().front(), row.run);
 
   const auto written = std::filesystem::last_write_time(file);
-  const CompareResult again = compare({suite}, folder.path(), {});
+  const CompareResult again = compare({suite}, folder.path(), *make_threads(1), {});
   EXPECT_EQ(again.reused, 2U);
   EXPECT_EQ(again.rows.at(1).rms_angle_difference, row.rms_angle_difference);
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
 
   suite.replicates.runs = 7;
-  EXPECT_EQ(compare({suite}, folder.path(), {}).reused, 2U);
+  EXPECT_EQ(compare({suite}, folder.path(), *make_threads(1), {}).reused, 2U);
   EXPECT_EQ(read().at(0).size(), 7U);
 }
 
@@ -166,7 +166,7 @@ TEST(Replicates, RowsAreOfTheTimeUpToTheHorizonOfTheSceneHoweverManyDrawsThereAr
     Suite suite = suite_of(folder, native_engines().front());
     suite.replicates = {.runs = runs, .scene = 1e-3};
     suite.tolerance = 2e-4;
-    const auto rows = compare({suite}, folder.path(), {}).rows;
+    const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
     horizons.push_back(*rows.at(0).horizon);
     EXPECT_EQ(rows.at(1).horizon, rows.at(0).horizon);
     EXPECT_LE(*rows.at(1).agreement_time, *rows.at(1).horizon);

@@ -10,7 +10,7 @@
 
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
+#include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/analytic/scene/input/key_file.hpp"
@@ -99,7 +99,7 @@ std::string suite_outcome(const Settings& settings) {
   const TemporaryFolder folder;
   const fs::path input = written(std::move(file), settings, folder);
   const fs::path results = folder.path() / "results";
-  const auto rows = compare({read_suite(input, {})}, results, {}).rows;
+  const auto rows = compare({read_suite(input, {})}, results, *make_threads(1), {}).rows;
   return text_of(rows) + tables_of(results) +
          members_of(results / "comparison.json", {"title", "statements", "verdict"});
 }

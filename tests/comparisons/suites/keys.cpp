@@ -7,7 +7,6 @@
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
-#include "comparisons/studies/sweep/ensemble_keys.hpp"
 #include "comparisons/suites/suite.hpp"
 #include "comparisons/suites/suite_keys.hpp"
 #include "tests/analytic/scene/input/key_file.hpp"

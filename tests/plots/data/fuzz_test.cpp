@@ -25,7 +25,7 @@ void read_all(const fs::path& folder) {
     for (const std::vector<Run>& runs : {shown.exact, shown.engines})
       for (const Run& run : runs) {
         EXPECT_EQ(run.folder.parent_path(), folder / "runs");
-        read_summary(run);
+        read_json(run.folder / "summary.json", facts_of);
         history_of(run);
       }
   }

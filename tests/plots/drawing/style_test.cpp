@@ -43,7 +43,7 @@ TEST(Style, ColourAndMarkBelongToOneSeriesAlone) {
   for (const char* settings : {"default", "tuned"})
     for (const plots::Run& run : shipped_solvers(settings)) {
       const Style style = style_of(run);
-      EXPECT_TRUE(seen.emplace(style.colour, style.mark).second) << solver_name(run) << ", " << settings;
+      EXPECT_TRUE(seen.emplace(style.colour, style.mark).second) << run.solver_name() << ", " << settings;
     }
 }
 
@@ -63,7 +63,7 @@ TEST(Style, WordsInAnyColourCanBeReadOnWhite) {
     const std::string colour = style_of(run).colour;
     const double luminance =
         0.2126 * light(colour, 1) + 0.7152 * light(colour, 3) + 0.0722 * light(colour, 5);
-    EXPECT_GE(1.05 / (luminance + 0.05), 4.5) << solver_name(run) << " " << colour;
+    EXPECT_GE(1.05 / (luminance + 0.05), 4.5) << run.solver_name() << " " << colour;
   }
 }
 

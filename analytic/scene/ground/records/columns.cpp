@@ -31,8 +31,7 @@ bool recognises(Cursor cursor) {
   return !fields.empty() && is_numeric(fields.front());
 }
 
-/// Names of columns, where a line of the header may be that: as many words as there are columns, no number or
-/// unit among them.
+/// How many columns a line of the header may name: its words, where no number or unit is among them; else 0.
 std::size_t names_in(std::string_view line) {
   const bool comment = std::string_view("#%!*/").find(trimmed(line).front()) != std::string_view::npos;
   const bool numbers = line.find_first_of("0123456789") != std::string_view::npos;
@@ -70,17 +69,16 @@ void read_header(const Cursor& cursor, std::string_view line, Header& header) {
   header.names = names_in(line);
   if (contains(line, "(ms)") || contains(line, "[ms]")) cursor.fail("times in ms: must be in s");
   const std::string plain = without_brackets(line);
-  constexpr std::array<std::string_view, 4> steps{"dt", "time step", "timestep", "interval"};
-  for (const std::string_view name : steps)
-    if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
-      note_interval(cursor, read_interval(cursor, plain, field), header);
-  constexpr std::array<std::string_view, 3> rates{"samplerate", "sample rate", "sampling rate"};
-  for (const std::string_view name : rates)
-    if (const auto field = field_after(plain, name); !field.empty() && is_numeric(field))
-      note_interval(cursor, checked_interval(cursor, 1 / number(cursor, field)), header);
+  for (const std::string_view name :
+       {"dt", "time step", "timestep", "interval", "samplerate", "sample rate", "sampling rate"}) {
+    const auto field = field_after(plain, name);
+    if (field.empty() || !is_numeric(field)) continue;
+    const double interval = name.starts_with("sampl") ? checked_interval(cursor, 1 / number(cursor, field))
+                                                      : read_interval(cursor, plain, field);
+    note_interval(cursor, interval, header);
+  }
 }
 
-/// Numbers as they stand.
 struct Table {
   std::vector<std::vector<double>> rows;
   std::vector<std::size_t> lines;
@@ -106,7 +104,6 @@ std::vector<double> numbers_in(const Cursor& cursor, std::string_view line) {
   return values;
 }
 
-/// Refuses a row of another length than those before.
 [[noreturn]] void fail_uneven(const Cursor& cursor, const Table& table) {
   cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
                                          " columns where lines before have " +
@@ -164,8 +161,7 @@ std::vector<std::vector<double>> series_of(const Cursor& cursor, const Table& ta
   return series;
 }
 
-/// Takes the line "NPTS dt" off the rows, where they begin with it: a count and a step before rows of another
-/// length.
+/// Takes a line "NPTS dt" off the front of the rows: a count and a step, before rows of another length.
 void take_count(const Cursor& cursor, Header& header, Table& table) {
   constexpr double longest = 1;  // step, s
   const std::vector<double>& first = table.rows.front();
@@ -190,7 +186,7 @@ Record accelerogram(const Cursor& cursor, Record record, int derivatives) {
   return motion;
 }
 
-std::vector<Record> read(Cursor cursor) {
+void read(Cursor& cursor, std::vector<Record>& records) {
   Header header;
   Table table;
   while (!cursor.at_end()) {
@@ -218,12 +214,9 @@ std::vector<Record> read(Cursor cursor) {
                 " s, the header says dt = " + number_text(*header.interval));
   std::vector<std::vector<double>> series = series_of(cursor, table, times, one_each);
   if (header.count > 0) check_count(cursor, series.front().size(), header.count, header.count_line);
-  std::vector<Record> records;
-  records.reserve(series.size());
   for (auto& samples : series)
     records.push_back(accelerogram(cursor, make_record(step, std::move(samples), unit.factor, "text columns"),
                                    unit.derivatives));
-  return records;
 }
 
 }  // namespace

@@ -12,8 +12,9 @@ constexpr std::size_t raw_interval_place = 34;  // s
 constexpr std::size_t interval_place = 62;      // ms
 constexpr double second_per_millisecond = 0.001;
 
-bool is_cosmos(Cursor cursor) {
-  return contains(cursor.peek(), "(format v");
+/// "/& ---- End of data for channel 1", or "End-of-data for Chan  1 acceleration".
+bool is_end_of_data(std::string_view line) {
+  return starts_with(line, "/&") || starts_with(line, "end-of-data");
 }
 
 /// The text lines of a channel. Gives the value that stands for "unknown".
@@ -46,13 +47,6 @@ std::vector<double> read_counted_header(Cursor& cursor, std::string_view name) {
   return read_columns(cursor, count(cursor, first_word(cursor, line)), fortran_columns(cursor, line));
 }
 
-void skip_comments(Cursor& cursor) {
-  const std::string_view line = cursor.next("comment lines");
-  if (!contains(line, "comment line")) cursor.fail("expected the number of comment lines");
-  const std::string_view lines = first_word(cursor, line);
-  if (number(cursor, lines) != 0) cursor.skip(count(cursor, lines), "the data");
-}
-
 double header_interval(const Cursor& cursor, const std::vector<double>& reals, double null) {
   if (reals.size() >= interval_place && reals[interval_place - 1] != null)
     return checked_interval(cursor, reals[interval_place - 1] * second_per_millisecond);
@@ -77,7 +71,10 @@ void read_channel(Cursor& cursor, std::vector<Record>& series) {
   const double null = read_text_lines(cursor);
   const std::vector<double> integers = read_counted_header(cursor, "integer-header");
   const std::vector<double> reals = read_counted_header(cursor, "real-header");
-  skip_comments(cursor);
+  const std::string_view comments = cursor.next("comment lines");
+  if (!contains(comments, "comment line")) cursor.fail("expected the number of comment lines");
+  const std::string_view lines = first_word(cursor, comments);
+  if (number(cursor, lines) != 0) cursor.skip(count(cursor, lines), "the data");
   const std::string_view line = cursor.next("the data");
   const std::size_t values = count(cursor, first_word(cursor, line));
   const Columns columns = fortran_columns(cursor, line);
@@ -94,19 +91,13 @@ void read_channel(Cursor& cursor, std::vector<Record>& series) {
   cursor.skip_blank();
 }
 
-std::vector<Record> read_cosmos(Cursor cursor) {
-  std::vector<Record> series;
-  while (!cursor.at_end()) read_channel(cursor, series);
-  return series;
-}
-
 }  // namespace
 
 /// COSMOS strong-motion format 1.20 (V1 and V2 files): text lines, then counted blocks of integers, reals,
 /// comments and data that name their own Fortran format, channel after channel. The time step is real header
 /// value 62 (ms), or where that is null, value 34 (s). Unit and quantity come from the line above the data;
 /// velocity and displacement are passed over. A sample that equals the file's null (-999) is refused.
-const Format cosmos{is_cosmos, read_cosmos};
+const Format cosmos{[](Cursor cursor) { return contains(cursor.peek(), "(format v"); }, read_channel};
 
 namespace {
 
@@ -127,41 +118,31 @@ std::string_view smc_field(std::string_view line, std::size_t place) {
   return line.size() <= place * width ? std::string_view() : line.substr(place * width, width);
 }
 
-/// The number of comment lines, which may be 0, and of samples, from the lines of integers.
-struct SmcCounts {
-  std::size_t comments = 0, samples = 0;
-};
-
-SmcCounts read_counts(Cursor& cursor) {
-  SmcCounts counts;
-  for (std::size_t k = 1; k <= integer_lines; ++k) {
-    const std::string_view line = cursor.next("the 48 integers of the header");
-    const std::string_view comments = smc_field(line, comments_place);
-    if (k == comments_line && number(cursor, comments) != 0) counts.comments = count(cursor, comments);
-    if (k == samples_line) counts.samples = count(cursor, smc_field(line, 0));
-  }
-  return counts;
-}
-
-std::vector<Record> read_smc(Cursor cursor) {
+void read_smc(Cursor& cursor, std::vector<Record>& series) {
   const std::string_view title = cursor.next("the title");
   if (!contains(title, "accelerogram"))
     cursor.fail("holds " + quoted(trimmed(title)) + ": only an accelerogram can be used");
   cursor.skip(smc_text_lines - 1, "the header");
-  const SmcCounts counts = read_counts(cursor);
+  std::size_t comments = 0, announced = 0;
+  for (std::size_t k = 1; k <= integer_lines; ++k) {
+    const std::string_view line = cursor.next("the 48 integers of the header");
+    const std::string_view field = smc_field(line, comments_place);
+    if (k == comments_line && number(cursor, field) != 0) comments = count(cursor, field);
+    if (k == samples_line) announced = count(cursor, smc_field(line, 0));
+  }
   const std::vector<double> header = read_columns(cursor, smc_reals, {5, 15});
   const double null = header[0];
   if (header[1] == null) cursor.fail("the header gives no sampling rate (second of the 50 reals)");
   const double interval = checked_interval(cursor, 1 / header[1]);
-  for (std::size_t k = 0; k < counts.comments; ++k)
+  for (; comments > 0; --comments)
     if (!cursor.next("comment lines").starts_with('|')) cursor.fail("expected a comment line, \"|…\"");
-  std::vector<double> samples = read_columns(cursor, counts.samples, {8, 10}, null);
+  std::vector<double> samples = read_columns(cursor, announced, {8, 10}, null);
   cursor.skip_blank();
   if (!cursor.at_end()) {
     cursor.next({});
-    cursor.fail("surplus line after " + std::to_string(counts.samples) + " samples");
+    cursor.fail("surplus line after " + std::to_string(announced) + " samples");
   }
-  return {make_record(interval, std::move(samples), centimetre_per_second_squared, "USGS SMC")};
+  series.push_back(make_record(interval, std::move(samples), centimetre_per_second_squared, "USGS SMC"));
 }
 
 }  // namespace
@@ -242,16 +223,12 @@ void read_block(Cursor& cursor, std::string_view interval, std::vector<Record>& 
   }
 }
 
-std::vector<Record> read_volume2(Cursor cursor) {
-  std::vector<Record> series;
-  while (!cursor.at_end()) {
-    const std::string_view interval = read_volume2_header(cursor);
-    while (is_block_header(cursor.peek())) read_block(cursor, interval, series);
-    if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !is_end_of_data(cursor.next({})))
-      cursor.fail("expected another block of data or its end, \"/&\"");
-    cursor.skip_blank();
-  }
-  return series;
+void read_volume2(Cursor& cursor, std::vector<Record>& series) {
+  const std::string_view interval = read_volume2_header(cursor);
+  while (is_block_header(cursor.peek())) read_block(cursor, interval, series);
+  if (!cursor.at_end() && !trimmed(cursor.peek()).empty() && !is_end_of_data(cursor.next({})))
+    cursor.fail("expected another block of data or its end, \"/&\"");
+  cursor.skip_blank();
 }
 
 }  // namespace
@@ -262,5 +239,59 @@ std::vector<Record> read_volume2(Cursor cursor) {
 /// (8F10.3). Its time step is rounded to ms; real header value 61 has it in full and is taken where the two
 /// agree. Channels end in "/&" lines. Velocity and displacement are passed over.
 const Format volume2{is_volume2, read_volume2};
+
+namespace {
+
+constexpr std::size_t text_lines = 16;
+constexpr std::size_t count_line = 10;  ///< of the text
+constexpr std::size_t integer_count = 40;
+constexpr std::size_t first_count = 33;  ///< of the integers: samples of acceleration, velocity, displacement
+constexpr std::size_t real_count = 60;
+constexpr std::size_t step_place = 25;  ///< of the reals, s
+constexpr Columns ten_a_line{10, 8};
+constexpr double millimetre_per_second_squared = 1e-3;
+
+bool is_geonet(Cursor cursor) {
+  for (std::size_t k = 1; k <= text_lines && !cursor.at_end(); ++k) {
+    const std::string_view line = cursor.next({});
+    if (k == count_line && !starts_with(line, "number of points")) return false;
+    if (k == text_lines) return starts_with(line, "displacement");
+  }
+  return false;
+}
+
+/// A count among the integers of the header, which may be 0.
+std::size_t whole(const Cursor& cursor, double value) {
+  constexpr double most = 1e9;
+  if (!(value >= 0) || value > most || value != std::floor(value))
+    cursor.fail("the integers up to here give no count of samples (34th to 36th)");
+  return static_cast<std::size_t>(value);
+}
+
+void read_component(Cursor& cursor, std::vector<Record>& series) {
+  for (std::size_t k = 0; k < text_lines; ++k) {
+    const std::string_view line = cursor.next("the 16 lines of text of a component");
+    const std::string_view unit = field_after(line, "units of");  // of raw readings
+    if (!unit.empty() && number(cursor, unit) != 1) cursor.fail("units must be 1.00 mm/s/s");
+  }
+  const std::vector<double> header = read_columns(cursor, integer_count, ten_a_line);
+  const std::size_t samples = whole(cursor, header[first_count]);
+  const std::size_t passed[] = {whole(cursor, header[first_count + 1]),
+                                whole(cursor, header[first_count + 2])};
+  const double interval = checked_interval(cursor, read_columns(cursor, real_count, ten_a_line)[step_place]);
+  if (samples == 0) cursor.fail("the header announces no samples of acceleration");
+  series.push_back(make_record(interval, read_columns(cursor, samples, ten_a_line),
+                               millimetre_per_second_squared, "GeoNet"));
+  for (const std::size_t count : passed) read_columns(cursor, count, ten_a_line);
+  cursor.skip_blank();
+}
+
+}  // namespace
+
+/// GeoNet of New Zealand, V1A (uncorrected) and V2A (corrected), after W. J. Cousins, GNS accelerogram data
+/// files, 2008. Each of three components has 16 lines of text, 40 integers and 60 reals, then acceleration in
+/// mm/s², velocity and displacement, ten values a line in eight columns each. Integers 34 to 36 are the
+/// numbers of samples, real 26 is the time step. Velocity and displacement are passed over.
+const Format geonet{is_geonet, read_component};
 
 }  // namespace rockstack::records

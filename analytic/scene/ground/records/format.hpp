@@ -7,10 +7,11 @@
 
 namespace rockstack::records {
 
-/// A layout of record files. Both functions start at the first line.
+/// A layout of record files. `recognises` starts at the first line; `read` goes on until the end of the file,
+/// or of a channel that others may follow.
 struct Format {
   bool (*recognises)(Cursor cursor);
-  std::vector<Record> (*read)(Cursor cursor);
+  void (*read)(Cursor& cursor, std::vector<Record>& series);
 };
 
 extern const Format knet, esm, cosmos, smc, geonet, volume2, peer, plain_columns;
@@ -38,8 +39,7 @@ struct Unit {
   friend bool operator==(const Unit&, const Unit&) = default;
 };
 
-/// Factor to m/s² of a unit of acceleration as files spell it: g, gal, cm/s2, cm/sec/sec, m/s^2 …; none for
-/// others.
+/// Factor to m/s² of a unit of acceleration as files spell it, as gal, cm/sec/sec or m/s^2; none of others.
 std::optional<double> unit_factor(std::string_view name);
 
 /// The unit that a line of free text names. One of acceleration stands after "units" or "acceleration" ("IN
@@ -48,8 +48,7 @@ std::optional<double> unit_factor(std::string_view name);
 /// [mm]"), as other lengths of a header are in brackets too.
 std::optional<Unit> find_unit(std::string_view line);
 
-/// The one unit that the lines of a header name. Where they name one of acceleration, others are of something
-/// else.
+/// The one unit that a header names. Where it names one of acceleration, others are of something else.
 class HeaderUnit {
  public:
   /// @throws InputError at a line that names another unit than one before it.
@@ -57,7 +56,9 @@ class HeaderUnit {
   /// Of an acceleration. @throws InputError at the cursor's line if no line named one.
   double factor(const Cursor& cursor) const;
   /// @throws InputError likewise, where none of velocity or displacement was named either.
-  Unit unit(const Cursor& cursor) const;
+  Unit unit(const Cursor& cursor) const {
+    return other_ && !acceleration_ ? other_->unit : Unit{factor(cursor), 0};
+  }
 
  private:
   struct Named {

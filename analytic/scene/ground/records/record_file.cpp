@@ -22,8 +22,7 @@ std::string_view without_padding(std::string_view text) {
   return text.substr(0, end);
 }
 
-/// Whether a file is MiniSEED: a number of six digits, then the quality of the data and a blank; or
-/// version 3.
+/// Whether a file is MiniSEED: six digits, then the quality of the data and a blank; or version 3.
 bool is_miniseed(std::string_view text) {
   constexpr std::size_t digits = 6, start = 8;
   if (text.starts_with("MS\x03")) return true;
@@ -32,8 +31,7 @@ bool is_miniseed(std::string_view text) {
          (text[digits + 1] == ' ' || text[digits + 1] == '\0');
 }
 
-/// Whether a file is binary SAC: its header of 632 bytes has its version, 6 or 7, at byte 304 in either
-/// order.
+/// Whether a file is binary SAC: 632 bytes of header, its version, 6 or 7, at byte 304 in either order.
 bool is_sac(std::string_view text) {
   constexpr std::size_t header = 632, version = 304;
   if (text.size() < header) return false;
@@ -103,7 +101,8 @@ std::vector<Record> read_series(std::string_view file, std::string_view text) {
   const std::array formats{&knet, &esm, &cosmos, &smc, &geonet, &volume2, &peer, &plain_columns};
   for (const Format* format : formats) {
     if (!format->recognises(cursor)) continue;
-    std::vector<Record> series = format->read(cursor);
+    std::vector<Record> series;
+    for (Cursor rest = cursor; !rest.at_end();) format->read(rest, series);
     check_last_line(file, text);
     if (series.empty()) cursor.fail("holds no series of acceleration");
     return series;

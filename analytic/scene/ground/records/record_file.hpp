@@ -1,29 +1,24 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "analytic/scene/ground/records/record.hpp"
 
 namespace rockstack {
 
-/// The file that the name of a record stands for: the name itself, or without the channel that "FILE:2" ends
-/// in.
+/// The file that a record's name stands for: the name itself, without a channel as in "FILE:2".
 std::filesystem::path record_file(const std::filesystem::path& name);
 
 /// Reads a ground-motion record; the format is recognised by content, units come from the file, 1 g = 9.80665
-/// m/s². A file may hold several channels: "FILE" is the first series of acceleration in it, "FILE:2" the
-/// second.
+/// m/s². Of several channels "FILE" is the first series of acceleration, "FILE:2" the second.
 /// @throws InputError with file and line: as file_text(), empty, binary, cut short, wrong count, unknown
 /// format or units, a channel that is not there.
 Record read_record(const std::filesystem::path& name);
 
 namespace records {
 
-/// All series of acceleration in the text of a record, in the order of the text. `file` is its name in
-/// errors.
+/// All series of acceleration in the text of a record, in its order. `file` is its name in errors.
 /// @throws InputError as read_record().
 std::vector<Record> read_series(std::string_view file, std::string_view text);
 

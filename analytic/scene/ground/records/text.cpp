@@ -5,6 +5,7 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -16,12 +17,10 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-bool same(char a, char lower_case) {
-  return lower(a) == lower_case;
-}
-
-bool is_word_character(char c) {
-  return (c >= '0' && c <= '9') || (lower(c) >= 'a' && lower(c) <= 'z') || c == '_';
+/// Whether a word of a text in lower case goes on at a place.
+bool is_in_word(std::string_view text, std::size_t place) {
+  const char c = place < text.size() ? text[place] : ' ';
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c == '_';
 }
 
 std::string_view without_first(std::string_view text, std::size_t length) {
@@ -80,20 +79,7 @@ std::string lower(std::string_view text) {
 }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-bool contains(std::string_view text, std::string_view lower_case_part) {
-  return std::search(text.begin(), text.end(), lower_case_part.begin(), lower_case_part.end(), same) !=
-         text.end();
-}
-
-bool starts_with(std::string_view text, std::string_view lower_case_part) {
-  return text.size() >= lower_case_part.size() &&
-         std::equal(lower_case_part.begin(), lower_case_part.end(), text.begin(),
-                    [](char part, char c) { return same(c, part); });
+  return rockstack::trimmed(text, blanks);
 }
 
 std::vector<std::string_view> words(std::string_view text, std::string_view separators) {
@@ -110,17 +96,14 @@ std::vector<std::string_view> words(std::string_view text, std::string_view sepa
 }
 
 std::string_view field_after(std::string_view text, std::string_view key) {
-  for (auto from = text.begin();; ++from) {
-    from = std::search(from, text.end(), key.begin(), key.end(), same);
-    if (from == text.end()) return {};
-    const auto end = from + static_cast<std::ptrdiff_t>(key.size());
-    const bool starts = from == text.begin() || !is_word_character(*(from - 1));
-    const bool ends = end == text.end() || !is_word_character(*end);
-    if (!starts || !ends) continue;
-    std::string_view field = without_first(text, static_cast<std::size_t>(end - text.begin()));
-    field = without_first(field, field.find_first_not_of(" \t=:"));
+  const std::string plain = lower(text);
+  for (std::size_t from = plain.find(key); from != std::string::npos; from = plain.find(key, from + 1)) {
+    const std::size_t end = from + key.size();
+    if (is_in_word(plain, from - 1) || is_in_word(plain, end)) continue;  // before the first there is none
+    const std::string_view field = without_first(text, text.find_first_not_of(" \t=:", end));
     return field.substr(0, field.find_first_of(" \t\r,;)"));
   }
+  return {};
 }
 
 double number(const Cursor& cursor, std::string_view field) {
@@ -198,15 +181,11 @@ std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns colu
   return values;
 }
 
-bool is_end_of_data(std::string_view line) {
-  return starts_with(line, "/&") || starts_with(line, "end-of-data");
-}
-
 std::vector<double> read_values(Cursor& cursor, bool marked) {
   std::vector<double> values;
   while (!cursor.at_end()) {
     const std::string_view line = cursor.next({});
-    if (marked && starts_with(line, "***") && contains(line, "end")) continue;
+    if (marked && line.starts_with("***") && contains(line, "end")) continue;
     for (const std::string_view word : words(line)) values.push_back(number(cursor, word));
   }
   return values;

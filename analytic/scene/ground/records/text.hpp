@@ -45,8 +45,14 @@ std::string quoted(std::string_view text);
 
 std::string lower(std::string_view text);  ///< A–Z only, whatever the locale
 std::string_view trimmed(std::string_view text);
-bool contains(std::string_view text, std::string_view lower_case_part);  ///< upper and lower case alike
-bool starts_with(std::string_view text, std::string_view lower_case_part);
+/// Of texts in upper and lower case alike; so is the next.
+inline bool contains(std::string_view text, std::string_view lower_case_part) {
+  return lower(text).find(lower_case_part) != std::string::npos;
+}
+
+inline bool starts_with(std::string_view text, std::string_view lower_case_part) {
+  return lower(text).starts_with(lower_case_part);
+}
 
 /// The pieces between blanks, tabs and any of `separators`.
 std::vector<std::string_view> words(std::string_view text, std::string_view separators = ",");
@@ -75,9 +81,6 @@ Columns fortran_columns(const Cursor& cursor, std::string_view line);
 /// @throws InputError at the line where a value is missing, surplus, null or not a number.
 std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns columns,
                                  std::optional<double> null = std::nullopt);
-
-/// "/& ---- End of data for channel 1", or "End-of-data for Chan  1 acceleration".
-bool is_end_of_data(std::string_view line);
 
 /// All values up to the end of the file, separated by blanks or commas. `marked`: some copies end with "***
 /// End Data ***"; overflown values are asterisks too, but alone.

@@ -6,11 +6,6 @@
 namespace rockstack::records {
 namespace {
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
-
 bool is_keyword(std::string_view word) {
   constexpr std::array keywords{"unit", "units", "acc", "accel", "acceleration"};
   return std::ranges::find(keywords, word) != keywords.end() || word.ends_with("unit");
@@ -43,7 +38,9 @@ std::optional<Unit> unit_of(std::string_view name) {
   constexpr std::size_t longest = 16;
   if (name.size() > longest) return std::nullopt;
   std::string plain = records::lower(name);
-  for (const auto& [from, to] : spellings) replace_all(plain, from, to);
+  for (const auto& [from, to] : spellings)
+    for (std::size_t at = plain.find(from); at != std::string::npos; at = plain.find(from, at + to.size()))
+      plain.replace(at, from.size(), to);
   if (plain.ends_with('.')) plain.pop_back();
   const auto found = std::ranges::find(units, plain, &std::pair<std::string_view, Unit>::first);
   return found == units.end() ? std::nullopt : std::optional(found->second);
@@ -109,10 +106,6 @@ double HeaderUnit::factor(const Cursor& cursor) const {
     cursor.fail(
         "the header up to here names no unit of acceleration: say e.g. \"units: m/s2\" (or cm/s2, gal, g)");
   return acceleration_->unit.factor;
-}
-
-Unit HeaderUnit::unit(const Cursor& cursor) const {
-  return other_ && !acceleration_ ? other_->unit : Unit{factor(cursor), 0};
 }
 
 }  // namespace rockstack::records

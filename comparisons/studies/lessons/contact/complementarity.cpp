@@ -12,11 +12,6 @@ namespace {
 constexpr double reading = 0.02;                 // s after the start, at which motions are told apart
 constexpr CornerSpring stiff_spring{1e10, 1e7};  // N/m, N·s/m
 
-Scene read_early(Scene scene) {
-  scene.duration = reading;
-  return scene;
-}
-
 /// What the exact solver makes of the start, in the words of its events.
 std::string start_of(const History& history) {
   const bool at_once = !history.events.empty() && history.events.front().time == 0;
@@ -28,8 +23,7 @@ std::string start_of(const History& history) {
 /// jams.
 Table four_cases(Scene scene) {
   Table table{{"friction", "ω (rad/s)", "A (m/s²)", "m B", "N that satisfy the laws, closed form (weights)",
-               "N exact (weights)", "motions without impulse, exact solver"},
-              {}};
+               "N exact (weights)", "motions without impulse, exact solver"}};
   const double weight = weight_of(scene), mass = scene.blocks.front().mass, rough = scene.friction.front(),
                fast = scene.initial.velocities.front();
   for (const double friction : {0.5, rough})
@@ -37,10 +31,9 @@ Table four_cases(Scene scene) {
       scene.friction = {friction};
       scene.initial.velocities = {rate};
       const SlidingCorner corner = sliding_corner(scene);
-      std::vector<std::string> forces;
-      for (const double force : corner.forces())
-        forces.push_back(force == 0 ? "0" : fixed(force / weight, 4));
-      const History exact = exact_answer(read_early(scene));
+      const auto forces =
+          each_of(corner.forces(), [&](double force) { return force == 0 ? "0" : fixed(force / weight, 4); });
+      const History exact = exact_answer(lasting(scene, reading));
       const std::string start = start_of(exact);
       table.rows.push_back(
           {cell(friction), cell(rate), cell(corner.free), cell(mass * corner.slope),
@@ -56,44 +49,33 @@ std::vector<std::string> early_cells(const History& history) {
   return {fixed(history.velocities.back(), 4), fixed(1e3 * moved, 2)};
 }
 
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
-/// The scene after an impulse has stopped its slip.
-Scene stuck_at_once(Scene scene) {
-  scene.initial.velocities = {rate_once_stuck(scene)};
-  scene.initial.slip_velocities = {0};
-  return scene;
-}
-
 /// The motions that obey, and what engines do with the scene where none but an impulse does, and with the one
 /// where several do.
 Table early_motions(const Scene& jams, const Scene& several, const BranchTree& tree) {
   Table table{{"motion", "step (s)", "none: ω (rad/s)", "none: centre moved (mm)", "several: ω (rad/s)",
-               "several: centre moved (mm)"},
-              {}};
+               "several: centre moved (mm)"}};
   const auto add = [&](const std::string& name, const std::string& step, const std::vector<std::string>& none,
                        const History& other) {
-    table.rows.push_back(joined(joined({name, step}, none), early_cells(other)));
+    const std::vector<std::string> several_cells = early_cells(other);
+    table.rows.push_back({name, step, none[0], none[1], several_cells[0], several_cells[1]});
   };
-  const std::vector<std::string> empty{"", ""};
   for (const Branch& branch : tree.branches)
     add(fmt::format("exact, branch {}: goes on with {}", &branch - tree.branches.data() + 1,
                     branch.start ? shown_pattern(branch.start->ways[branch.start->taken])
                                  : shown_pattern(branch.history.events.front().to)),
-        "", empty, branch.history);
+        "", {"", ""}, branch.history);
+  Scene stuck = several;
+  stuck.initial.velocities = {rate_once_stuck(several)};
+  stuck.initial.slip_velocities = {0};
   add("exact, after an impulse that stops the slip", "", early_cells(exact_answer(jams)),
-      exact_answer(stuck_at_once(several)));
+      exact_answer(stuck));
   const auto on_springs = [](const Scene& scene) {
     return exact_answer(with_springs(scene, scene.friction, stiff_spring));
   };
   add("exact, on stiff springs", "", early_cells(on_springs(jams)), on_springs(several));
   for (const char* engine : {"ode:step", "ode:quickstep", "bullet"})
     for (const double dt : {1e-3, 1e-4})
-      add(engine, cell(dt), early_cells(answer(engine, "tuned", jams, dt)),
-          answer(engine, "tuned", several, dt));
+      add(engine, cell(dt), early_cells(answer(engine, jams, dt)), answer(engine, several, dt));
   return table;
 }
 
@@ -101,8 +83,7 @@ Table branches_of(const Scene& scene, const BranchTree& tree) {
   const auto rows = branches_json(scene, tree);
   const auto blocks = static_cast<int>(scene.blocks.size());
   Table table{
-      {"branch", "leaves branch", "from (s)", "with pattern", "instead of pattern", "ends with", "at (s)"},
-      {}};
+      {"branch", "leaves branch", "from (s)", "with pattern", "instead of pattern", "ends with", "at (s)"}};
   const auto text = [](const Json& value) {
     return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
   };
@@ -124,10 +105,10 @@ LessonValues complementarity_values(const Suite& suite, const std::vector<RunMet
   const double angle = several.initial.angles.front();
   constexpr std::size_t most = 16;
   const SolveOptions sampled{.sample_times = {0, reading}};
-  const BranchTree early = solve_branches(read_early(several), sampled, most);
+  const BranchTree early = solve_branches(lasting(several, reading), sampled, most);
   const double braked = early.branches.at(1).history.events.front().time;
   const double jammed = first_event(exact_answer(jams), EventKind::impact)->after.front();
-  const double chosen = answer("ode:quickstep", "tuned", read_early(several), 1e-3).velocities.back();
+  const double chosen = answer("ode:quickstep", lasting(several, reading), 1e-3).velocities.back();
   const double r = block.half_height / block.half_width;
   return {
       .numbers = {{"angle", fixed(angle, 1)},
@@ -150,7 +131,7 @@ LessonValues complementarity_values(const Suite& suite, const std::vector<RunMet
                   {"damping", power(stiff_spring.damping, 0)},
                   {"reading", fixed(1e3 * reading, 0)}},
       .tables = {{"cases", four_cases(several)},
-                 {"early", early_motions(read_early(jams), read_early(several), early)},
+                 {"early", early_motions(lasting(jams, reading), lasting(several, reading), early)},
                  {"branches",
                   branches_of(several,
                               solve_branches(several, {.sample_times = regular_times(1e-3, several.duration)},

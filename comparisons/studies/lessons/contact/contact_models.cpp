@@ -1,30 +1,25 @@
-#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
 
 /// A scene that ends a branch, on surfaces of that friction.
 struct Example {
-  std::string name;
+  const char* scene;
   double friction;
 };
 
-const std::vector<Example>& examples() {
-  static const std::vector<Example> list{{"housner-block", 0.6},       {"slippery-floor", 0.1},
-                                         {"rubbing-block", 0.345},     {"spanos-free-rocking", 1.0},
-                                         {"spanos-free-rocking", 1.5}, {"spanos-synthetic", 2.0},
-                                         {"thrown-block", 0.25}};
-  return list;
-}
+constexpr Example examples[]{{"housner-block", 0.6},       {"slippery-floor", 0.1},
+                             {"rubbing-block", 0.345},     {"spanos-free-rocking", 1.0},
+                             {"spanos-free-rocking", 1.5}, {"spanos-synthetic", 2.0},
+                             {"thrown-block", 0.25}};
 
 Scene scene_of(const Example& example) {
-  Scene scene = read_scene(shipped("scenes") / (example.name + ".toml"));
+  Scene scene = read_shipped(example.scene);
   scene.friction.assign(scene.blocks.size(), example.friction);
   return scene;
 }
@@ -36,24 +31,22 @@ std::string friction_cell(double friction) {
 /// What each asks, which law that makes it, and what the other law would have said.
 Table needs() {
   Table table{{"scene", "friction", "least normal force (weights)", "forces need", "impacts need",
-               "pivots fail first", "law"},
-              {}};
-  for (const Example& example : examples()) {
+               "pivots fail first", "law"}};
+  for (const Example& example : examples) {
     const Scene scene = scene_of(example);
     const ContactNeed need = contact_need(scene);
-    table.rows.push_back(
-        {example.name, cell(example.friction), cell(need.force.least_normal / weight_of(scene)),
-         friction_cell(need.force.friction), friction_cell(need.impulse.friction), first_failure(need),
-         law_for(need) == Law::unilateral ? "unilateral" : "consistent"});
+    table.rows.push_back({example.scene, cell(example.friction),
+                          cell(need.force.least_normal / weight_of(scene)),
+                          friction_cell(need.force.friction), friction_cell(need.impulse.friction),
+                          first_failure(need), name(law_for(need))});
   }
   return table;
 }
 
 Table consequences() {
   Table table{{"scene", "friction", "slips by up to (mm)", "lifts by up to (mm)",
-               "angles of the two laws apart, RMS (rad)"},
-              {}};
-  for (const Example& example : examples()) {
+               "angles of the two laws apart, RMS (rad)"}};
+  for (const Example& example : examples) {
     const Scene scene = scene_of(example);
     const History free = exact_answer(under(scene, Law::unilateral));
     const History tied = solve(under(scene, Law::consistent), {.sample_times = free.times});
@@ -62,7 +55,7 @@ Table consequences() {
       slip = std::max(slip, interface.largest_slip);
       lift = std::max(lift, interface.highest_lift);
     }
-    table.rows.push_back({example.name, cell(example.friction), cell(1e3 * slip, 1), cell(1e3 * lift, 1),
+    table.rows.push_back({example.scene, cell(example.friction), cell(1e3 * slip, 1), cell(1e3 * lift, 1),
                           power(root_mean_square(difference(tied, free)), 1)});
   }
   return table;
@@ -71,11 +64,10 @@ Table consequences() {
 }  // namespace
 
 LessonValues contact_models_values(const Suite& /*suite*/, const std::vector<RunMetrics>& /*rows*/) {
-  const auto need = [](const Example& example) { return contact_need(scene_of(example)); };
-  const ContactNeed rough = need(examples()[0]), slippery = need(examples()[1]),
-                    rubbing = need(examples()[2]);
-  const ContactNeed shaken = need(examples()[5]), thrown = need(examples()[6]);
-  const Scene squat = read_scene(shipped("scenes") / "squat-top.toml");
+  const auto need = [](int place) { return contact_need(scene_of(examples[place])); };
+  const ContactNeed rough = need(0), slippery = need(1), rubbing = need(2);
+  const ContactNeed shaken = need(5), thrown = need(6);
+  const Scene squat = read_shipped("squat-top");
   const History paper = solve(under(squat, Law::paper)), consistent = solve(under(squat, Law::consistent));
   const Event* first = first_event(paper, EventKind::impact);
   const Event* other = first_event(consistent, EventKind::impact);
@@ -95,8 +87,7 @@ LessonValues contact_models_values(const Suite& /*suite*/, const std::vector<Run
                   {"rubbing_impulses", fixed(rubbing.impulse.friction, 4)},
                   {"rubbing_short", fixed(rubbing.impulse.friction - rubbing.friction, 3)},
                   {"rubbing_slip",
-                   fixed(1e3 * contact_summary(exact_answer(scene_of(examples()[2]))).front().largest_slip,
-                         1)},
+                   fixed(1e3 * contact_summary(exact_answer(scene_of(examples[2]))).front().largest_slip, 1)},
                   {"rubbing_time", fixed(rubbing.impulse.first_slip_time, 3)}},
       .tables = {{"needs", needs()}, {"consequences", consequences()}},
       .player = {.time = rubbing.impulse.first_slip_time - 0.02, .speed = 0.1, .gain = 1, .overlaid = true}};

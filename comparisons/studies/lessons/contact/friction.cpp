@@ -1,9 +1,7 @@
-#include "analytic/scene/input/scene_file.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -33,7 +31,7 @@ Scene before_impact(Scene scene, double friction) {
 /// Angular velocity after over before the first impact, by an engine, read a fifth of the time later.
 double engine_ratio(const char* engine, const Scene& scene, const Event& impact) {
   constexpr double dt = 1e-5;
-  const History history = answer(engine, "tuned", scene, dt);
+  const History history = answer(engine, scene, dt);
   const double later = 1.2 * impact.time;
   std::size_t at = 0;
   while (at + 1 < history.size() && history.times[at] < later) ++at;
@@ -43,8 +41,7 @@ double engine_ratio(const char* engine, const Scene& scene, const Event& impact)
 Table impact_ratios(const Scene& scene) {
   const double r = ratio_of(scene.blocks.front());
   Table table{{"friction", "slips", "ω⁺/ω⁻, closed form", "ω⁺/ω⁻, exact solver", "ω⁺/ω⁻, Bullet",
-               "ω⁺/ω⁻, ODE quickstep", "ω⁺/ω⁻, ODE step"},
-              {}};
+               "ω⁺/ω⁻, ODE quickstep", "ω⁺/ω⁻, ODE step"}};
   for (const double friction : {1.0, 0.6, 0.4, 0.345, 0.3, 0.2, 0.1}) {
     const Scene fast = before_impact(scene, friction);
     const Event impact = *first_event(solve(fast), EventKind::impact);
@@ -58,16 +55,13 @@ Table impact_ratios(const Scene& scene) {
 
 /// What a swing asks of the floor, from release to its impact.
 Table demands(Scene scene) {
-  Table table{{"released at (rad)", "turns at the impact with (rad/s)", "forces need", "the impact needs"},
-              {}};
+  Table table{{"released at (rad)", "turns at the impact with (rad/s)", "forces need", "the impact needs"}};
   for (const double angle : {0.01, 0.1, 0.2, 0.3, 0.4}) {
     scene.initial = {{angle}, {0}};
     scene.law = Law::consistent;
     const Event impact = *first_event(solve(scene), EventKind::impact);
-    Scene swing = scene;
-    swing.duration = impact.time * (1 - 1e-9);
-    Scene landed = scene;
-    landed.duration = impact.time * (1 + 1e-9);
+    const Scene swing = lasting(scene, impact.time * (1 - 1e-9)),
+                landed = lasting(scene, impact.time * (1 + 1e-9));
     table.rows.push_back({cell(angle), cell(std::abs(impact.before[0])),
                           fixed(contact_need(swing).force.friction, 4),
                           fixed(contact_need(landed).impulse.friction, 4)});
@@ -75,32 +69,23 @@ Table demands(Scene scene) {
   return table;
 }
 
-/// Slips that begin, and how many of them at an impact.
-struct Slips {
-  int all = 0, at_impacts = 0;
-};
-
-Slips count_slips(const History& history) {
-  Slips count;
-  for (const Event& event : history.events) {
+/// With how many of these events a slip begins.
+std::string slips_from(const std::vector<Event>& events) {
+  return std::to_string(std::ranges::count_if(events, [](const Event& event) {
     bool begins = false;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(event.from.size); ++k)
       begins = begins || (event.from.slides[k] == 0 && event.to.slides[k] != 0);
-    count.all += begins;
-    count.at_impacts += begins && event.kind == EventKind::impact;
-  }
-  return count;
+    return begins;
+  }));
 }
 
 Table stack_slips(const Scene& scene) {
   Table table{{"friction", "slips", "of these begin at an impact", "top block slips by up to (mm)",
-               "and is left at (mm)", "largest angle of the top block (rad)"},
-              {}};
+               "and is left at (mm)", "largest angle of the top block (rad)"}};
   for (const double friction : {2.0, 1.0, 0.5, 0.3}) {
     const History history = exact_answer(with_friction(scene, friction));
-    const Slips slips = count_slips(history);
     const InterfaceSummary top = contact_summary(history).back();
-    table.rows.push_back({cell(friction), std::to_string(slips.all), std::to_string(slips.at_impacts),
+    table.rows.push_back({cell(friction), slips_from(history.events), slips_from(impacts_of(history)),
                           cell(1e3 * top.largest_slip), cell(1e3 * top.final_slip),
                           cell(peak_angles(history).back())});
   }
@@ -111,14 +96,13 @@ Table stack_slips(const Scene& scene) {
 
 LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
-  const Scene stack = read_scene(shipped("scenes") / "spanos-free-rocking.toml");
+  const Scene stack = read_shipped("spanos-free-rocking");
   const double r = ratio_of(scene.blocks.front());
   const double friction = friction_of(scene).front();
   const History history = exact_answer(scene);
   const Event& impact = *first_event(history, EventKind::impact);
   const InterfaceSummary floor = contact_summary(history).front();
-  Scene swing = scene;
-  swing.duration = impact.time * (1 - 1e-9);
+  const Scene swing = lasting(scene, impact.time * (1 - 1e-9));
   const Demand top = solve(stack, {.events = EventsKept::summed, .validity = true}).forces.back();
   return {.numbers = {{"r", fixed(r, 0)},
                       {"friction", fixed(friction, 3)},
@@ -131,7 +115,7 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"after", shown_pattern(impact.to)},
                       {"largest_slip", fixed(1e3 * floor.largest_slip, 2)},
                       {"final_slip", fixed(std::abs(1e3 * floor.final_slip), 2)},
-                      {"slips", std::to_string(count_slips(history).all)},
+                      {"slips", slips_from(history.events)},
                       {"stack_forces", fixed(top.friction, 2)},
                       {"stack_time", fixed(top.friction_time, 3)},
                       {"stack_impulses", fixed(contact_need(stack).impulse.friction, 2)}},

@@ -6,14 +6,9 @@
 namespace rockstack {
 namespace {
 
-/// Rates of the lowest block at a time, m/s: along the ground and up.
-struct Rates {
-  double along, up;
-};
-
-Rates rates_at(const Scene& scene, double time) {
-  const History history = solve(scene, {.sample_times = {time}});
-  return {history.centre_velocities[0], history.centre_velocities[1]};
+/// Velocities of centres at a time, m/s: of the lowest block along the ground, then up.
+std::vector<double> rates_at(const Scene& scene, double time) {
+  return solve(scene, {.sample_times = {time}}).centre_velocities;
 }
 
 InterfaceSummary summary_of(const Scene& scene) {
@@ -22,15 +17,13 @@ InterfaceSummary summary_of(const Scene& scene) {
 
 Table amplitudes(Scene scene) {
   Table table{{"amplitude (g)", "least normal force by pivots (weights)", "lifts off at (s)", "lands at (s)",
-               "highest gap (mm)"},
-              {}};
-  const double weight = scene.blocks.front().mass * scene.gravity;
+               "highest gap (mm)"}};
   for (const double share : {0.8, 0.99, 1.5, 2.0, 3.0}) {
     scene.vertical.pulse->amplitude = share * scene.gravity;
     const History history = solve(scene);
     const Event* lift = first_event(history, EventKind::lift_off);
     const Event* landing = first_event(history, EventKind::impact);
-    table.rows.push_back({cell(share), cell(contact_need(scene).force.least_normal / weight),
+    table.rows.push_back({cell(share), cell(contact_need(scene).force.least_normal / weight_of(scene)),
                           lift != nullptr ? cell(lift->time) : "",
                           landing != nullptr ? cell(landing->time) : "",
                           lift != nullptr ? cell(1e3 * summary_of(scene).highest_lift) : ""});
@@ -46,32 +39,25 @@ Table flight(const Scene& scene, const Throw& thrown, double landing) {
       {{"highest gap (mm)", fixed(1e3 * thrown.highest, 2), fixed(1e3 * summary_of(scene).highest_lift, 2)},
        {"lands at (s)", fixed(thrown.landing, 6), fixed(landing, 6)},
        {"speed at the landing (m/s)", fixed(thrown.landing_rate, 5),
-        fixed(-rates_at(scene, landing - aside).up, 5)},
-       {"speed after it (m/s)", "0", fixed(rates_at(scene, landing + aside).up, 5)}}};
+        fixed(-rates_at(scene, landing - aside)[1], 5)},
+       {"speed after it (m/s)", "0", fixed(rates_at(scene, landing + aside)[1], 5)}}};
 }
 
 /// The block slides from the start, at `speed`, and is thrown on its way.
-Scene sliding(Scene scene, double speed, double friction) {
-  scene.initial.slip_velocities = {speed};
-  scene.friction = {friction};
-  scene.duration = 1.1 * speed / (friction * scene.gravity);
-  return scene;
-}
-
-Table slides(const Scene& scene, const Throw& thrown, double speed) {
+Table slides(Scene scene, const Throw& thrown, double speed) {
   Table table{{"friction", "after the landing (m/s): v₀ − μ g t", "exact solver", "stops at (s): v₀/(μ g)",
-               "exact solver", "slides (m): closed form", "exact solver", "without the throw (m)"},
-              {}};
+               "exact solver", "slides (m): closed form", "exact solver", "without the throw (m)"}};
   for (const double friction : {0.1, 0.2, 0.4}) {
-    const Scene moving = sliding(scene, speed, friction);
+    scene.initial.slip_velocities = {speed};
+    scene.friction = {friction};
+    scene.duration = 1.1 * speed / (friction * scene.gravity);
     const Slide form = slide_through(thrown, speed, friction, scene.gravity);
-    const History history = solve(moving, {.sample_times = {moving.duration}});
+    const History history = solve(scene, {.sample_times = {scene.duration}});
     const double landing = first_event(history, EventKind::impact)->time;
     constexpr double later = 1e-9;  // s: the speed falls by 1e-8 m/s
-    table.rows.push_back({cell(friction), cell(form.after_landing),
-                          cell(rates_at(moving, landing + later).along), cell(form.stop),
-                          cell(history.events.back().time), cell(form.distance), cell(history.slips.back()),
-                          cell(speed * speed / (2 * friction * scene.gravity))});
+    table.rows.push_back({cell(friction), cell(form.after_landing), cell(rates_at(scene, landing + later)[0]),
+                          cell(form.stop), cell(history.events.back().time), cell(form.distance),
+                          cell(history.slips.back()), cell(speed * speed / (2 * friction * scene.gravity))});
   }
   return table;
 }
@@ -85,7 +71,6 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
   const History history = solve(scene);
   const Event& lift = *first_event(history, EventKind::lift_off);
   const Event& landing = *first_event(history, EventKind::impact);
-  const double weight = scene.blocks.front().mass * scene.gravity;
   const ContactNeed tied = contact_need(scene);
   constexpr double speed = 3;  // m/s
   return {.numbers = {{"amplitude", fixed(pulse.amplitude / scene.gravity, 0)},
@@ -94,7 +79,7 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"lift", fixed(lift.time, 6)},
                       {"rate", fixed(thrown.lift_off_rate, 4)},
                       {"flight", fixed(landing.time - lift.time, 3)},
-                      {"pull", fixed(-tied.force.least_normal / weight, 1)},
+                      {"pull", fixed(-tied.force.least_normal / weight_of(scene), 1)},
                       {"pull_from", fixed(tied.first_pull(), 4)},
                       {"speed", fixed(speed, 0)}},
           .tables = {{"flight", flight(scene, thrown, landing.time)},

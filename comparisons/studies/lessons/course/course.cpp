@@ -1,32 +1,33 @@
 #include "comparisons/studies/lessons/course/course.hpp"
 
+#include <fmt/format.h>
+
+#include <random>
+
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
 
-/// Of a file that nobody but the lessons has; what keys mean stands at the members that they fill.
-constexpr InputKey named_key(const char* name) {
-  return {name, "", "", "", "", ""};
-}
+// Of files that nobody but the lessons has; what keys mean stands at the members that they fill.
 
 constexpr KeyTable course_keys{
     "",
     "a lesson as part of a course",
-    {named_key("minutes"), named_key("pattern"), named_key("after"), named_key("aims"),
-     named_key("references"), named_key("predictions"), named_key("problems")}};
+    {{"minutes"}, {"pattern"}, {"after"}, {"aims"}, {"references"}, {"predictions"}, {"problems"}}};
 
 constexpr KeyTable problem_keys{"[[problems]]",
                                 "a question with its scene",
-                                {named_key("name"), named_key("text"), named_key("scene"), named_key("set"),
-                                 named_key("against"), named_key("draw"), named_key("parts")}};
+                                {{"name"}, {"text"}, {"scene"}, {"set"}, {"against"}, {"draw"}, {"parts"}}};
 
 constexpr KeyTable part_keys{
     "parts",
     "one thing that is asked",
-    {named_key("ask"), named_key("answer"), named_key("choices"), named_key("bounds"), named_key("unit"),
-     named_key("digits"), named_key("within"), named_key("why")}};
+    {{"ask"}, {"answer"}, {"choices"}, {"bounds"}, {"unit"}, {"digits"}, {"within"}, {"why"}}};
 
 std::vector<std::string> texts(const Node& table, const char* key) {
   const Node* node = find(table, key);
@@ -72,21 +73,94 @@ DrawnRange read_drawn_range(const Node& node) {
 
 Problem read_problem(const Node& table) {
   require_table(table, problem_keys);
-  Problem problem;
-  problem.name = text_or_none(table, "name");
-  problem.text = text_or_none(table, "text");
-  problem.scene = text_or_none(table, "scene");
-  problem.changes = texts(table, "set");
-  problem.against = texts(table, "against");
-  if (const Node* draw = find(table, "draw"))
-    for (const Node& range : draw->children) problem.draw.push_back(read_drawn_range(range));
-  for (const Node& part : entries(required(table, "parts", "what is asked"), "an array of tables"))
-    problem.parts.push_back(read_part(part));
-  return problem;
+  const Node* draw = find(table, "draw");
+  return {
+      .name = text_or_none(table, "name"),
+      .text = text_or_none(table, "text"),
+      .scene = text_or_none(table, "scene"),
+      .changes = texts(table, "set"),
+      .against = texts(table, "against"),
+      .draw = each_of(draw == nullptr ? std::vector<Node>() : draw->children, read_drawn_range),
+      .parts = each_of(entries(required(table, "parts", "what is asked"), "an array of tables"), read_part)};
 }
 
 std::vector<Problem> read_problems(const Node& root, const char* key) {
   return each_of(entries(required(root, key, "an array of tables"), "an array of tables"), read_problem);
+}
+
+namespace fs = std::filesystem;
+using Places = std::map<std::string, std::string>;
+
+std::vector<std::string> all_filled_in(const std::vector<std::string>& texts, const Places& places) {
+  return each_of(texts, [&](const std::string& text) { return filled_in(text, places); });
+}
+
+std::size_t right_choice(const Part& part, double value) {
+  const auto bound = std::lower_bound(part.bounds.begin(), part.bounds.end(), value);
+  return static_cast<std::size_t>(bound - part.bounds.begin());
+}
+
+std::string shown(const Part& part, double value) {
+  if (!part.choices.empty()) return part.choices[right_choice(part, value)];
+  constexpr double large = 1e6;
+  const std::string digits = std::abs(value) < large ? fixed(value, part.digits) : power(value, part.digits);
+  return part.unit.empty() ? digits : fmt::format("{} {}", digits, part.unit);
+}
+
+Asked asked_in(const Problem& problem, const std::vector<std::string>& changes, const Places& places) {
+  return problem.scene.empty() ? Asked() : asked_about(problem.scene, all_filled_in(changes, places));
+}
+
+/// Each value of the range as likely as any other, but for a share of 10⁻¹⁷ or so.
+double drawn(const DrawnRange& range, std::mt19937_64& generator) {
+  const auto count = static_cast<std::uint64_t>(std::floor((range.most - range.least) / range.step + 1.5));
+  const double value = range.least + range.step * static_cast<double>(generator() % count);
+  constexpr double digits = 1e9;  // 0.1 + 2 · 0.1 is 0.3
+  return std::round(value * digits) / digits;
+}
+
+fs::path file_of(const Lesson& lesson, const char* ending, const char* folder = "") {
+  return shipped("studies/lessons") / folder / (lesson.name + ending);
+}
+
+std::size_t place_of(const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(lessons(), name, &Lesson::name) - lessons().begin());
+}
+
+Json summary(const Lesson& lesson, const CourseEntry& course) {
+  const auto named = [](const std::string& name) {
+    return Json{{"name", name}, {"title", title(find_lesson(name))}};
+  };
+  return {{"name", lesson.name},
+          {"title", title(lesson)},
+          {"number", place_of(lesson.name) + 1},
+          {"count", lessons().size()},
+          {"minutes", course.minutes},
+          {"pattern", course.pattern},
+          {"aims", course.aims},
+          {"after", each_of(course.after, named)}};
+}
+
+Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_course) {
+  const CourseEntry course = read_course(lesson.name);
+  Json json = summary(lesson, course);
+  const std::size_t place = place_of(lesson.name);
+  if (in_course)
+    json["neighbours"] = {{"previous", place > 0 ? lessons()[place - 1].name : ""},
+                          {"next", place + 1 < lessons().size() ? lessons()[place + 1].name : ""}};
+  json["references"] = course.references;
+  json["predictions"] =
+      each_of(course.predictions, [&](const Problem& one) { return answered(one, values.measured); });
+  json["text"] = file_text(file_of(lesson, ".html"));
+  json["slides"] = file_text(file_of(lesson, ".html", "slides"));
+  json["numbers"] = values.numbers;
+  json["tables"] = Json::object();
+  for (const auto& [name, table] : values.tables)
+    json["tables"][name] = {{"columns", table.columns}, {"rows", table.rows}};
+  json["player"] = {{"time", values.player.time},       {"speed", values.player.speed},
+                    {"gain", values.player.gain},       {"overlaid", values.player.overlaid},
+                    {"chatter", values.player.chatter}, {"finest", values.player.finest}};
+  return json;
 }
 
 }  // namespace
@@ -94,16 +168,63 @@ std::vector<Problem> read_problems(const Node& root, const char* key) {
 CourseEntry read_course(const std::string& lesson) {
   const Node root = read_toml(shipped("studies/lessons") / "course" / (lesson + ".toml"));
   require_table(root, course_keys);
-  CourseEntry course;
   constexpr double longest = 600;
-  course.minutes = static_cast<int>(whole_number(required(root, "minutes", "a whole number"), 1, longest));
-  course.pattern = text(required(root, "pattern", "a pattern's name"));
-  course.after = texts(root, "after");
-  course.aims = texts(root, "aims");
-  course.references = texts(root, "references");
-  course.predictions = read_problems(root, "predictions");
-  course.problems = read_problems(root, "problems");
-  return course;
+  return {.aims = texts(root, "aims"),
+          .minutes = static_cast<int>(whole_number(required(root, "minutes", "a whole number"), 1, longest)),
+          .pattern = text(required(root, "pattern", "a pattern's name")),
+          .after = texts(root, "after"),
+          .references = texts(root, "references"),
+          .predictions = read_problems(root, "predictions"),
+          .problems = read_problems(root, "problems")};
+}
+
+Json answered(const Problem& problem, const std::map<std::string, double>& numbers) {
+  Places places;
+  for (const auto& [name, number] : numbers) places[name] = cell(number);
+  Asked asked = asked_in(problem, problem.changes, places);
+  Asked other = problem.against.empty() ? Asked() : asked_in(problem, problem.against, places);
+  asked.numbers = other.numbers = numbers;
+  Json parts = Json::array();
+  for (Part part : problem.parts) {
+    part.choices = all_filled_in(part.choices, places);
+    const double divisor = problem.against.empty() ? 1 : quantity(part.answer, other);
+    const double value = quantity(part.answer, asked) / divisor;
+    parts.push_back({{"ask", filled_in(part.ask, places)},
+                     {"choices", part.choices},
+                     {"unit", part.unit},
+                     {"within", part.within},
+                     {"value", value},
+                     {"shown", shown(part, value)},
+                     {"why", part.why}});
+    if (!part.choices.empty()) parts.back()["right"] = right_choice(part, value);
+  }
+  return {{"name", problem.name}, {"text", filled_in(problem.text, places)}, {"parts", parts}};
+}
+
+Json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed) {
+  std::mt19937_64 generator(seed ^ checksum(lesson));
+  Json problems = Json::array();
+  for (const Problem& problem : read_course(lesson).problems) {
+    std::map<std::string, double> numbers;
+    for (const DrawnRange& range : problem.draw) numbers[range.name] = drawn(range, generator);
+    problems.push_back(answered(problem, numbers));
+  }
+  return {{"lesson", lesson}, {"title", title}, {"seed", seed}, {"problems", problems}};
+}
+
+std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder, bool in_course,
+                                   const CompareOptions& options) {
+  const Suite suite = read_suite(file_of(lesson, ".toml"), {});
+  std::vector<RunMetrics> rows = compare({suite}, folder, *make_threads(1), options).rows;
+  const LessonValues values = lesson.values(suite, rows);
+  write_file(folder / "lesson.json", lesson_json(lesson, values, in_course).dump(2) + "\n");
+  return rows;
+}
+
+std::string course_json() {
+  const auto list =
+      each_of(lessons(), [](const Lesson& lesson) { return summary(lesson, read_course(lesson.name)); });
+  return Json{{"lessons", list}}.dump(2) + "\n";
 }
 
 }  // namespace rockstack

@@ -1,14 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/input/json.hpp"
-#include "analytic/scene/scene.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
@@ -65,6 +56,9 @@ struct Asked {
   Scene scene;
   History history;
   std::map<std::string, double> numbers;
+
+  /// @throws InputError for a number that is not there.
+  double operator[](const std::string& name) const;
 };
 
 /// Solves a shipped scene with changes, with all that quantities need.
@@ -74,34 +68,18 @@ Asked asked_about(const std::string& scene, const std::vector<std::string>& chan
 /// @throws InputError for a name that is none, std::runtime_error where what is asked about never happens.
 double quantity(const std::string& name, const Asked& asked);
 
-/// All names, in order, besides those of numbers.
+/// All names besides those of numbers.
 std::vector<std::string> quantity_names();
 
-/// A part with its answer.
-struct AnsweredPart {
-  Part part;          ///< with its places filled in, those of `why` apart
-  double value = 0;   ///< in the part's unit
-  std::string shown;  ///< the choice that holds, or the number with its unit
-};
+/// Solves a question whose numbers are given: {"name", "text", "parts": [{"ask", "choices", "unit", "within",
+/// "value", "shown", "why", "right"}]}. Places are filled in, those of `why` apart; `value` is in the part's
+/// unit, `shown` the choice that holds or the number with its unit; `right` counts choices from 0, and stands
+/// only beside some. @throws InputError as read_scene() and quantity().
+Json answered(const Problem& problem, const std::map<std::string, double>& numbers);
 
-/// A question with its numbers filled in and its answers computed.
-struct Answered {
-  std::string name, text;
-  std::vector<AnsweredPart> parts;
-};
-
-/// Solves a question whose numbers are given. @throws InputError as read_scene() and quantity().
-Answered answered(const Problem& problem, const std::map<std::string, double>& numbers);
-
-/// As {"name", "text", "parts": [{"ask", "choices", "right", "unit", "within", "value", "shown", "why"}]};
-/// `right` counts choices from 0, and stands only beside some.
-void to_json(Json& json, const Answered& question);
-
-/// A lesson's problems with numbers of a student's own. The same seed gives the same sheet.
+/// A lesson's problems with numbers of a student's own, and their answers: {"lesson", "title", "seed",
+/// "problems"}, as `rockstack plot` reads it. The same seed gives the same sheet.
 /// @throws InputError as answered().
-std::vector<Answered> drawn_problems(const std::string& lesson, std::uint64_t seed);
-
-/// A sheet with its answers: {"lesson", "title", "seed", "problems"}, as `rockstack plot` reads it.
 Json sheet_json(const std::string& lesson, const std::string& title, std::uint64_t seed);
 
 /// Runs a lesson's suite as compare() does, and writes FOLDER/lesson.json: text, numbers, tables, and what is

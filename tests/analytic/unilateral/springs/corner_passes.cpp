@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analytic/unilateral/springs/spring_energy.hpp"
 #include "analytic/unilateral/springs/spring_rounding.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
 #include "tests/analytic/unilateral/solve_unilateral.hpp"

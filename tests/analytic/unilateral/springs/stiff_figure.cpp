@@ -100,7 +100,7 @@ void draw(const std::vector<StiffRow>& rows, const std::filesystem::path& stem) 
                     plots::in_quotes(quantities[i])) +
             plots::logarithmic_tics("x", softest->stiffness, stiffest->stiffness, 1000) +
             plots::linear_tics("y", panel.low - margin, panel.high + margin, height) + plots::grid_lines +
-            (lowest ? "set xlabel 'stiffness of each corner (N/m)'\n" : plots::without_horizontal_labels()),
+            (lowest ? "set xlabel 'stiffness of each corner (N/m)'\n" : plots::without_horizontal_labels),
         panel.plots);
   }
   plots::draw(sheet.finish(), stem);

@@ -69,10 +69,10 @@ TEST(Alignment, PairsNoImpactsThatLeaveToOppositeSides) {
 
 TEST(Alignment, TimeDifferencesAreThoseOfMatchedImpactsAlone) {
   const auto lines = aligned({{0.6, 1}, {0.7, 1}, {0.9, 2}}, {{0.604, 1}, {0.697, 1}, {0.9, 1}});
-  const TimeDifferences apart = time_differences(lines);
-  EXPECT_NEAR(apart.largest, 0.004, 1e-15);
-  EXPECT_NEAR(apart.root_mean_square, std::sqrt((0.004 * 0.004 + 0.003 * 0.003) / 2), 1e-15);
-  EXPECT_EQ(time_differences({}).root_mean_square, 0);
+  const AlignmentCounts counts = count(lines);
+  EXPECT_NEAR(counts.largest_apart, 0.004, 1e-15);
+  EXPECT_NEAR(counts.rms_apart, std::sqrt((0.004 * 0.004 + 0.003 * 0.003) / 2), 1e-15);
+  EXPECT_EQ(count({}).rms_apart, 0);
 }
 
 TEST(Alignment, OneImpactTooManyDoesNotShiftTheOthers) {

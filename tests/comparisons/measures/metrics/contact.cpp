@@ -9,7 +9,6 @@
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/histories.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "comparisons/measures/results/histories.hpp"
+#include "comparisons/measures/results/tables.hpp"
 
 #include <gtest/gtest.h>
 

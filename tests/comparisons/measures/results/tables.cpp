@@ -93,7 +93,7 @@ TEST(Results, AFailedRunIsARowWithItsReasonAlone) {
   row.engine = "bullet";
   row.status = RunStatus::failed;
   row.reason = "angle of block 1, and \"more\",\nis not finite";
-  const auto lines = split(comparison_csv({row}), '\n');
+  const auto lines = split(csv_of(std::vector{row}), '\n');
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_NE(lines[1].find("failed,\"angle of block 1, and \"\"more\"\", is not finite\",,"),
             std::string::npos)
@@ -126,7 +126,7 @@ TEST(Results, RowsReadBackFromTheirCells) {
   row.slip = 1.0 / 3;
   row.toppling_verdict = TopplingVerdict::both;
   const auto read = nlohmann::ordered_json::parse(nlohmann::ordered_json(row).dump()).get<RunMetrics>();
-  EXPECT_EQ(comparison_csv({read}), comparison_csv({row}));
+  EXPECT_EQ(csv_of(std::vector{read}), csv_of(std::vector{row}));
   EXPECT_EQ(read.slip, row.slip);
   EXPECT_FALSE(read.gap);
 }

@@ -12,7 +12,7 @@ namespace {
 /// A row whose replicates lie within a tenth of its error, all of them apart from those of half of it.
 ReplicatedRow run(const char* settings, const char* scene, double error, RunStatus status = RunStatus::done) {
   ReplicatedRow one;
-  RunMetrics& row = one.row;
+  RunMetrics& row = one;
   row.engine = "ode";
   row.solver = "step";
   row.settings = settings;
@@ -82,7 +82,7 @@ TEST(Ranking, SetsThatReplicatesDoNotTellApartShareARank) {
   for (const RankedSet& set : rank_all(rows)) EXPECT_EQ(set.rank, 1);
   // At several steps three replicates are enough.
   auto finer = rows;
-  for (ReplicatedRow& row : finer) row.row.dt = 1e-4;
+  for (ReplicatedRow& row : finer) row.dt = 1e-4;
   rows.insert(rows.end(), finer.begin(), finer.end());
   EXPECT_EQ(rank_all(rows)[2].rank, 3);
 }
@@ -93,8 +93,8 @@ std::vector<ReplicatedRow> sets_apart(std::size_t sets, std::size_t steps, int r
   for (std::size_t set = 0; set < sets; ++set) {
     for (std::size_t step = 1; step <= steps; ++step) {
       rows.push_back(run(("set " + std::to_string(set)).c_str(), "one", std::pow(3, set)));
-      rows.back().row.dt = 1e-3 * static_cast<double>(step);
-      rows.back().errors.assign(static_cast<std::size_t>(replicates), *rows.back().row.error);
+      rows.back().dt = 1e-3 * static_cast<double>(step);
+      rows.back().errors.assign(static_cast<std::size_t>(replicates), *rows.back().error);
       for (std::size_t i = 0; i < rows.back().errors.size(); ++i)
         rows.back().errors[i] *= 1 + 0.01 * static_cast<double>(i);
     }
@@ -119,7 +119,7 @@ TEST(Ranking, ScenesAtRestAreLeftOut) {
   std::vector<ReplicatedRow> rows{run("a", "one", 1), run("b", "one", 3), run("a", "rest", 1e-9),
                                   run("b", "rest", 1e-18)};
   for (ReplicatedRow& row : rows)
-    if (row.row.scene == "rest") row.row.motion = 1e-14;
+    if (row.scene == "rest") row.motion = 1e-14;
   const auto ranking = rank_all(rows);
   EXPECT_EQ(ranking[0].settings, "a");
   EXPECT_EQ(ranking[0].cells, 1);

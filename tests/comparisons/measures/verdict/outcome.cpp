@@ -5,7 +5,7 @@
 namespace rockstack {
 namespace {
 
-constexpr SceneScale scale{.least_height = 0.4, .duration = 5, .tolerance = 0.01};
+const JudgedScene scale{.least_height = 0.4, .duration = 5, .tolerance = 0.01};
 
 RunMetrics moving() {
   RunMetrics row;

@@ -12,13 +12,13 @@ namespace {
 constexpr double height = 0.4;  // m
 
 JudgedScene scene(const std::string& name, double duration = 5) {
-  return {name, {.least_height = height, .duration = duration, .tolerance = 0.01}};
+  return {.name = name, .least_height = height, .duration = duration, .tolerance = 0.01};
 }
 
 /// A row of a scene that moves, with replicates within a tenth of its error (rad).
 ReplicatedRow row(const std::string& scene, const std::string& settings, double dt, double error) {
   ReplicatedRow one;
-  RunMetrics& row = one.row;
+  RunMetrics& row = one;
   row.scene = scene;
   row.engine = "ode";
   row.solver = "step";
@@ -38,9 +38,9 @@ ReplicatedRow row(const std::string& scene, const std::string& settings, double 
 
 ReplicatedRow row_at_rest(const std::string& settings, double sunk = 0) {
   ReplicatedRow one = row("rest", settings, 1e-3, 1e-18);
-  one.row.motion = 0;
-  one.row.sinking = one.row.largest_position_difference = sunk;
-  one.row.relative_position_difference = sunk / height;
+  one.motion = 0;
+  one.sinking = one.largest_position_difference = sunk;
+  one.relative_position_difference = sunk / height;
   return one;
 }
 
@@ -66,7 +66,7 @@ TEST(Verdict, NamesAWinnerWithTheScenesInWhichItWins) {
 // The ranking of a whole scene of 25 s went by what lay beyond 5.86 s.
 TEST(Verdict, SaysHowFarHistoriesAreCompared) {
   std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.5e-3)};
-  for (ReplicatedRow& one : rows) one.row.horizon = 3;
+  for (ReplicatedRow& one : rows) one.horizon = 3;
   const auto told = headline(rows, {scene("a")});
   EXPECT_EQ(
       told[0],
@@ -83,18 +83,17 @@ TEST(Verdict, ScenesAtRestAreToldByWhatHappensInThem) {
 
 TEST(Verdict, ABlockThatFallsOffIsTold) {
   std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.5e-3)};
-  rows[0].row.toppling_verdict = TopplingVerdict::engine_alone;
-  rows[0].row.fallen = "block 2 at 0.43 s";
+  rows[0].toppling_verdict = TopplingVerdict::engine_alone;
+  rows[0].fallen = "block 2 at 0.43 s";
   const auto told = headline(rows, {scene("a")});
-  EXPECT_NE(told[0].find("with ode:step (tuned) in a at 1 ms block 2 has fallen off at 430 ms"),
-            std::string::npos)
-      << told[0];
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_EQ(told[1], "With ode:step (tuned) in a at 1 ms block 2 has fallen off at 430 ms.");
 }
 
 TEST(Verdict, ASetThatFailsIsNeitherNearestNorToldByItsErrors) {
   std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.1e-3)};
-  rows[0].row.status = RunStatus::failed;
-  rows[0].row.error.reset();
+  rows[0].status = RunStatus::failed;
+  rows[0].error.reset();
   rows[0].errors = {INFINITY};
   EXPECT_EQ(headline(rows, {scene("a")})[1],
             "Ode:step (default) is nearest to the exact motion; ode:step (tuned) fails in 1 cell.");
@@ -103,9 +102,9 @@ TEST(Verdict, ASetThatFailsIsNeitherNearestNorToldByItsErrors) {
 TEST(Verdict, OfSeveralExactMotionsItIsToldThatThereAre) {
   std::vector<ReplicatedRow> rows{row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 1.5e-3)};
   ReplicatedRow exact;
-  exact.row.scene = "a";
-  exact.row.engine = "exact";
-  exact.row.outcome = "from 0 s on one of several motions that obey";
+  exact.scene = "a";
+  exact.engine = "exact";
+  exact.outcome = "from 0 s on one of several motions that obey";
   rows.insert(rows.begin(), exact);
   EXPECT_NE(headline(rows, {scene("a")})[0].find(
                 "in a the exact motion is from 0 s on one of several motions that obey"),
@@ -125,8 +124,8 @@ TEST(Verdict, OfManySetsSaysInWhichBlocksSinkAndInWhichTheyFall) {
   std::vector<ReplicatedRow> rows;
   for (int i = 0; i < 4; ++i)
     rows.push_back(row_at_rest("set" + std::to_string(i), i < 3 ? 0.01 + 0.02 * i : 0));
-  rows[3].row.toppling_verdict = TopplingVerdict::engine_alone;
-  rows[3].row.fallen = "block 2 at 0.43 s";
+  rows[3].toppling_verdict = TopplingVerdict::engine_alone;
+  rows[3].fallen = "block 2 at 0.43 s";
   EXPECT_EQ(
       headline(rows, {scene("rest")})[0],
       "With ode:step (set3) blocks fall or topple that do not in the exact motion; with ode:step (set0), ode:step (set1) and ode:step (set2) blocks sink in, by 50 mm at most.");
@@ -134,9 +133,9 @@ TEST(Verdict, OfManySetsSaysInWhichBlocksSinkAndInWhichTheyFall) {
 
 TEST(Verdict, WhatMovesWhereNothingShouldIsTold) {
   std::vector<ReplicatedRow> rows{row_at_rest("tuned"), row_at_rest("default")};
-  rows[1].row.largest_position_difference = 0.5;
-  rows[1].row.relative_position_difference = 0.5 / height;
-  rows[1].row.outcome = "rests, but is 500 mm off";
+  rows[1].largest_position_difference = 0.5;
+  rows[1].relative_position_difference = 0.5 / height;
+  rows[1].outcome = "rests, but is 500 mm off";
   EXPECT_EQ(
       headline(rows, {scene("rest")})[0],
       "Nothing moves in rest, where no set is ranked; ode:step (default) at 1 ms rests, but is 500 mm off.");
@@ -213,7 +212,7 @@ std::vector<ReplicatedRow> drawn_rows(std::mt19937_64& random, const std::vector
         for (int k = 0; k < 9; ++k) errors.push_back(medians[i] * spread(random));
         std::vector<double> sorted = errors;
         std::nth_element(sorted.begin(), sorted.begin() + 4, sorted.end());
-        rows.back().row.error = sorted[4];
+        rows.back().error = sorted[4];
       }
   return rows;
 }

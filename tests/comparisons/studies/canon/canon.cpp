@@ -171,7 +171,7 @@ TEST(Canon, ErrorsThatGrowAreToldWithTheirSizes) {
 TEST(Canon, TellsTheFrictionOfTwoLawsApart) {
   const Suite suite = read_suite(find_file("canon", "suites"), {});
   for (const char* name : {"rocking-impact", "slipping-impact", "slide-rock", "slipping-rock"}) {
-    const NamedScene& scene = find_scene(suite.scenes, name);
+    const NamedScene& scene = part_named(suite.scenes, name);
     const CanonAnswer own = answer_canon(suite, scene, find_engine("bullet:sequential-impulse"), "tuned");
     EXPECT_TRUE(follows_law(own)) << name << ": " << own.verdict << ", " << own.reason;
     const CanonAnswer other = answer_canon(suite, scene, find_engine("ode:step"), "tuned");

@@ -7,7 +7,7 @@
 #include "analytic/mechanics/impact.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/histories.hpp"
+#include "comparisons/measures/results/tables.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 #include "tests/free_rocking.hpp"
