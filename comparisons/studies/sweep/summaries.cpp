@@ -148,7 +148,7 @@ void write_overturning(const std::vector<Run>& runs, const std::filesystem::path
   }
   write_counts(folder / "overturning.csv", {"period", "frequency", "intensity"},
                {"runs", "rest", "rocking", "toppled_after_impact", "toppled_without_impact", "failed"},
-               std::move(counts));
+               counts);
 }
 
 /// "slide_rock" of slide-rock.
@@ -171,7 +171,7 @@ void write_modes(const std::vector<Run>& runs, const std::filesystem::path& fold
     if (mode <= MotionMode::free_flight) kinds.push_back("onset_" + column_of(name(mode)));
   for (const MotionMode mode : motion_modes) kinds.push_back(column_of(name(mode)));
   kinds.emplace_back("failed");
-  write_counts(folder / "modes.csv", {"intensity", "friction"}, kinds, std::move(counts));
+  write_counts(folder / "modes.csv", {"intensity", "friction"}, kinds, counts);
 }
 
 }  // namespace
