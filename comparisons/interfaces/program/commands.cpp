@@ -24,7 +24,7 @@ std::string waiting_time(double seconds) {
 }
 
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
-  const std::vector<const WorkerEngine*> list = chosen_engines(name);
+  std::vector<const WorkerEngine*> list = chosen_engines(name);
   if (name.find_first_of(":/") != std::string::npos) return list;
   return each_of(engines_called(list.front()->name), [](const WorkerEngine& engine) { return &engine; });
 }
