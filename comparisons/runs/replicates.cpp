@@ -129,7 +129,9 @@ std::optional<std::vector<RunMetrics>> unpack_replicates(const std::string& text
     const Json json = parse_json(text, "draws: ");
     if (json.at("identity") != identity) return {};
     return json.at("draws").get<std::vector<RunMetrics>>();
-  } catch (const std::exception&) {
+  } catch (const InputError&) {
+    return {};
+  } catch (const Json::exception&) {
     return {};
   }
 }

@@ -23,9 +23,15 @@ std::string fall_of(const RunMetrics& row) {
   return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
 }
 
-/// How deep a block has sunk in, m, and whether to the end, not for a moment: where it stays so by more than
-/// told_sinking of the least block height, or is deeper by the tolerance for a moment; nought elsewhere.
-std::pair<double, bool> sunk_in(const RunMetrics& row, const JudgedScene& scene) {
+/// How deep a block has sunk in.
+struct Sunk {
+  double depth = 0;    ///< m
+  bool stays = false;  ///< to the end, not for a moment
+};
+
+/// Where it stays so by more than told_sinking of the least block height, or is deeper by the tolerance for a
+/// moment; nought elsewhere.
+Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene) {
   const double off = row.largest_position_difference.value_or(0);
   const double at_the_end = std::min(row.sinking.value_or(0), off);
   const double deepest = std::min(row.penetration.value_or(0), off);
@@ -57,7 +63,7 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   for (const RunMetrics* row : events) {
     const std::string event = event_of(*row, part_named(scenes, row->scene));
     const std::string verb = event.substr(0, event.find_first_of(" ,"));
-    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, part_named(scenes, row->scene)).first);
+    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, part_named(scenes, row->scene)).depth);
     if (verb == "rises") highest = std::max(highest, row->gap.value_or(0));
     sets[verb == "sinks" || verb == "rises" || verb == "stands" ? verb : "falls"].insert(set_name(*row));
   }
