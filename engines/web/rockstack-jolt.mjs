@@ -20,6 +20,7 @@ const settings = [
   onOff('mUseManifoldReduction', 1, 1),
   setting('mMinVelocityForRestitution', 1, 1, 0, 1e3, { unit: 'm/s', ...threshold }),
   restitution('restitution'),
+  setting('ground', 0, 0, 0, 1, { whole: true, choices: ['slab', 'cube'] }),
 ];
 
 const moving = 1;
@@ -56,8 +57,7 @@ class Simulation {
     this.system = this.world.GetPhysicsSystem();
     this.gravity = new jolt.Vec3(0, 0, 0);
     this.set();
-    const reach = groundReach(question.blocks);
-    const ground = this.add({ width: 2 * reach, height: 2 * reach, depth: 2 * reach, x: 0, y: -reach, angle: 0 }, resting);
+    const ground = this.addGround(2 * groundReach(question.blocks));
     this.bodies = question.blocks.map((block) => this.add(block, moving));
     this.listen([ground, ...this.bodies], question.friction);
   }
@@ -88,6 +88,12 @@ class Simulation {
     this.system.GetBodyInterface().AddBody(body.GetID(), jolt.EActivation_Activate);
     for (const used of [chosen, rotation, place, size]) jolt.destroy(used);
     return body;
+  }
+
+  /** A slab is a fiftieth as thick as it is wide: on a cube of that width normals are at times wrong (jolt.md). */
+  addGround(width) {
+    const height = this.given.ground === 0 ? width / 50 : width;
+    return this.add({ width, height, depth: width, x: 0, y: -height / 2, angle: 0 }, resting);
   }
 
   setMotion(chosen, block) {

@@ -28,6 +28,7 @@ const setters = {
   mSpeculativeContactDistance: (value) => { physics.mSpeculativeContactDistance = value; },
   mUseBodyPairContactCache: (value) => { physics.mUseBodyPairContactCache = value !== 0; },
   mConvexRadius: () => {},
+  ground: () => {},
 };
 for (const [name, value] of Object.entries(set)) setters[name](value);
 system.SetPhysicsSettings(physics);
@@ -45,7 +46,8 @@ const body = (shape, x, y, angle, type, layer, more = () => {}) => {
   return body;
 };
 const box = (width, height, depth) => new jolt.BoxShape(new jolt.Vec3(width / 2, height / 2, depth / 2), set.mConvexRadius ?? 0.05);
-body(box(2 * reach, 2 * reach, 2 * reach), 0, -reach, 0, jolt.EMotionType_Static, 0);
+const thickness = set.ground === 1 ? 2 * reach : reach / 25;
+body(box(2 * reach, thickness, 2 * reach), 0, -thickness / 2, 0, jolt.EMotionType_Static, 0);
 const bodies = question.blocks.map(({ width, height, depth, x, y, angle, mass, aboutX, aboutY, aboutZ, right = 0, up = 0, spin = 0 }) =>
   body(box(width, height, depth), x, y, angle, jolt.EMotionType_Dynamic, 1, (made) => {
     made.mAllowedDOFs = jolt.EAllowedDOFs_Plane2D;
