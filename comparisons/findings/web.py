@@ -51,16 +51,16 @@ def falling():
 
 # What is measured, its exact value, the scene (of the step, s), and the number.
 QUANTITIES = (
-    ("angular velocity left of 1 rad/s after an impact at μ = 0.3", "0.613", lambda dt: landing(0.3, duration=60 * dt), left),
+    ("angular velocity after an impact at μ = 0.3; before it 1 (rad/s)", "0.613", lambda dt: landing(0.3, duration=60 * dt), left),
     ("angle after 0.2 s of sliding and rocking (mrad)", "28.4",
      lambda _: rockstack.Scene.read("canon/slide-rock").replace({"duration": 0.2}), lambda motion, _: -1e3 * motion.angles[-1, 0]),
-    ("way of a block that slides to a stop (mm)", "31.9", lambda _: flat(0.3, initial={"angles": [0.0], "slip_velocities": [0.5]}),
+    ("distance that a block slides from 0.5 m/s at μ = 0.4 (mm)", "31.9", lambda _: flat(0.3, initial={"angles": [0.0], "slip_velocities": [0.5]}),
      lambda motion, _: 1e3 * motion.slips[-1, 0]),
-    ("lateness of a rocking block at its landing (ms)", "0", lambda _: released(), lateness),
-    ("rise after a flat landing (mm)", "0", lambda _: falling(), rise),
+    ("lateness of a rocking block at its landing; below 0 it is early (ms)", "0", lambda _: released(), lateness),
+    ("rise after a flat landing without restitution (mm)", "0", lambda _: falling(), rise),
     ("creep in 1 s on a slope that holds (mm)", "0",
      lambda _: rockstack.Scene.read("canon/held-on-slope").replace({"duration": 1.0}), lambda motion, _: 1e3 * abs(motion.slips[-1, 0])),
-    ("largest overlap in a column at rest for 0.3 s (mm)", "0",
+    ("largest overlap of a column at rest for 0.3 s (mm)", "0",
      lambda _: rockstack.Scene.read("canon/rest").replace({"duration": 0.3}), lambda motion, _: 1e3 * max(0.0, -motion.gaps.min())),
 )
 
@@ -70,7 +70,7 @@ def table(name, solver=""):
     def converges():
         names = [one for one in solvers(name) if one.endswith(solver)]
         several = len(names) > 1
-        yield "what", "exact", *["solver"] * several, "set", *(f"{1e3 * dt:g} ms" for dt in STEPS)
+        yield "what", "exact", *["solver"] * several, "set", *(f"step {1e3 * dt:g} ms" for dt in STEPS)
         for what, exact, scene, measure in QUANTITIES:
             for one in names:
                 for settings in ("default", "tuned"):
