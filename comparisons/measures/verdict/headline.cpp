@@ -18,9 +18,8 @@ struct AgreementEnds {
   bool beyond = false;        ///< of these, one up to a horizon that is before its scene's end
 };
 
-/// After how long engines leave the exact motion. Of many runs the first alone says little: how many do, and
-/// by when as many as half of all have, so that steps at which few leave are not taken for those at which
-/// they leave soon.
+/// After how long engines leave the exact motion. Of many runs the first says little: how many do, and by
+/// when half of all have, so that steps at which few leave are not taken for those at which they leave soon.
 std::string leaving(AgreementEnds ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
@@ -32,8 +31,9 @@ std::string leaving(AgreementEnds ends) {
   const double first = ends.times.front(), last = ends.times[leave - 1];
   const std::size_t all = ends.times.size(), half = (all + 1) / 2;
   if (all > many)
-    return fmt::format("in {} of {} runs, the first after {} s{}", leave, all, text(first),
-                       half > leave ? "" : fmt::format(", {} by {} s", half, text(ends.times[half - 1])));
+    return fmt::format("in {} of {} runs, {}", leave, all,
+                       half > leave ? fmt::format("the first after {} s", text(first))
+                                    : fmt::format("half of all by {} s", text(ends.times[half - 1])));
   return fmt::format("after {}{} s{}", text(first), text(first) == text(last) ? "" : " to " + text(last),
                      leave < all ? fmt::format(" or {}", stays) : "");
 }
@@ -186,7 +186,7 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   return fmt::format(
       "Engines leave the exact motion at a time step of {}{}; to leave it is to be off by more than {} or {:g} % of the least block "
       "height{}.",
-      text_of_each(reported, told, ", at "), horizons(rows, scenes), quantity_text(tolerance, "rad"),
+      text_of_each(reported, told, "; at "), horizons(rows, scenes), quantity_text(tolerance, "rad"),
       100 * tolerance, of_replicates ? ", in the median of replicates" : "");
 }
 
