@@ -53,21 +53,25 @@ double slowest_turn(const Scene& scene) {
   return scene.gravity * usual_step / (2 * widest.half_width);
 }
 
-/// Replicates use all cores. @throws whatever kept the engine from answering.
-CanonErrors errors_at(const Suite& suite, const NamedScene& scene, const EngineSeries& series, double dt) {
-  CanonErrors errors{dt,
-                     std::vector<std::vector<Deviation>>(static_cast<std::size_t>(suite.replicates.runs))};
-  std::vector<std::size_t> replicates(errors.replicates.size());
-  std::iota(replicates.begin(), replicates.end(), 0);
-  const auto compute = [&](std::size_t replicate) {
-    const auto number = static_cast<int>(replicate);
+/// At all steps, the finest and longest first, on all cores. @throws whatever kept the engine from answering.
+std::vector<CanonErrors> errors_at_all_steps(const Suite& suite, const NamedScene& scene,
+                                             const EngineSeries& series) {
+  const auto runs = static_cast<std::size_t>(suite.replicates.runs);
+  std::vector<CanonErrors> errors = each_of(canon_steps, [&](double step) {
+    return CanonErrors{step, std::vector<std::vector<Deviation>>(runs)};
+  });
+  std::vector<std::size_t> all(errors.size() * runs);
+  std::iota(all.rbegin(), all.rend(), 0);
+  const auto compute = [&](std::size_t run) {
+    CanonErrors& at = errors[run / runs];
+    const auto number = static_cast<int>(run % runs);
     const Scene drawn = replicate_scene(scene.scene, suite.replicates, number);
-    const double step = replicate_step(dt, suite.replicates, number);
+    const double step = replicate_step(at.step, suite.replicates, number);
     const History engine = simulate(*series.engine, drawn, step, series.parameters, suite.limits).history;
-    errors.replicates[replicate] = deviations(drawn, solve(drawn, {.sample_times = engine.times}), engine);
+    at.replicates[run % runs] = deviations(drawn, solve(drawn, {.sample_times = engine.times}), engine);
     return std::string();
   };
-  make_threads(all_cores())->run(replicates, {compute});
+  make_threads(all_cores())->run(all, {compute});
   return errors;
 }
 
@@ -184,8 +188,7 @@ CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const Work
                          const std::string& settings) {
   const EngineSeries series = make_series(engine, settings, {});
   try {
-    const auto at = [&](double step) { return errors_at(suite, scene, series, step); };
-    return judge_canon(scene.name, each_of(canon_steps, at));
+    return judge_canon(scene.name, errors_at_all_steps(suite, scene, series));
   } catch (const std::exception& error) {
     return {.scene = scene.name, .deviations = {}, .reason = error.what()};
   }
