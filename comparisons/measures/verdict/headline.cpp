@@ -19,7 +19,7 @@ struct AgreementEnds {
 };
 
 /// After how long engines leave the exact motion. Of many runs the first says little: how many do, and by
-/// when half of all have, so that steps at which few leave are not taken for those at which they leave soon.
+/// when half of these have.
 std::string leaving(AgreementEnds ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
@@ -29,11 +29,10 @@ std::string leaving(AgreementEnds ends) {
   const auto text = [](double time) { return fmt::format("{:.2g}", time); };
   if (leave == 0) return stays;
   const double first = ends.times.front(), last = ends.times[leave - 1];
-  const std::size_t all = ends.times.size(), half = (all + 1) / 2;
+  const std::size_t all = ends.times.size();
   if (all > many)
-    return fmt::format("in {} of {} runs, {}", leave, all,
-                       half > leave ? fmt::format("the first after {} s", text(first))
-                                    : fmt::format("half of all by {} s", text(ends.times[half - 1])));
+    return fmt::format("in {} of {} runs, {} {} s", leave, all, leave == 1 ? "after" : "half of these by",
+                       text(ends.times[(leave - 1) / 2]));
   return fmt::format("after {}{} s{}", text(first), text(first) == text(last) ? "" : " to " + text(last),
                      leave < all ? fmt::format(" or {}", stays) : "");
 }
