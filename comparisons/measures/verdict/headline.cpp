@@ -18,8 +18,9 @@ struct AgreementEnds {
   bool beyond = false;        ///< of these, one up to a horizon that is before its scene's end
 };
 
-/// After how long engines leave the exact motion. Of many runs the first says little: how many do, and by
-/// when half of these have.
+/// After how long engines leave the exact motion. Of many runs the first says little: how many do, and where
+/// half of all do, by when these have. The times of fewer say nothing: those that leave at a fine step leave
+/// soon.
 std::string leaving(AgreementEnds ends) {
   constexpr std::size_t many = 8;
   std::ranges::sort(ends.times);
@@ -29,10 +30,10 @@ std::string leaving(AgreementEnds ends) {
   const auto text = [](double time) { return fmt::format("{:.2g}", time); };
   if (leave == 0) return stays;
   const double first = ends.times.front(), last = ends.times[leave - 1];
-  const std::size_t all = ends.times.size();
+  const std::size_t all = ends.times.size(), half = (all + 1) / 2;
   if (all > many)
-    return fmt::format("in {} of {} runs, {} {} s", leave, all, leave == 1 ? "after" : "half of these by",
-                       text(ends.times[(leave - 1) / 2]));
+    return fmt::format("in {} of {} runs{}", leave, all,
+                       half > leave ? "" : fmt::format(", half of all by {} s", text(ends.times[half - 1])));
   return fmt::format("after {}{} s{}", text(first), text(first) == text(last) ? "" : " to " + text(last),
                      leave < all ? fmt::format(" or {}", stays) : "");
 }
@@ -131,7 +132,7 @@ std::string furthest(const std::vector<RankedSet>& ranking, const std::string& o
                        sets.size() == 1 ? "is" : "are", joined_up_to(most_named, sets), nearer, others);
   if (last.failed > 0)
     return fmt::format("; {}{} fails in {}", over, set_name(last),
-                       counted(static_cast<std::size_t>(last.failed), "cell"));
+                       counted(static_cast<std::size_t>(last.failed), "run"));
   return fmt::format(
       "; {}{} is furthest: {:.2g} times the least error of a scene and step, in the geometric mean", over,
       set_name(last), last.score);
@@ -149,7 +150,7 @@ std::string over_steps(const std::vector<ReplicatedRow>& rows) {
 std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<RankedSet>& ranking,
                      const std::vector<First>& firsts, std::size_t scenes) {
   First first = first_of(ranking);
-  first.scenes = {fmt::format("the ranking over {} scenes that move", scenes)};
+  first.scenes = {fmt::format("the ranking over {} scenes that move,", scenes)};
   std::string text = part(first, evidence(rows));
   for (const First& one : firsts)
     if (one.sets == first.sets && one.sets.size() == 1)
