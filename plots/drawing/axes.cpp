@@ -43,6 +43,10 @@ std::string in_decades(double value) {
 
 constexpr auto shade = "#ECECEC";
 
+bool is_across(const std::string& axis) {
+  return axis.front() == 'x';
+}
+
 /// The first time from which on no angle is further from its last than that, s.
 double end_of_motion(const History& history, double tolerance) {
   if (history.size() == 0) return 0;
@@ -56,7 +60,7 @@ double end_of_motion(const History& history, double tolerance) {
 }  // namespace
 
 std::string logarithmic_tics(const std::string& axis, double low, double high, double pixels) {
-  const double room = axis == "x" ? 75 : 26;  // of a number
+  const double room = is_across(axis) ? 75 : 26;  // of a number
   const auto most = static_cast<std::size_t>(std::max(2.0, pixels / room));
   constexpr std::size_t enough = 3;
   std::vector<double> chosen = between_decades({1}, low, high);
@@ -75,7 +79,7 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
       chosen = outermost(finer, low, high, room / pixels, chosen);
   }
   constexpr double overhang = 12;  // pixels by which a number at the end is too wide for a figure's edge
-  if (axis == "x")
+  if (is_across(axis))
     std::erase_if(chosen,
                   [&](double place) { return place > high / std::pow(high / low, overhang / pixels); });
   const auto tic = [](double place) { return fmt::format("'{}' {}", in_decades(place), plain(place)); };
@@ -83,7 +87,7 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
 }
 
 std::string linear_tics(const std::string& axis, double low, double high, double pixels) {
-  const double room = axis == "x" ? 70 : 30;  // of a number
+  const double room = is_across(axis) ? 70 : 30;  // of a number
   const double least = (high - low) * room / pixels;
   const double power = std::pow(10, std::floor(std::log10(least)));
   double step = 10 * power;
@@ -119,14 +123,16 @@ TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs) {
   return scene.horizon() < scene.duration ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end};
 }
 
+std::string shade_beyond(const TimeAxis& axis) {
+  if (!axis.is_shaded()) return "";
+  return fmt::format(
+      "set object rectangle from {}, graph 0 to graph 1, graph 1 fillcolor rgb '{}' fillstyle solid noborder "
+      "behind\n",
+      plain(axis.horizon), shade);
+}
+
 std::string time_range(const TimeAxis& axis, double room) {
-  std::string text = fmt::format("set xrange [0:{}]\n", plain(room * axis.end));
-  if (axis.is_shaded())
-    text += fmt::format(
-        "set object rectangle from {}, graph 0 to graph 1, graph 1 fillcolor rgb '{}' fillstyle solid "
-        "noborder behind\n",
-        plain(axis.horizon), shade);
-  return text;
+  return fmt::format("set xrange [0:{}]\n", plain(room * axis.end)) + shade_beyond(axis);
 }
 
 void explain_shade(const TimeAxis& axis, Legend& legend) {

@@ -21,11 +21,12 @@ struct Reach {
   }
 };
 
-/// Numbers along a logarithmic axis, "x" or "y", of that many pixels: powers of ten as there is room for, or
-/// where there are fewer than three of them round multiples between.
+/// Numbers along a logarithmic axis, "x", "x2" or "y", of that many pixels: powers of ten as there is room
+/// for, or where there are fewer than three of them round multiples between.
 std::string logarithmic_tics(const std::string& axis, double low, double high, double pixels);
 
-/// Numbers along a linear axis, "x" or "y", of that many pixels: as many round ones as there is room for.
+/// Numbers along a linear axis, "x", "x2" or "y", of that many pixels: as many round ones as there is room
+/// for.
 std::string linear_tics(const std::string& axis, double low, double high, double pixels);
 
 /// The range of an axis with its numbers, of either kind.
@@ -45,6 +46,9 @@ struct TimeAxis {
 /// Up to when one of some motions still moves: until then an angle is further from where it ends than a small
 /// part of what the first motion, the exact one where there is one, goes through.
 TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs);
+
+/// What lies beyond the horizon, shaded in a panel over time.
+std::string shade_beyond(const TimeAxis& axis);
 
 /// The range of a panel over time, `room` times as long, with what lies beyond the horizon shaded.
 std::string time_range(const TimeAxis& axis, double room = 1);

@@ -35,7 +35,7 @@ double title_height(const std::string& title) {
 /// Nothing that one panel sets holds for the next.
 constexpr auto fresh_panel =
     "unset grid\nunset object\nunset logscale\nset format x '% h'\nset format y '% h'\nunset xlabel\n"
-    "unset ylabel\nset xtics autofreq font '' textcolor rgb '#000000'\n"
+    "unset ylabel\nunset x2label\nunset x2tics\nset xtics autofreq font '' textcolor rgb '#000000'\n"
     "set ytics autofreq font '' textcolor rgb '#000000'\nset mxtics default\nset mytics default\n";
 
 constexpr auto comma = ", \\\n  ";

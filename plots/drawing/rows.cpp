@@ -64,39 +64,74 @@ std::vector<std::pair<std::string, int>> title_lines(const RowColumn& column, do
   return lines;
 }
 
-/// Lines stand on the panel's edge, the last one lowest.
-std::string title_above(const std::vector<std::pair<std::string, int>>& lines) {
+/// Lines stand so many lines above the panel's edge, the last one lowest.
+std::string title_above(const std::vector<std::pair<std::string, int>>& lines, double above) {
   std::string labels;
   for (std::size_t i = 0; i < lines.size(); ++i)
     labels += fmt::format("set label {} noenhanced at graph 0.5, graph 1 center offset 0,{} font ',{}'\n",
-                          in_quotes(lines[i].first), 0.7 + static_cast<double>(lines.size() - 1 - i),
+                          in_quotes(lines[i].first), 0.7 + above + static_cast<double>(lines.size() - 1 - i),
                           lines[i].second);
   return labels;
+}
+
+/// In what order the rows stand, beside the panel's upper edge.
+std::string order_above(const std::string& words) {
+  if (words.empty()) return "";
+  return fmt::format(
+      "set label {} noenhanced at graph 0, graph 1 right offset -1,0.4 font ',11' tc rgb '#404040'\n",
+      in_quotes(words));
+}
+
+/// Words of an axis as a gnuplot string, in lines that a panel of so many pixels has room for.
+std::string axis_words(const RowColumn& column, double width) {
+  std::string text;
+  for (const std::string& line : lines_of(column.across, static_cast<std::size_t>(width / letter)))
+    text += (text.empty() ? "" : R"(."\n".)") + in_quotes(line);
+  return text;
+}
+
+/// The axis of a column, and above the panel the same one.
+std::string axes_of(const RowColumn& column, const RowPanel& panel, double width, bool above) {
+  std::string text = above ? "set xtics nomirror\n" : "";
+  for (const std::string axis : {"x", "x2"}) {
+    if (axis == "x2" && !above) break;
+    text += column.end > 0 ? linear_range(axis, 0, column.end, width)
+                           : logarithmic_range(axis, panel.low, panel.high, width);
+    text += fmt::format("set {}label {}\n", axis, axis_words(column, width));
+  }
+  return text;
 }
 
 }  // namespace
 
 void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>& columns) {
-  constexpr double edge = 30, title_line = 20;
+  constexpr double edge = 30, title_line = 20, screen = 600, axis_line = 20;
   const RowWords words = row_words(panel.words, sheet.width());
   const auto rows = static_cast<double>(panel.words.size());
-  const double height = panel.row_height > 0 ? panel.row_height : 10 + 16 * static_cast<double>(words.lines);
+  const double row_height =
+      panel.row_height > 0 ? panel.row_height : 10 + 16 * static_cast<double>(words.lines);
+  const double height = row_height * rows + edge;
   const double width = (sheet.right() - words.left) * sheet.width() / static_cast<double>(columns.size());
+  const bool is_tall = height > screen;
+  std::size_t titles = 0, axis_lines = 0;
+  for (const RowColumn& column : columns) {
+    titles = std::max(titles, title_lines(column, width).size());
+    axis_lines =
+        std::max(axis_lines, lines_of(column.across, static_cast<std::size_t>(width / letter)).size());
+  }
+  const double above = is_tall ? 1.6 + static_cast<double>(axis_lines) : 0;
+  sheet.leave_room_above(title_line * static_cast<double>(titles) + axis_line * above);
   std::vector<SidePanel> cells;
   cells.reserve(columns.size());
-  std::size_t above = 0;
-  for (const RowColumn& column : columns) above = std::max(above, title_lines(column, width).size());
-  sheet.leave_room_above(title_line * static_cast<double>(above));
   for (const RowColumn& column : columns)
     cells.push_back(
-        {(column.range ? column.range(width) : logarithmic_range("x", panel.low, panel.high, width)) +
-             title_above(title_lines(column, width)) +
-             fmt::format("set yrange [{}:-0.7]\nset grid {} lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n"
-                         "set xlabel {}\n",
-                         rows - 0.3, panel.grid, in_quotes(column.across)) +
-             (cells.empty() ? words.tics : words.blank),
+        {axes_of(column, panel, width, is_tall) + title_above(title_lines(column, width), above) +
+             fmt::format("set yrange [{}:-0.7]\nset grid {} lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n",
+                         rows - 0.3, panel.grid) +
+             column.settings + (cells.empty() ? words.tics + order_above(panel.order) : words.blank),
          column.plots});
-  sheet.row(height * rows + edge, 0, cells, cells.size(), words.left);
+  sheet.row(height, 0, cells, cells.size(), words.left);
+  sheet.leave_room_above(axis_line * static_cast<double>(axis_lines - 1));
 }
 
 }  // namespace rockstack::plots

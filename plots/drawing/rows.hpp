@@ -1,13 +1,11 @@
 #pragma once
 
-#include <functional>
-
 #include "plots/drawing/layout.hpp"
 
 namespace rockstack::plots {
 
-// Marks with ranges, a row each beside its words, over a logarithmic axis unless a column has one of its own;
-// columns side by side share the rows.
+// Marks with ranges, a row each beside its words, over a logarithmic axis unless a column has a linear one;
+// columns side by side share the rows. Panels taller than a screen have their axis above as well.
 
 /// A page shows no more rows than these.
 inline constexpr std::size_t most_rows = 36;
@@ -18,8 +16,8 @@ struct RowColumn {
   std::vector<std::string> plots;  ///< elements of its plot command
   std::string title = {};          ///< above it, and under that a few lines more
   std::string subtitle = {};
-  /// The range of its axis with numbers, where that is not the panel's; of so many pixels.
-  std::function<std::string(double)> range = {};
+  double end = 0;             ///< of a linear axis from nought; 0: the axis is the panel's
+  std::string settings = {};  ///< further gnuplot commands
 };
 
 struct RowPanel {
@@ -27,6 +25,7 @@ struct RowPanel {
   double low = 0, high = 0;        ///< ends of the axis
   std::string grid = "x y";        ///< along which axes there are lines
   double row_height = 0;           ///< pixels; 0: what the words need
+  std::string order = {};          ///< words above those of the rows
 };
 
 void add_rows(Sheet& sheet, const RowPanel& panel, const std::vector<RowColumn>& columns);

@@ -83,6 +83,8 @@ constexpr double palest_line = 0.5, palest_mark = 0.75;
 
 constexpr auto failure_style = "with points pt 2 ps 0.9*mark lw 2 lc rgb '#B00020'";
 constexpr auto quartiles_style = "lw 1.5 lc rgb '#000000'";
+/// A range of less than this share of the axis is no more than a spot.
+constexpr double least_range = 0.02;
 
 /// From nought to when it stops agreeing, or to the edge, with quartiles of what decides, angles or centres.
 void add_times(Plots& plots, const Run& run, double height, const std::string& colour,
@@ -96,9 +98,9 @@ void add_times(Plots& plots, const Run& run, double height, const std::string& c
   const auto upper = by_angles ? run.agreement_time_upper : run.position_agreement_time_upper;
   if (!lower || !upper) return;
   const double low = std::min(*lower, edge), high = std::min(*upper, edge);
-  if (low == high && end >= edge) return;
-  plots.add({{low, height, high - low}},
-            {fmt::format("using 1:2:3:(0) with vectors nohead {}", quartiles_style)});
+  if (high - low < least_range * edge) return;
+  plots.add({{std::clamp(end, low, high), height, low, high}},
+            {fmt::format("using 1:2:3:4 with xerrorbars pt 0 {}", quartiles_style)});
 }
 
 /// The largest difference before the horizon: of an angle, rad, or of a centre over the least block height.
@@ -151,15 +153,15 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
                 {fmt::format("using 1:2 with points lw 2 lc rgb '{}' pt {} ps 1.1*mark",
                              frame.colour(run, palest_mark), style_of(run).mark)});
     }
-    times.push_back({"agrees until (s)", until.list(), scene.name, scene.title, [axis](double width) {
-                       return time_range(axis) + linear_tics("x", 0, axis.end, width);
-                     }});
+    times.push_back(
+        {"agrees until (s)", until.list(), scene.name, scene.title, axis.end, shade_beyond(axis)});
     largest.push_back({"off by (rad, or share)", off.list()});
   }
   sheet.leave_room_above(from == 0 ? 0 : 90);
-  add_rows(sheet, {frame.sets, 0, 1}, times);
+  const std::string order = comparison.verdict.ranking.empty() ? "" : "nearest first";
+  add_rows(sheet, {.words = frame.sets, .order = order}, times);
   sheet.leave_room_above(90);
-  add_rows(sheet, {frame.sets, sizes.low, sizes.high}, largest);
+  add_rows(sheet, {.words = frame.sets, .low = sizes.low, .high = sizes.high, .order = order}, largest);
 }
 
 Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
@@ -171,7 +173,7 @@ Legend legend_of(const Comparison& comparison, const CommonAxes& frame) {
     legend.emplace_back(
         fmt::format("with lines lw 6 lc rgb '{}'", paler("#333333", frame.strength(dt, palest_line))),
         "step " + duration_text(dt));
-  legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
+  legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance, below");
   if (any([](const Run& run) { return run.draws.value_or(1) > 1; }))
     legend.emplace_back(fmt::format("with lines {}", quartiles_style), "quartiles of replicates");
   for (const ComparedScene& scene : comparison.scenes)
@@ -191,8 +193,9 @@ std::string answer(const Comparison& comparison) {
       ++all;
       whole += run.done() && agrees(run, scale_of(comparison, scene)) ? 1 : 0;
     }
-  return fmt::format("{} of {} runs stay within {} and {:g} % of the least block height all along", whole,
-                     all, quantity_text(comparison.tolerance, "rad"), 100 * comparison.tolerance);
+  return fmt::format(
+      "{} of {} runs (solver × set × scene × step) stay within {} and {:g} % of the least block height",
+      whole, all, quantity_text(comparison.tolerance, "rad"), 100 * comparison.tolerance);
 }
 
 /// `beside`: so many scenes beside each other.

@@ -56,8 +56,7 @@ Drawing peaks(const SceneSubject& subject) {
     for (std::size_t i = 0; i < lines.size(); ++i)
       for (const Run& run : lines[i])
         if (run.dt == dt) add_run(plots, run, static_cast<double>(i), end);
-    columns.push_back({"step " + duration_text(dt), plots.list(), "", "",
-                       [end](double width) { return linear_range("x", 0, end, width); }});
+    columns.push_back({"step " + duration_text(dt), plots.list(), "", "", end});
   }
   add_rows(sheet, {each_of(lines, [](const StepLine& line) { return line_label(line); })}, columns);
   sheet.note("largest angle of a block over its slenderness angle, in the whole scene");
