@@ -10,12 +10,16 @@ namespace {
 
 using nlohmann::json;
 
-/// Accepts whatever has few levels.
-struct Levels : nlohmann::detail::json_sax_acceptor<json> {
-  bool start_object(std::size_t) { return ++levels <= most_levels; }
-  bool end_object() { return --levels >= 0; }
-  bool start_array(std::size_t) { return ++levels <= most_levels; }
-  bool end_array() { return --levels >= 0; }
+/// Builds whatever has few levels.
+template <class Json>
+struct Levels : nlohmann::detail::json_sax_dom_parser<Json> {
+  using Builder = nlohmann::detail::json_sax_dom_parser<Json>;
+  using Builder::Builder;
+
+  bool start_object(std::size_t size) { return ++levels <= most_levels && Builder::start_object(size); }
+  bool end_object() { return --levels >= 0 && Builder::end_object(); }
+  bool start_array(std::size_t size) { return ++levels <= most_levels && Builder::start_array(size); }
+  bool end_array() { return --levels >= 0 && Builder::end_array(); }
   bool parse_error(std::size_t place, const std::string&, const nlohmann::detail::exception&) {
     position = place;
     return false;
@@ -26,12 +30,12 @@ struct Levels : nlohmann::detail::json_sax_acceptor<json> {
       0;  ///< of the byte that cannot be read, from 1; beyond the last where one is missing
 };
 
-/// Why bytes cannot be read; `found` has stopped in them.
-std::string why_unreadable(std::string_view bytes, bool text, const Levels& found) {
-  if (found.levels > most_levels) return "has more than " + std::to_string(most_levels) + " levels";
-  if (found.position > bytes.size()) return "is cut short, after " + std::to_string(bytes.size()) + " bytes";
-  const std::string position = std::to_string(found.position);
-  const std::string_view rest = bytes.substr(found.position > 0 ? found.position - 1 : 0);
+/// Why bytes cannot be read whose reader has stopped within so many levels at the byte that it `found`.
+std::string why_unreadable(std::string_view bytes, bool text, int levels, std::size_t found) {
+  if (levels > most_levels) return "has more than " + std::to_string(most_levels) + " levels";
+  if (found > bytes.size()) return "is cut short, after " + std::to_string(bytes.size()) + " bytes";
+  const std::string position = std::to_string(found);
+  const std::string_view rest = bytes.substr(found > 0 ? found - 1 : 0);
   for (const char* bare : {"NaN", "Infinity"})
     if (text && rest.starts_with(bare))
       return std::string("has a bare ") + bare + " at byte " + position +
@@ -45,9 +49,11 @@ std::string why_unreadable(std::string_view bytes, bool text, const Levels& foun
 template <class Json>
 Json parse_bytes(std::string_view bytes, json::input_format_t form, const std::string& subject) {
   const bool text = form == json::input_format_t::json;
-  Levels levels;
-  if (!json::sax_parse(bytes, &levels, form)) throw InputError(subject + why_unreadable(bytes, text, levels));
-  return text ? Json::parse(bytes) : Json::from_msgpack(bytes);
+  Json result;
+  Levels<Json> reader(result);
+  if (!Json::sax_parse(bytes, &reader, form))
+    throw InputError(subject + why_unreadable(bytes, text, reader.levels, reader.position));
+  return result;
 }
 
 template json parse_bytes(std::string_view bytes, json::input_format_t form, const std::string& subject);
