@@ -14,7 +14,7 @@
 namespace rockstack {
 namespace {
 
-constexpr std::size_t most_sets = 3;  ///< that a sentence names
+constexpr std::size_t most_sets = 1;  ///< that a sentence names
 
 std::string fall_of(const RunMetrics& row) {
   if (row.toppling_verdict == TopplingVerdict::exact_alone)
@@ -70,7 +70,7 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   std::vector<std::string> parts;
   const auto add = [&](const char* verb, const std::string& what) {
     if (const auto& own = sets[verb]; !own.empty())
-      parts.push_back(fmt::format("with {} {}", joined_up_to(most_sets, {own.begin(), own.end()}), what));
+      parts.push_back(fmt::format("with {}, {}", joined_up_to(most_sets, {own.begin(), own.end()}), what));
   };
   add("falls", "blocks fall or topple that do not in the exact motion");
   add("stands", "blocks stand that fall in the exact motion");

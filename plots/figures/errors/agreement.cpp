@@ -136,6 +136,7 @@ TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
 void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& frame, std::size_t from,
                 std::size_t to) {
   const Reach sizes = size_axis(comparison);
+  const bool few = to - from <= beside_a_player;  // more columns leave no room for what their scenes are
   std::vector<RowColumn> times, largest;
   for (std::size_t s = from; s < to; ++s) {
     const ComparedScene& scene = comparison.scenes[s];
@@ -154,7 +155,7 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
                              frame.colour(run, palest_mark), style_of(run).mark)});
     }
     times.push_back(
-        {"agrees until (s)", until.list(), scene.name, scene.title, axis.end, shade_beyond(axis)});
+        {"agrees until (s)", until.list(), scene.name, few ? scene.title : "", axis.end, shade_beyond(axis)});
     largest.push_back({"off by (rad, or share)", off.list()});
   }
   sheet.leave_room_above(from == 0 ? 0 : 90);

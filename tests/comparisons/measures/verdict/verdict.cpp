@@ -128,7 +128,7 @@ TEST(Verdict, OfManySetsSaysInWhichBlocksSinkAndInWhichTheyFall) {
   rows[3].fallen = "block 2 at 0.43 s";
   EXPECT_EQ(
       headline(rows, {scene("rest")})[0],
-      "With ode:step (set3) blocks fall or topple that do not in the exact motion; with ode:step (set0), ode:step (set1) and ode:step (set2) blocks sink in, by 50 mm at most.");
+      "With ode:step (set3), blocks fall or topple that do not in the exact motion; with ode:step (set0) and 2 others, blocks sink in, by 50 mm at most.");
 }
 
 TEST(Verdict, WhatMovesWhereNothingShouldIsTold) {
