@@ -32,8 +32,9 @@ std::string leaving(AgreementEnds ends) {
   const double first = ends.times.front(), last = ends.times[leave - 1];
   const std::size_t all = ends.times.size(), half = (all + 1) / 2;
   if (all > many)
-    return fmt::format("in {} of {} runs{}", leave, all,
-                       half > leave ? "" : fmt::format(", half of all by {} s", text(ends.times[half - 1])));
+    return fmt::format(
+        "in {} of {} runs{}", leave, all,
+        half > leave ? "" : fmt::format(", half of the {} by {} s", all, text(ends.times[half - 1])));
   return fmt::format("after {}{} s{}", text(first), text(first) == text(last) ? "" : " to " + text(last),
                      leave < all ? fmt::format(" or {}", stays) : "");
 }

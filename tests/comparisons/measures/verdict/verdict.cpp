@@ -158,7 +158,7 @@ TEST(Verdict, OfManySetsSaysHowManyLeaveAndByWhenHalfOfAllHave) {
     return headline(rows, {scene("a")})[0];
   };
   const std::string many = said_where(7), few = said_where(5);
-  EXPECT_NE(many.find("at a time step of 10 ms in 7 of 12 runs, half of all by 2 s; to leave"),
+  EXPECT_NE(many.find("at a time step of 10 ms in 7 of 12 runs, half of the 12 by 2 s; to leave"),
             std::string::npos)
       << many;
   EXPECT_NE(few.find("at a time step of 10 ms in 5 of 12 runs; to leave"), std::string::npos) << few;
