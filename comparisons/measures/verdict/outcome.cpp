@@ -14,7 +14,7 @@
 namespace rockstack {
 namespace {
 
-constexpr std::size_t most_sets = 1;  ///< that a sentence names
+constexpr std::size_t most_sets = 1;  ///< that a sentence names of more than two
 
 std::string fall_of(const RunMetrics& row) {
   if (row.toppling_verdict == TopplingVerdict::exact_alone)

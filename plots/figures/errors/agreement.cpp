@@ -159,7 +159,7 @@ void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& fr
     largest.push_back({"off by (rad, or share)", off.list()});
   }
   sheet.leave_room_above(from == 0 ? 0 : 90);
-  const std::string order = comparison.verdict.ranking.empty() ? "" : "nearest first";
+  const std::string order = comparison.verdict.ranking.empty() ? "" : "by rank";
   add_rows(sheet, {.words = frame.sets, .order = order}, times);
   sheet.leave_room_above(90);
   add_rows(sheet, {.words = frame.sets, .low = sizes.low, .high = sizes.high, .order = order}, largest);
