@@ -1,8 +1,10 @@
 #include "analytic/scene/ground/synthetic.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numbers>
 #include <random>
+#include <unsupported/Eigen/FFT>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -20,46 +22,19 @@ std::array<double, 2> draw_normal(std::mt19937_64& generator) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-struct Wave {
-  double frequency;  ///< Hz
-  double deviation;  ///< of its amplitude
-};
-
-/// The waves that noise of variance 1 is made of. A quarter of the slowest wave fits into the duration, so
-/// that the noise does not repeat itself within it.
-std::vector<Wave> waves(const SyntheticMotion& motion) {
+/// The standard deviations of the amplitudes of the waves that noise of variance 1 is made of. A quarter of
+/// the slowest wave fits into the duration, so that the noise does not repeat itself within it.
+std::vector<double> deviations(const SyntheticMotion& motion) {
   const double spacing = 0.5 / motion.duration;
   const auto count = static_cast<std::size_t>(synthetic_cutoff(motion) / spacing);
-  std::vector<Wave> result;
+  std::vector<double> result;
   double variance = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const double frequency = spacing * (static_cast<double>(k) + 0.5);
-    result.push_back({frequency, std::sqrt(synthetic_spectrum(motion, frequency))});
-    variance += result.back().deviation * result.back().deviation;
+    result.push_back(std::sqrt(synthetic_spectrum(motion, spacing * (static_cast<double>(k) + 0.5))));
+    variance += result.back() * result.back();
   }
-  for (Wave& wave : result) wave.deviation /= std::sqrt(variance);
+  for (double& deviation : result) deviation /= std::sqrt(variance);
   return result;
-}
-
-/// TurningWaves whose planes turn side by side: one alone would wait for its last turn.
-struct TurningWaves {
-  static constexpr std::size_t size = 6;
-  using Numbers = std::array<double, size>;
-  Numbers cosines{}, sines{};  ///< of a turn
-  Numbers first{}, second{};   ///< amplitudes
-};
-
-/// Adds first cos + second sin of each wave, one after the other, at every sample: one turn a sample.
-void add(std::vector<double>& samples, TurningWaves waves) {
-  auto& [cosines, sines, first, second] = waves;
-  for (double& sample : samples) {
-    for (const double height : first) sample += height;
-    for (std::size_t k = 0; k < TurningWaves::size; ++k) {
-      const double turned = first[k] * cosines[k] + second[k] * sines[k];
-      second[k] = second[k] * cosines[k] - first[k] * sines[k];
-      first[k] = turned;
-    }
-  }
 }
 
 /// Where straight lines between samples lead from rest, with 1 as the interval.
@@ -112,24 +87,34 @@ double synthetic_envelope(const SyntheticMotion& motion, double t) {
 }
 
 std::vector<double> modulated_noise(const SyntheticMotion& motion) {
+  const std::vector<double> waves = deviations(motion);
+  const auto intervals = static_cast<std::size_t>(std::lround(motion.duration / motion.interval));
+  // At sample j wave k is at π (2k + 1) j / 2 intervals, and (2k + 1) j = k (k + 1) + j² − (k − j)(k − j +
+  // 1): a convolution, whose transforms have a length of powers of two (Bluestein 1970, IEEE Transactions on
+  // Audio and Electroacoustics 18, 451–455).
+  const auto turned = [&](std::size_t quarters) {
+    return std::polar(
+        1.0, two_pi / 4 * static_cast<double>(quarters % (4 * intervals)) / static_cast<double>(intervals));
+  };
+  const std::size_t length = std::bit_ceil(waves.size() + intervals);
+  std::vector<std::complex<double>> noise(length), chirp(length), spectrum, other;
   std::mt19937_64 generator(motion.seed);
-  std::vector<double> samples(static_cast<std::size_t>(std::lround(motion.duration / motion.interval)) + 1);
-  const std::vector<Wave> all = waves(motion);
-  for (std::size_t start = 0; start < all.size(); start += TurningWaves::size) {
-    TurningWaves group;
-    for (std::size_t k = 0; k < std::min(TurningWaves::size, all.size() - start); ++k) {
-      const Wave& wave = all[start + k];
-      const auto [first, second] = draw_normal(generator);
-      const double angle = two_pi * wave.frequency * motion.interval;
-      group.cosines[k] = std::cos(angle);
-      group.sines[k] = std::sin(angle);
-      group.first[k] = wave.deviation * first;
-      group.second[k] = wave.deviation * second;
-    }
-    add(samples, group);
+  for (std::size_t k = 0; k < waves.size(); ++k) {
+    const auto [cosine, sine] = draw_normal(generator);
+    const std::complex<double> turn = turned(k * (k + 1));
+    noise[k] = waves[k] * turn * std::complex(cosine, -sine);
+    chirp[(length - k) % length] = conj(turn);
   }
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    samples[i] *= synthetic_envelope(motion, motion.interval * static_cast<double>(i));
+  for (std::size_t j = 1; j <= intervals; ++j) chirp[j] = conj(turned(j * (j - 1)));
+  Eigen::FFT<double> transform;
+  transform.fwd(spectrum, noise);
+  transform.fwd(other, chirp);
+  for (std::size_t k = 0; k < length; ++k) spectrum[k] *= other[k];
+  transform.inv(noise, spectrum);
+  std::vector<double> samples;
+  for (std::size_t j = 0; j <= intervals; ++j)
+    samples.push_back(synthetic_envelope(motion, motion.interval * static_cast<double>(j)) *
+                      (turned(j * j) * noise[j]).real());
   return samples;
 }
 

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "analytic/scene/scene.hpp"
 
@@ -101,6 +103,43 @@ TEST(Synthetic, AnotherSeedGivesAMotionThatHasNothingToDoWithTheFirst) {
   }
   // Some 2 × 10 s × 2.5 Hz independent numbers leave a correlation of about 1/√50.
   EXPECT_LT(std::abs(product / square), 5 / std::sqrt(50.0));
+}
+
+/// Each wave by itself, in the order of its draws: in 1009 intervals, a prime number, and up to half the
+/// sampling rate.
+TEST(Synthetic, TheNoiseIsTheSumOfItsWaves) {
+  for (const SyntheticMotion& motion :
+       {SyntheticMotion{.seed = 3, .peak = 1, .duration = 10.09, .interval = 0.01},
+        SyntheticMotion{.seed = 4, .peak = 1, .duration = 2, .interval = 0.05}}) {
+    const double spacing = 0.5 / motion.duration;
+    const int count = static_cast<int>(std::lround(synthetic_cutoff(motion) / spacing - 0.4));
+    std::mt19937_64 generator(motion.seed);
+    const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 0.5) / 9007199254740992.0; };
+    const std::vector<double> noise = modulated_noise(motion);
+    std::vector<double> sum(noise.size());
+    double variance = 0, squares = 0;
+    for (int k = 0; k < count; ++k) {
+      const double frequency = spacing * (k + 0.5), share = target(motion, frequency);
+      const double radius = std::sqrt(-2 * share * std::log(uniform())), phase = two_pi * uniform();
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += radius * std::cos(two_pi * frequency * motion.interval * static_cast<double>(i) - phase);
+      variance += share;
+      squares += radius * radius / 2;
+    }
+    double off = 0;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      const double envelope = synthetic_envelope(motion, motion.interval * static_cast<double>(i));
+      off += std::pow(noise[i] - envelope * sum[i] / std::sqrt(variance), 2);
+    }
+    // Each of three transforms of a length is off by at most 4 roundings for each time that it is halved
+    // (Higham 2002, Theorem 24.2: half of 1 + 4 √2), of all that the convolution adds up; each wave of the
+    // sum here by the roundings of its angle, count π at most.
+    const auto length = static_cast<double>(std::bit_ceil(sum.size() + static_cast<std::size_t>(count)));
+    const double roundings =
+        12 * std::log2(length) * length + 2 * std::numbers::pi * count * std::sqrt(length);
+    EXPECT_LT(std::sqrt(off),
+              roundings * std::numeric_limits<double>::epsilon() * std::sqrt(2 * squares / variance));
+  }
 }
 
 TEST(Synthetic, HasTheSamplesThatItsDurationAsksFor) {
