@@ -89,12 +89,12 @@ double synthetic_envelope(const SyntheticMotion& motion, double t) {
 std::vector<double> modulated_noise(const SyntheticMotion& motion) {
   const std::vector<double> waves = deviations(motion);
   const auto intervals = static_cast<std::size_t>(std::lround(motion.duration / motion.interval));
-  // At sample j wave k is at π (2k + 1) j / 2 intervals, and (2k + 1) j = k (k + 1) + j² − (k − j)(k − j +
-  // 1): a convolution, whose transforms have a length of powers of two (Bluestein 1970, IEEE Transactions on
+  // At sample j wave k has turned by (2k + 1) j of so many parts of a turn, and (2k + 1) j = k (k + 1) + j² −
+  // (k − j) (k − j + 1): a convolution, by transforms of 2ⁿ numbers (Bluestein 1970, IEEE Transactions on
   // Audio and Electroacoustics 18, 451–455).
-  const auto turned = [&](std::size_t quarters) {
-    return std::polar(
-        1.0, two_pi / 4 * static_cast<double>(quarters % (4 * intervals)) / static_cast<double>(intervals));
+  const std::size_t whole = 4 * intervals;
+  const auto turned = [&](std::size_t parts) {
+    return std::polar(1.0, two_pi * static_cast<double>(parts % whole) / static_cast<double>(whole));
   };
   const std::size_t length = std::bit_ceil(waves.size() + intervals);
   std::vector<std::complex<double>> noise(length), chirp(length), spectrum, other;
