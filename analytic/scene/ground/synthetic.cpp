@@ -98,14 +98,13 @@ std::vector<double> modulated_noise(const SyntheticMotion& motion) {
   };
   const std::size_t length = std::bit_ceil(waves.size() + intervals);
   std::vector<std::complex<double>> noise(length), chirp(length), spectrum, other;
+  for (std::size_t j = 1; j <= intervals; ++j) chirp[j] = conj(turned(j * (j - 1)));
   std::mt19937_64 generator(motion.seed);
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const auto [cosine, sine] = draw_normal(generator);
-    const std::complex<double> turn = turned(k * (k + 1));
-    noise[k] = waves[k] * turn * std::complex(cosine, -sine);
-    chirp[(length - k) % length] = conj(turn);
+    noise[k] = waves[k] * std::complex(cosine, -sine) * conj(chirp[k + 1]);
+    chirp[(length - k) % length] = chirp[k + 1];
   }
-  for (std::size_t j = 1; j <= intervals; ++j) chirp[j] = conj(turned(j * (j - 1)));
   Eigen::FFT<double> transform;
   transform.fwd(spectrum, noise);
   transform.fwd(other, chirp);
