@@ -87,10 +87,10 @@ template <class Real, int N>
     for (int i = 0; i < j; ++i) mass(i, j) = mass(j, i) = chain.links.col(i).dot(moment);
     above += stack.mass[j];
   }
-  sum_from_top(mass);
-  Matrix<Real, N> transposed = mass.transpose();
-  sum_from_top(transposed);
-  return transposed;
+  for (int j = size - 2; j >= 0; --j) mass.col(j) += mass.col(j + 1);
+  for (int j = 0; j < size; ++j)
+    for (int i = size - 2; i >= 0; --i) mass(i, j) += mass(i + 1, j);
+  return mass;
 }
 
 /// Jᵀ M x for the relative angles of all interfaces.

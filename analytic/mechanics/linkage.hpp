@@ -7,20 +7,32 @@ namespace rockstack {
 template <class Real, int N>
 using PerBlock = std::array<Real, static_cast<std::size_t>(capacity(N))>;
 
-/// The mass matrix of relative angles, kg·m², as factors L D Lᵀ; closed interfaces have the identity's rows.
+/// The mass matrix of relative angles, kg·m², as factors L D Lᵀ. Closed interfaces have the identity's rows,
+/// which stacks of any number of blocks leave out: most interfaces of a column are closed.
 template <class Real, int N>
 class ConstrainedMass {
  public:
   /// `free` is 1 where an interface is open, 0 where it is closed; `mass(i, j)` is the matrix, i ≥ j.
   template <class Mass>
   void factorise(std::size_t blocks, const PerBlock<Real, N>& free, const Mass& mass) {
-    blocks_ = blocks;
-    for (std::size_t i = 0; i < size(); ++i) {
-      free_[i] = free[i];
-      for (std::size_t j = 0; j <= i; ++j) {
+    rows_ = 0;
+    for (std::size_t k = 0; k < blocks; ++k) {
+      free_[k] = free[k];
+      if constexpr (N == Eigen::Dynamic) {
+        factors_[k][k] = 1;
+        if (free[k] != 0) interfaces_[rows_++] = k;
+      }
+    }
+    for (std::size_t row = 0; row < rows(); ++row) {
+      const std::size_t i = interface(row);
+      for (std::size_t column = 0; column <= row; ++column) {
+        const std::size_t j = interface(column);
         Real sum = mass(i, j) * free[i] * free[j];
         if (i == j) sum += Real(1) - free[i];
-        for (std::size_t m = 0; m < j; ++m) sum -= factors_[i][m] * factors_[m][m] * factors_[j][m];
+        for (std::size_t below = 0; below < column; ++below) {
+          const std::size_t m = interface(below);
+          sum -= factors_[i][m] * factors_[m][m] * factors_[j][m];
+        }
         factors_[i][j] = i == j ? sum : sum * inverse_[j];
       }
       inverse_[i] = Real(1) / factors_[i][i];
@@ -34,21 +46,28 @@ class ConstrainedMass {
   /// them at every order, and a call costs more than the answer.
   [[gnu::always_inline]] PerBlock<Real, N> solve(const PerBlock<Real, N>& momenta) const {
     PerBlock<Real, N> x;
-    for (std::size_t i = 0; i < size(); ++i) {
+    if constexpr (N == Eigen::Dynamic) x.fill(0);
+    for (std::size_t row = 0; row < rows(); ++row) {
+      const std::size_t i = interface(row);
       x[i] = momenta[i] * free_[i];
-      for (std::size_t m = 0; m < i; ++m) x[i] -= factors_[i][m] * x[m];
+      for (std::size_t below = 0; below < row; ++below)
+        x[i] -= factors_[i][interface(below)] * x[interface(below)];
     }
-    for (std::size_t i = size(); i-- > 0;) {
+    for (std::size_t row = rows(); row-- > 0;) {
+      const std::size_t i = interface(row);
       x[i] *= inverse_[i];
-      for (std::size_t m = i + 1; m < size(); ++m) x[i] -= factors_[m][i] * x[m];
+      for (std::size_t above = row + 1; above < rows(); ++above)
+        x[i] -= factors_[interface(above)][i] * x[interface(above)];
     }
     return x;
   }
 
  private:
-  std::size_t size() const { return N == Eigen::Dynamic ? blocks_ : static_cast<std::size_t>(N); }
+  std::size_t rows() const { return N == Eigen::Dynamic ? rows_ : static_cast<std::size_t>(N); }
+  std::size_t interface(std::size_t row) const { return N == Eigen::Dynamic ? interfaces_[row] : row; }
 
-  std::size_t blocks_ = 0;
+  std::size_t rows_ = 0;
+  std::array<std::size_t, capacity(N)> interfaces_;  ///< of the rows
   PerBlock<Real, N> free_;
   std::array<PerBlock<Real, N>, capacity(N)> factors_;  ///< L below the diagonal, D on it
   PerBlock<Real, N> inverse_;                           ///< of D

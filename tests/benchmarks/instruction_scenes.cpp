@@ -72,10 +72,24 @@ Question with_friction(Question question, double friction) {
   return question;
 }
 
+/// Drums of a column, shaken until many of its interfaces chatter.
+Question column(std::size_t drums) {
+  Question question = rocking(std::vector<Block>(drums, make_block(1, 1, 2700)), std::vector<double>(drums));
+  question.scene.duration = 4;
+  question.scene.law = Law::consistent;
+  question.scene.horizontal = make_synthetic({.seed = 1, .peak = 6, .duration = 4});
+  return question;
+}
+
 constexpr double rough = 2;        // nothing slips
 constexpr double slippery = 0.15;  // blocks slip while they rock
 
 const std::map<std::string, std::function<Question()>> questions = {
+    {"column-3", [] { return column(3); }},
+    {"column-4", [] { return column(4); }},
+    {"column-6", [] { return column(6); }},
+    {"column-8", [] { return column(8); }},
+    {"column-12", [] { return column(12); }},
     {"one-block", one_block},
     {"one-block-record", [] { return with_record(one_block()); }},
     {"one-block-record-vertical", [] { return with_vertical(one_block()); }},
