@@ -5,6 +5,14 @@
 #include "analytic/batch/record_walk.hpp"
 #include "analytic/steps/taylor_step.hpp"
 
+// Of functions whose parts are so small that calls count. Under a sanitizer they would only take long to
+// compile.
+#ifdef __SANITIZE_ADDRESS__
+#define ROCKSTACK_WITHOUT_CALLS
+#else
+#define ROCKSTACK_WITHOUT_CALLS [[gnu::flatten]]
+#endif
+
 namespace rockstack {
 
 /// Makes the steps of as many lanes as a pack holds, operation by operation as TaylorSteps, first_event() and
@@ -32,8 +40,7 @@ class StepKernel {
   void store(const Real& values, LaneRow& row) const { rockstack::store(values, row, lane_); }
   void store_truth(const Mask& mask, LaneRow& row) const { rockstack::store_truth<Real>(mask, row, lane_); }
 
-  /// Its parts are so small that calls count.
-  [[gnu::flatten]] void make_step() {
+  ROCKSTACK_WITHOUT_CALLS void make_step() {
     const Real busy = load(rows_.busy);
     if (!any(busy > Real(0))) return;
     const typename Chain::Directions directions = load_start();
