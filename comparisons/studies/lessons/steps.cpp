@@ -47,42 +47,42 @@ Table over_iterations(const Scene& scene) {
 }
 
 /// A block on its corner, let go: θ̈ = −p² sin(α − θ).
-struct Swing {
+struct FallingBlock {
   double rate2, slenderness;  ///< p², 1/s², and α, rad
   double acceleration(double angle) const { return -rate2 * std::sin(slenderness - angle); }
 };
 
 /// Angle and angular velocity.
-using SwingState = Eigen::Vector2d;
+using FallState = Eigen::Vector2d;
 
-SwingState euler_step(const Swing& swing, const SwingState& from, double dt) {
-  const double velocity = from[1] + dt * swing.acceleration(from[0]);
+FallState euler_step(const FallingBlock& falling, const FallState& from, double dt) {
+  const double velocity = from[1] + dt * falling.acceleration(from[0]);
   return {from[0] + dt * velocity, velocity};
 }
 
-SwingState fourth_order_step(const Swing& swing, const SwingState& from, double dt) {
-  const auto rate = [&](double share, const SwingState& slope) {
-    const SwingState at = from + share * dt * slope;
-    return SwingState{at[1], swing.acceleration(at[0])};
+FallState fourth_order_step(const FallingBlock& falling, const FallState& from, double dt) {
+  const auto rate = [&](double share, const FallState& slope) {
+    const FallState at = from + share * dt * slope;
+    return FallState{at[1], falling.acceleration(at[0])};
   };
-  const SwingState a = rate(0, {0, 0}), b = rate(0.5, a), c = rate(0.5, b), d = rate(1, c);
+  const FallState a = rate(0, {0, 0}), b = rate(0.5, a), c = rate(0.5, b), d = rate(1, c);
   return from + dt / 6 * (a + 2 * b + 2 * c + d);
 }
 
 /// When the block is down: the end of the step in which it lands, and the time within that step at which it
 /// does, s.
-std::pair<double, double> landing_by_steps(SwingState (*step)(const Swing&, const SwingState&, double),
-                                           const Swing& swing, double angle, double dt) {
-  SwingState state{angle, 0}, next = step(swing, state, dt);
+std::pair<double, double> landing_by_steps(FallState (*step)(const FallingBlock&, const FallState&, double),
+                                           const FallingBlock& falling, double angle, double dt) {
+  FallState state{angle, 0}, next = step(falling, state, dt);
   int done = 0;
   for (; next[0] > 0; ++done) {
     state = next;
-    next = step(swing, state, dt);
+    next = step(falling, state, dt);
   }
   double low = 0, high = dt;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
-    (step(swing, state, middle)[0] > 0 ? low : high) = middle;
+    (step(falling, state, middle)[0] > 0 ? low : high) = middle;
   }
   return {(done + 1) * dt, done * dt + high};
 }
@@ -92,8 +92,9 @@ std::pair<double, double> landing_by_steps(SwingState (*step)(const Swing&, cons
 Table by_steps(const Scene& scene) {
   const Block& block = scene.blocks.front();
   const double b = block.half_width, h = block.half_height, radius2 = b * b + h * h;
-  const Swing swing{block.mass * scene.gravity * std::sqrt(radius2) / (block.inertia + block.mass * radius2),
-                    std::atan2(b, h)};
+  const FallingBlock falling{
+      block.mass * scene.gravity * std::sqrt(radius2) / (block.inertia + block.mass * radius2),
+      std::atan2(b, h)};
   const double exact = first_event(exact_answer(scene), EventKind::impact)->time;
   Table table{{"step (s)", "semi-implicit Euler, end of step (s)", "Runge–Kutta of order 4, end of step (s)",
                "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"}};
@@ -101,8 +102,8 @@ Table by_steps(const Scene& scene) {
   constexpr double coarsest = 0.04, finest = 0.0025;  // s
   for (double dt = coarsest; dt >= finest; dt /= 2) {
     const double angle = scene.initial.angles.front();
-    const auto [euler_end, euler_within] = landing_by_steps(euler_step, swing, angle, dt);
-    const auto [fourth_end, fourth_within] = landing_by_steps(fourth_order_step, swing, angle, dt);
+    const auto [euler_end, euler_within] = landing_by_steps(euler_step, falling, angle, dt);
+    const auto [fourth_end, fourth_within] = landing_by_steps(fourth_order_step, falling, angle, dt);
     last = {euler_end - exact, fourth_end - exact, euler_within - exact, fourth_within - exact};
     if (first.empty()) first = last;
     table.rows.push_back({cell(dt)});

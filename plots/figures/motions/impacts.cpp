@@ -162,8 +162,8 @@ void add_differences(Sheet& sheet, const std::vector<Verdicts>& all, double last
   add_series(sheet, panel, series, all.size() > most_series);
 }
 
-constexpr double counted = 1e-3;      // of the largest loss
-constexpr double most_percent = 100;  // where marks beyond stand on the edge
+constexpr double counted_share = 1e-3;  // of the largest loss
+constexpr double most_percent = 100;    // where marks beyond stand on the edge
 
 /// The impacts of an engine that lose a counted part of all.
 struct Losses {
@@ -230,7 +230,8 @@ Drawing impact_energy(const SceneSubject& subject) {
   const auto count = [](const Losses& one) { return one.impacts.size(); };
   const auto most = std::ranges::max_element(all, {}, count) - all.begin();
   for (Losses& one : all)
-    std::erase_if(one.impacts, [&](const ImpactLoss& loss) { return !(loss.exact > counted * largest); });
+    std::erase_if(one.impacts,
+                  [&](const ImpactLoss& loss) { return !(loss.exact > counted_share * largest); });
   Curve exact;  // of the run that has the most, by number
   for (const ImpactLoss& loss : all[static_cast<std::size_t>(most)].impacts)
     exact.add(loss.number, loss.exact);
@@ -255,7 +256,7 @@ Drawing impact_energy(const SceneSubject& subject) {
   constexpr double height = 200;
   sheet.panel(height, 0,
               numbers(last) + without_horizontal_labels +
-                  logarithmic_range("y", counted * largest / 1.5, largest * 2, height) +
+                  logarithmic_range("y", counted_share * largest / 1.5, largest * 2, height) +
                   "set ylabel 'exact loss (J)'\n",
               {"$exact using 1:2 with impulses lw 3 lc rgb '#9A9A9A' notitle",
                "$exact using 1:2 with points pt 7 ps 1.1*mark lc rgb '#000000' notitle"});

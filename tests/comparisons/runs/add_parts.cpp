@@ -14,7 +14,7 @@
 namespace rockstack {
 namespace {
 
-constexpr double sampling = 1e-3;  ///< s
+constexpr double sample_interval = 1e-3;  ///< s
 
 Scene let_go() {
   Scene scene;
@@ -27,7 +27,7 @@ Scene let_go() {
 CandidateMotion candidate_of(const History& history, const ContactRecord& contacts) {
   BodyRecord bodies;
   bodies.contacts = contacts;
-  return {history, sampling, {}, false, bodies, {0.7}};
+  return {history, sample_interval, {}, false, bodies, {0.7}};
 }
 
 ContactRecord contacts_of(const CornerSpring& spring, double points) {
@@ -41,7 +41,7 @@ ContactRecord contacts_of(const CornerSpring& spring, double points) {
 // An engine without a step: the exact motion on springs, at each corner two points of half the stiffness.
 TEST(AddParts, AnExactAnswerOnSpringsHasNoStep) {
   const Scene scene = let_go();
-  const auto times = regular_times(sampling, scene.duration);
+  const auto times = regular_times(sample_interval, scene.duration);
   const CornerSpring spring{2e6, 2e4};
   const History exact = solve(scene, {.sample_times = times});
   const History soft = solve(with_springs(scene, {0.7}, spring), {.sample_times = times});
@@ -60,7 +60,7 @@ TEST(AddParts, AnExactAnswerOnSpringsHasNoStep) {
 // Shares add up to one and parts to the whole, whatever the answer.
 TEST(AddParts, PartsAreTheWhole) {
   const Scene scene = let_go();
-  const auto times = regular_times(sampling, scene.duration);
+  const auto times = regular_times(sample_interval, scene.duration);
   const History exact = solve(scene, {.sample_times = times});
   History other = exact;
   for (std::size_t i = 0; i < other.angles.size(); ++i) other.angles[i] += 1e-3 * std::sin(20 * times[i]);
@@ -81,7 +81,7 @@ TEST(AddParts, PartsAreTheWhole) {
 // ratio is less off, and rigid contacts have no softness.
 TEST(AddParts, StiffContactsComeToRigidOnes) {
   const Scene scene = let_go();
-  const auto times = regular_times(sampling, scene.duration);
+  const auto times = regular_times(sample_interval, scene.duration);
   const History exact = solve(scene, {.sample_times = times});
   const auto softness = [&](const ContactRecord& contacts) {
     RunMetrics row;
@@ -109,7 +109,7 @@ TEST(AddParts, ExtrapolationComesNearerThanSofterSprings) {
   Scene scene = let_go();
   scene.blocks.push_back(make_block(0.4, 1, 2500));
   scene.initial = {{0.1, 0.1}, {0, 0}};
-  const auto times = regular_times(sampling, scene.duration);
+  const auto times = regular_times(sample_interval, scene.duration);
   const std::vector<double> friction{10, 10};
   const CornerSpring spring{1e8, 2e6};
   const History wanted = solve(with_springs(scene, friction, spring), {.sample_times = times});

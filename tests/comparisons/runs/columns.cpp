@@ -72,8 +72,8 @@ TEST(Columns, EveryOneIsSolvedUnderBothLawsAndNoEventAddsEnergy) {
         Scene scene = column(drums, tilt, law);
         scene.duration = 1.5;
         if (shaken) shake(scene, amplitude, period);
-        SCOPED_TRACE(testing::Message() << drums << " drums, tilt " << tilt << ", pulse "
-                                        << (shaken ? amplitude : 0) << ", period " << period);
+        SCOPED_TRACE(::testing::Message() << drums << " drums, tilt " << tilt << ", pulse "
+                                          << (shaken ? amplitude : 0) << ", period " << period);
         History history;
         ASSERT_NO_THROW(history = solve(scene));
         expect_energy_never_rises(scene, history);
@@ -140,7 +140,7 @@ TEST_P(ColumnsInEngine, EightShakenDrumsAreNearerToLawConsistent) {
 
 /// But Simbody: it follows each contact's motion, and takes more than a minute for a second of eight drums.
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ColumnsInEngine);
-INSTANTIATE_TEST_SUITE_P(Engines, ColumnsInEngine, testing::ValuesIn(native_names({"simbody"})),
+INSTANTIATE_TEST_SUITE_P(Engines, ColumnsInEngine, ::testing::ValuesIn(native_names({"simbody"})),
                          engine_test_name);
 
 }  // namespace

@@ -10,24 +10,16 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/job.hpp"
+#include "tests/comparisons/block_text.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 namespace {
 
-constexpr const char* block = R"(duration = 0.2
-[[blocks]]
-width = 0.5
-height = 2
-density = 2500
-[initial]
-angles = [0.05]
-)";
-
 TEST(Compare, AFailingRunCostsItsOwnRow) {
   const TemporaryFolder folder;
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {}));
   suite.repeats = 1;
   suite.limits.time = 5;
   for (EngineSeries& series : suite.series) series.steps = {1e-2};
@@ -54,14 +46,14 @@ TEST(Compare, AFailingRunCostsItsOwnRow) {
 
 TEST(Compare, WhatATestHasMeasuredIsARowOfItsOwn) {
   const TemporaryFolder folder;
-  const NamedScene exact = read_named_scene(folder.write("block.toml", block), {});
+  const NamedScene exact = read_named_scene(folder.write("block.toml", block_text), {});
   CsvWriter csv;
   csv.line("time", "angle");
   const History motion = solve(exact.scene, {.sample_times = regular_times(1e-2, 0.2)});
   for (std::size_t i = 0; i < motion.size(); ++i) csv.line(motion.times[i], motion.angles[i] + 1e-3);
   folder.write("test.csv", csv.text());
   const std::string table = "[measured]\nfile = \"test.csv\"\ncolumn = \"angle\"\n";
-  Suite suite = suite_for(read_named_scene(folder.write("tested.toml", block + table), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("tested.toml", block_text + table), {}));
   suite.series.clear();
   suite.repeats = 1;
   const auto rows = compare({suite}, folder.path(), *make_threads(1), {}).rows;
@@ -79,7 +71,7 @@ TEST(Compare, WhatATestHasMeasuredIsARowOfItsOwn) {
 
 TEST(Compare, EnginesRunWithoutARatioOfRestitutionAndTheLawSaysSo) {
   const TemporaryFolder folder;
-  const std::string ratio = std::string("restitution = [0.75]\n") + block;
+  const std::string ratio = std::string("restitution = [0.75]\n") + block_text;
   Suite suite = suite_for(read_named_scene(folder.write("ratio.toml", ratio), {}));
   suite.repeats = 1;
   suite.series.resize(1);
@@ -186,7 +178,7 @@ velocities = [1, -1, 1]
 
 TEST(Compare, ASceneWithoutAMotionCostsItsOwnRows) {
   const TemporaryFolder folder;
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {}));
   suite.scenes.push_back(read_named_scene(folder.write("far.toml", far_apart), {}));
   suite.repeats = 1;
   suite.series.resize(std::min<std::size_t>(suite.series.size(), 1));
@@ -221,7 +213,7 @@ TEST(Compare, AMotionThatIsGivenUpIsKeptUpToThere) {
 TEST(Compare, ResultsNotAskedForAreNotComputed) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {}));
   suite.repeats = 1;
   suite.series.resize(1);
   suite.series[0].steps = {1e-2};
@@ -238,13 +230,13 @@ TEST(Compare, ResultsNotAskedForAreNotComputed) {
 
 TEST(Compare, ScenesThatWouldShareAFolderAreRefused) {
   const TemporaryFolder folder;
-  const Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  const Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {}));
   EXPECT_THROW(compare({suite, suite}, folder.path(), *make_threads(1), {}), InputError);
 }
 
 /// A suite of one block, and of the first engine where there is one.
 Suite small_suite(const TemporaryFolder& folder) {
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {}));
   suite.repeats = 1;
   suite.replicates.runs = 1;
   if (suite.series.size() > 2) suite.series.resize(2);
@@ -306,7 +298,7 @@ TEST(Compare, NamesOfRunsFitIntoAnyFileSystem) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
   const std::string stem(249, 's');
-  const NamedScene scene = read_named_scene(folder.write(stem + ".toml", block), {});
+  const NamedScene scene = read_named_scene(folder.write(stem + ".toml", block_text), {});
   EXPECT_LE(scene.name.size(), 128U);
   Suite suite;
   suite.scenes = {scene};
@@ -317,7 +309,7 @@ TEST(Compare, NamesOfRunsFitIntoAnyFileSystem) {
 
 TEST(Compare, ScenesTooLongToBeSampledAreNamedByThePlaceOfTheirDuration) {
   const TemporaryFolder folder;
-  const auto file = folder.write("block.toml", block);
+  const auto file = folder.write("block.toml", block_text);
   try {
     require_comparable({suite_for(read_named_scene(file, {"duration=2e4"}))});
     FAIL() << "no error";
@@ -331,7 +323,7 @@ TEST(Compare, ScenesTooLongToBeSampledAreNamedByThePlaceOfTheirDuration) {
 // As where a worker calls itself by an engine's name.
 TEST(Compare, AnEngineIsInAComparisonOnce) {
   const TemporaryFolder folder;
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {}));
   const EngineSeries series = make_series(native_engines().front(), "tuned", {1e-2});
   suite.series = {series, make_series(native_engines().front(), "default", {1e-2})};
   EXPECT_NO_THROW(require_comparable({suite}));

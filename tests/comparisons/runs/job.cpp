@@ -18,7 +18,7 @@ density = 2500
 angles = [0.05]
 )";
 
-double bytes_in(const std::filesystem::path& folder) {
+double size_of(const std::filesystem::path& folder) {
   double bytes = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.path().extension() == ".csv") bytes += static_cast<double>(entry.file_size());
@@ -33,7 +33,7 @@ TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
   suite.repeats = 1;
   suite.replicates.runs = 1;
   const RunMetrics all = compare({suite}, folder.path() / "all", *make_threads(1), {}).rows.back();
-  const double bytes = bytes_in(folder.path() / "all");
+  const double bytes = size_of(folder.path() / "all");
   // How long numbers are depends on the motion.
   EXPECT_GT(result_bytes({suite}), 0.7 * bytes);
   EXPECT_LT(result_bytes({suite}), 1.5 * bytes);
@@ -47,7 +47,7 @@ TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
   suite.history_interval = 0.02;
   const RunMetrics thin = compare({suite}, folder.path() / "thin", *make_threads(1), {}).rows.back();
   EXPECT_EQ(thin.rms_angle_difference, all.rms_angle_difference);
-  EXPECT_LT(bytes_in(folder.path() / "thin"), 0.1 * bytes);
+  EXPECT_LT(size_of(folder.path() / "thin"), 0.1 * bytes);
   const auto history = [&](const char* results) {
     return folder.path() / results / "runs" / all.run / "history.csv";
   };

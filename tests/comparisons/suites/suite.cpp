@@ -7,25 +7,17 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
+#include "tests/comparisons/block_text.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 namespace {
 
-constexpr const char* block = R"(duration = 0.2
-[[blocks]]
-width = 0.5
-height = 2
-density = 2500
-[initial]
-angles = [0.05]
-)";
-
 /// The error of a suite of that text beside "block.toml", without the folder; empty where there is none.
-std::string error_of(const std::string& text) {
+std::string suite_error(const std::string& text) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   try {
     read_suite(folder.write("suite.toml", text), {});
   } catch (const InputError& error) {
@@ -60,31 +52,31 @@ TEST(Suites, ShippedOnesAreReadable) {
 
 TEST(Suites, ErrorsNameLineKeyAndWhatIsAllowed) {
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
-  EXPECT_EQ(error_of(head), "");
+  EXPECT_EQ(suite_error(head), "");
   EXPECT_TRUE(
-      error_of(head + "tolerance = 0\n").starts_with("suite.toml:3: tolerance = 0: must be a number > 0"));
-  EXPECT_TRUE(
-      error_of(head + "repeats = 1.5\n").starts_with("suite.toml:3: repeats = 1.5: must be a whole number"));
-  EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("suite.toml:3: colour"));
-  EXPECT_TRUE(error_of(head + "[[engines]]\nname = \"newton\"\n")
+      suite_error(head + "tolerance = 0\n").starts_with("suite.toml:3: tolerance = 0: must be a number > 0"));
+  EXPECT_TRUE(suite_error(head + "repeats = 1.5\n")
+                  .starts_with("suite.toml:3: repeats = 1.5: must be a whole number"));
+  EXPECT_TRUE(suite_error(head + "colour = 1\n").starts_with("suite.toml:3: colour"));
+  EXPECT_TRUE(suite_error(head + "[[engines]]\nname = \"newton\"\n")
                   .starts_with("suite.toml:4: engine = newton: must be one of"));
-  EXPECT_TRUE(error_of(head + "[draws]\nruns = 1\nsteps = 0.1\n")
+  EXPECT_TRUE(suite_error(head + "[draws]\nruns = 1\nsteps = 0.1\n")
                   .starts_with("suite.toml:5: draws.steps = 0.1: must be left out where `runs` is 1"));
-  EXPECT_EQ(error_of(head + "set = [\"gravity=9\", \"blocks.1.colour=1\"]\n").substr(0, 24),
+  EXPECT_EQ(suite_error(head + "set = [\"gravity=9\", \"blocks.1.colour=1\"]\n").substr(0, 24),
             "suite.toml:3: blocks.1.c");
-  EXPECT_EQ(error_of(head + "vary = { gravity = [-1] }\n").substr(0, 26), "suite.toml:3: gravity = -1");
-  EXPECT_TRUE(error_of(head + "time_limit = 1\n")
+  EXPECT_EQ(suite_error(head + "vary = { gravity = [-1] }\n").substr(0, 26), "suite.toml:3: gravity = -1");
+  EXPECT_TRUE(suite_error(head + "time_limit = 1\n")
                   .starts_with("suite.toml:3: time_limit = 1: must be left out where"));
-  EXPECT_TRUE(error_of(head + "results = []\n")
+  EXPECT_TRUE(suite_error(head + "results = []\n")
                   .starts_with("suite.toml:3: results = an array of 0: must be an array of at least"));
-  EXPECT_TRUE(error_of(head + "results = [\"angles\", \"angles\"]\n")
+  EXPECT_TRUE(suite_error(head + "results = [\"angles\", \"angles\"]\n")
                   .starts_with("suite.toml:3: results.2 = \"angles\": must be named once"));
-  EXPECT_TRUE(error_of("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
+  EXPECT_TRUE(suite_error("title = \"a\"\nscenes = []\n").starts_with("suite.toml:2: scenes"));
 }
 
 TEST(Suites, VariantsOfFrictionAreOfLawUnilateral) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
   const Suite suite =
       read_suite(folder.write("suite.toml", head + "variants = [\"friction=0\", \"friction=0.5\"]\n"), {});
@@ -95,22 +87,22 @@ TEST(Suites, VariantsOfFrictionAreOfLawUnilateral) {
   EXPECT_EQ(friction_of(changed), std::vector<double>{0.5});
   for (const char* wrong : {"friction=", "friction=-1", "friction=1e4", "friction=1x", "friction=nan"})
     EXPECT_TRUE(
-        error_of(head + "variants = [\"" + wrong + "\"]\n")
+        suite_error(head + "variants = [\"" + wrong + "\"]\n")
             .starts_with(std::string("suite.toml:3: variants.1 = \"") + wrong + "\": must be friction="))
         << wrong;
-  EXPECT_NE(error_of(head + "variants = [\"friction=0.5\", \"friction=0.50\"]\n"), "");
+  EXPECT_NE(suite_error(head + "variants = [\"friction=0.5\", \"friction=0.50\"]\n"), "");
 }
 
 TEST(Suites, OverridesReachEveryScene) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const auto file = folder.write("suite.toml", "title = \"a\"\nscenes = [\"block.toml\"]\n");
   EXPECT_EQ(read_suite(file, {"gravity=1.62"}).scenes.at(0).scene.gravity, 1.62);
 }
 
 TEST(Suites, ScenesVaryInEveryCombination) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[vary]\n";
   const auto file =
       folder.write("suite.toml", head + "gravity = [1, 9.81]\n\"contact.friction\" = [0, 0.5, 1000]\n");
@@ -122,15 +114,15 @@ TEST(Suites, ScenesVaryInEveryCombination) {
   EXPECT_EQ(scenes[4].scene.gravity, 9.81);
   EXPECT_EQ(scenes[4].scene.friction, std::vector<double>{0.5});
   EXPECT_TRUE(
-      error_of(head + "gravity = 1\n").starts_with("suite.toml:4: vary.gravity = 1: must be an array"));
-  EXPECT_TRUE(error_of(head + "mood = [1]\n").starts_with("suite.toml:4: mood: unknown key"));
+      suite_error(head + "gravity = 1\n").starts_with("suite.toml:4: vary.gravity = 1: must be an array"));
+  EXPECT_TRUE(suite_error(head + "mood = [1]\n").starts_with("suite.toml:4: mood: unknown key"));
 }
 
 TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const WorkerEngine& engine = native_engines().front();
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\nname = \"" + engine.name +
                            "\"\nsettings = [\"tuned\"]\n[engines.parameters]\n";
   const std::string name = engine.settings.front().name;
@@ -140,15 +132,15 @@ TEST(Suites, ParametersAreChangedOneSeriesEachCombination) {
   expected[name] = 3;
   EXPECT_EQ(suite.series[1].parameters, expected);
   EXPECT_EQ(suite.series[1].settings, "tuned+" + name + "=3");
-  EXPECT_TRUE(error_of(head + "wishes = 1\n")
+  EXPECT_TRUE(suite_error(head + "wishes = 1\n")
                   .starts_with("suite.toml:7: " + engine.name + ": wishes: no such parameter"));
-  EXPECT_TRUE(error_of(head + name + " = -1\n")
+  EXPECT_TRUE(suite_error(head + name + " = -1\n")
                   .starts_with("suite.toml:7: " + engine.name + ": " + name + " = -1: must be"));
 }
 
 TEST(Suites, PerturbationsAreRead) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
   EXPECT_EQ(read_suite(folder.write("suite.toml", head), {}).perturbations.runs, 0);
   const auto file = folder.write("suite.toml", head + "[perturbations]\nruns = 50\nsize = 1e-4\nseed = 7\n");
@@ -156,26 +148,26 @@ TEST(Suites, PerturbationsAreRead) {
   EXPECT_EQ(around.runs, 50);
   EXPECT_EQ(around.size, 1e-4);
   EXPECT_EQ(around.seed, 7U);
-  EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 1\n")
+  EXPECT_TRUE(suite_error(head + "[perturbations]\nruns = 1\n")
                   .starts_with("suite.toml:4: perturbations.runs = 1: must be a whole number from 2"));
-  EXPECT_TRUE(error_of(head + "[perturbations]\nruns = 3\nsize = 0.5\n")
+  EXPECT_TRUE(suite_error(head + "[perturbations]\nruns = 3\nsize = 0.5\n")
                   .starts_with("suite.toml:5: perturbations.size = 0.5: must be"));
 }
 
 TEST(Suites, ResultsThatAreAskedForAreRead) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
   const Wanted all = read_suite(folder.write("suite.toml", head), {}).wanted;
   EXPECT_TRUE(all.angles && all.impacts && all.patterns && all.bodies && all.histories);
   const Wanted some = read_suite(folder.write("suite.toml", head + "results = [\"impacts\"]\n"), {}).wanted;
   EXPECT_TRUE(some.impacts && !some.angles && !some.patterns && !some.bodies && !some.histories);
-  EXPECT_TRUE(error_of(head + "results = [\"looks\"]\n").starts_with("suite.toml:3: results"));
+  EXPECT_TRUE(suite_error(head + "results = [\"looks\"]\n").starts_with("suite.toml:3: results"));
 }
 
 TEST(Suites, ChangesToScenesYieldToThoseOfTheCommandLine) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const auto file = folder.write(
       "suite.toml", "title = \"a\"\nscenes = [\"block.toml\"]\nset = [\"gravity=3\", \"duration=7\"]\n");
   const Scene scene = read_suite(file, {"gravity=1.62"}).scenes.at(0).scene;
@@ -185,23 +177,24 @@ TEST(Suites, ChangesToScenesYieldToThoseOfTheCommandLine) {
 
 TEST(Suites, LimitsAreRead) {
   const TemporaryFolder folder;
-  folder.write("block.toml", block);
+  folder.write("block.toml", block_text);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
   const std::string engine = "[[engines]]\nworker = \"" FAULTY_WORKER "\"\n";
   const Suite suite =
       read_suite(folder.write("suite.toml", head + "time_limit = 7.5\nmemory_limit = 512\n" + engine), {});
   EXPECT_EQ(suite.limits.time, 7.5);
   EXPECT_EQ(suite.limits.memory, std::uint64_t{512} << 20);
-  EXPECT_TRUE(error_of(head + "memory_limit = 1\n").starts_with("suite.toml:3: memory_limit = 1: must be"));
+  EXPECT_TRUE(
+      suite_error(head + "memory_limit = 1\n").starts_with("suite.toml:3: memory_limit = 1: must be"));
 }
 
 TEST(Suites, ARecordTakesThePlaceOfMotionsBySamplesAtTheirPeak) {
   const TemporaryFolder folder;
   const std::string ground = "[ground.horizontal]\n";
-  folder.write("still.toml", block);
-  folder.write("pulse.toml", block + ground + "pulse = \"sine\"\namplitude = 5\nperiod = 0.1\n");
-  folder.write("record.toml", block + ground + "samples = [0, -6, 0]\ninterval = 0.1\n");
-  folder.write("synthetic.toml", block + ground + "synthetic = 1\npeak = 4\nduration = 2\n");
+  folder.write("still.toml", block_text);
+  folder.write("pulse.toml", block_text + ground + "pulse = \"sine\"\namplitude = 5\nperiod = 0.1\n");
+  folder.write("record.toml", block_text + ground + "samples = [0, -6, 0]\ninterval = 0.1\n");
+  folder.write("synthetic.toml", block_text + ground + "synthetic = 1\npeak = 4\nduration = 2\n");
   const auto record = folder.write("new.csv", "# units: m/s2\n# dt = 0.02\n1\n-2\n0.5\n");
   const auto suite_of = [&](const std::string& scenes) {
     return read_suite(folder.write("suite.toml", "title = \"s\"\nscenes = [" + scenes + "]\n"), {});

@@ -38,7 +38,7 @@ History motion(double dt, double rate, double speed) {
   return history;
 }
 
-Scene block() {
+Scene wide_block() {
   Scene scene;
   scene.law = Law::unilateral;
   scene.blocks = {make_block(2, 1, 2500)};
@@ -52,7 +52,7 @@ TEST(Canon, DeviationIsOverTheFastestMotionOfItsKind) {
   History engine = exact;
   engine.angles[2] += 2;
   engine.slips[1] -= 32;
-  const std::vector<Deviation> off = deviations(block(), exact, engine);
+  const std::vector<Deviation> off = deviations(wide_block(), exact, engine);
   ASSERT_EQ(off.size(), 3u);
   EXPECT_DOUBLE_EQ(off[0].time, 2.0 / 4);
   EXPECT_DOUBLE_EQ(off[0].amount(), 2);
@@ -68,7 +68,7 @@ TEST(Canon, RestIsMeasuredByWhatGravityGivesInAMillisecond) {
   History engine = exact;
   engine.angles[2] = 1;
   engine.slips[2] = 1;
-  const std::vector<Deviation> off = deviations(block(), exact, engine);
+  const std::vector<Deviation> off = deviations(wide_block(), exact, engine);
   EXPECT_DOUBLE_EQ(off[0].time, 1 / (9.81 * 1e-3 / 2));
   EXPECT_DOUBLE_EQ(off[1].time, 1 / (9.81 * 1e-3));
 }
@@ -79,11 +79,11 @@ TEST(Canon, BlocksThatSinkOrBounceAreOff) {
   for (const double gap : {-0.25, 0.25}) {
     History engine = exact;
     engine.gaps[2] = gap;
-    EXPECT_DOUBLE_EQ(deviations(block(), exact, engine)[2].amount(), 0.25);
+    EXPECT_DOUBLE_EQ(deviations(wide_block(), exact, engine)[2].amount(), 0.25);
     engine.gaps[2] = std::copysign(1e-3, gap);
-    EXPECT_DOUBLE_EQ(deviations(block(), exact, engine)[2].time, canon_resolution);
+    EXPECT_DOUBLE_EQ(deviations(wide_block(), exact, engine)[2].time, canon_resolution);
     engine.gaps[2] = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(deviations(block(), exact, engine)[2].time, 0);
+    EXPECT_EQ(deviations(wide_block(), exact, engine)[2].time, 0);
   }
 }
 

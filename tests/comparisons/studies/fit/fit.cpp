@@ -50,7 +50,7 @@ std::vector<double> every(double interval, double end) {
   return regular_times(interval, end);
 }
 
-std::string csv_of(const std::vector<double>& times, const std::vector<double>& values) {
+std::string measured_csv(const std::vector<double>& times, const std::vector<double>& values) {
   CsvWriter csv;
   csv.line("time", "angle");
   for (std::size_t i = 0; i < times.size(); ++i) csv.line(times[i], values[i]);
@@ -60,7 +60,7 @@ std::string csv_of(const std::vector<double>& times, const std::vector<double>& 
 std::string closed_form() {
   std::vector<double> values;
   for (const double t : every(0.02, 3)) values.push_back(housner(t));
-  return csv_of(every(0.02, 3), values);
+  return measured_csv(every(0.02, 3), values);
 }
 
 /// A scene in a file beside its readings.
@@ -129,7 +129,7 @@ TEST(Fit, IntervalsHoldTheTruthInNinetyFiveOfAHundredTests) {
       values.push_back(housner(times[k]) +
                        draw({Distribution::Kind::normal, 0, sigma},
                             {1, static_cast<std::uint64_t>(i), static_cast<std::uint32_t>(k)}));
-    const Tested test(std::string(measured_block) + "uncertainty = 0.002\n", csv_of(times, values));
+    const Tested test(std::string(measured_block) + "uncertainty = 0.002\n", measured_csv(times, values));
     const Fit found = fit(test.document, test.measured, unknown);
     const double truth[] = {ratio, 2 * half_width};
     for (std::size_t k = 0; k < 2; ++k) hits[k] += found.parameters[k].holds(truth[k]) ? 1 : 0;
@@ -155,7 +155,7 @@ int held(const std::string& scene, const std::vector<double>& times, const std::
     for (std::size_t k = 0; k < times.size(); ++k)
       values.push_back(motion[k] + draw({Distribution::Kind::normal, 0, sigma},
                                         {2, static_cast<std::uint64_t>(i), static_cast<std::uint32_t>(k)}));
-    const Tested test(scene, csv_of(times, values));
+    const Tested test(scene, measured_csv(times, values));
     hits += fit(test.document, test.measured, {parameter}).parameters[0].holds(truth) ? 1 : 0;
   }
   return hits;
@@ -246,7 +246,7 @@ column = "angle"
     for (std::size_t k = 0; k < motion.size(); ++k)
       values.push_back(motion.angles[k] + noise * draw({Distribution::Kind::normal, 0, 1},
                                                        {3, 0, static_cast<std::uint32_t>(k)}));
-    const Tested test(rocking, csv_of(motion.times, values));
+    const Tested test(rocking, measured_csv(motion.times, values));
     const Fit found = fit(test.document, test.measured, {friction});
     const FittedParameter& one = found.parameters[0];
     EXPECT_TRUE(one.holds(0.28)) << one.lower << ' ' << one.upper;
@@ -261,7 +261,7 @@ TEST(Fit, SaysWhatTheModelLeavesOut) {
   const Tested test(std::string(measured_block) + "uncertainty = 0.1\nunit = \"mrad\"\n", [] {
     std::vector<double> values;
     for (const double t : every(0.02, 3)) values.push_back(1e3 * housner(t));
-    return csv_of(every(0.02, 3), values);
+    return measured_csv(every(0.02, 3), values);
   }());
   std::string scene = measured_block;
   scene.replace(scene.find("[0.9]"), 5, "[0.8]");

@@ -166,7 +166,7 @@ TEST_P(ImpactLawsInEngine, ASquatTopThatFallsBackLiftsTheBase) {
 }
 
 /// The error of a study of that text, without the folder; empty where there is none.
-std::string error_of(const std::string& text) {
+std::string study_error(const std::string& text) {
   const TemporaryFolder folder;
   try {
     read_impact_law_study(folder.write("study.toml", text));
@@ -178,15 +178,15 @@ std::string error_of(const std::string& text) {
 
 TEST(ImpactLaws, ErrorsOfAStudyNameLineKeyAndWhatIsAllowed) {
   const std::string head = "study = \"impact-laws\"\ntitle = \"a\"\n";
-  EXPECT_EQ(error_of(head), "");
-  EXPECT_EQ(error_of(head + "samples = 0\n"),
+  EXPECT_EQ(study_error(head), "");
+  EXPECT_EQ(study_error(head + "samples = 0\n"),
             "study.toml:3: samples = 0: must be a whole number from 1 to 1000000");
-  EXPECT_EQ(error_of(head + "speed = [2, 1]\n"),
+  EXPECT_EQ(study_error(head + "speed = [2, 1]\n"),
             "study.toml:3: speed = an array of 2: must be two numbers > 0, the smaller one first");
-  EXPECT_EQ(error_of(head + "blocks = [4]\n"),
+  EXPECT_EQ(study_error(head + "blocks = [4]\n"),
             "study.toml:3: blocks = an array of 1: must be an array of 2 and 3");
-  EXPECT_TRUE(error_of(head + "colour = 1\n").starts_with("study.toml:3: colour"));
-  EXPECT_TRUE(error_of("study = \"other\"\n").starts_with("study.toml:1: study = \"other\": must be"));
+  EXPECT_TRUE(study_error(head + "colour = 1\n").starts_with("study.toml:3: colour"));
+  EXPECT_TRUE(study_error("study = \"other\"\n").starts_with("study.toml:1: study = \"other\": must be"));
 }
 
 /// Of engines with rigid contacts: an impact of a soft one takes its own time and not a step.

@@ -21,7 +21,7 @@ std::string text_of_lesson(const std::string& name) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t times = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++times;
   return times;
@@ -51,14 +51,14 @@ TEST(Course, EachPredictionStandsOnceInItsTextAndOnceInItsSlides) {
     const CourseEntry entry = read_course(lesson.name);
     const std::string text = text_of_lesson(lesson.name);
     const std::string slides = text_of_lesson("slides/" + lesson.name);
-    EXPECT_EQ(count(text, "{{predict:"), entry.predictions.size()) << lesson.name;
-    EXPECT_EQ(count(slides, "{{predict:"), entry.predictions.size()) << lesson.name;
+    EXPECT_EQ(occurrences(text, "{{predict:"), entry.predictions.size()) << lesson.name;
+    EXPECT_EQ(occurrences(slides, "{{predict:"), entry.predictions.size()) << lesson.name;
     EXPECT_GE(entry.predictions.size(), 1U) << lesson.name;
-    EXPECT_EQ(count(slides, "<section>"), count(slides, "<h2>") + entry.predictions.size())
+    EXPECT_EQ(occurrences(slides, "<section>"), occurrences(slides, "<h2>") + entry.predictions.size())
         << lesson.name << ": a slide has no heading of its own";
     for (const Problem& problem : entry.predictions) {
       for (const std::string& one : {text, slides})
-        EXPECT_EQ(count(one, "{{predict:" + problem.name + "}}"), 1U) << lesson.name << problem.name;
+        EXPECT_EQ(occurrences(one, "{{predict:" + problem.name + "}}"), 1U) << lesson.name << problem.name;
       EXPECT_EQ(problem.parts.size(), 1U);
     }
   }

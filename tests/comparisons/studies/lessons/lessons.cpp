@@ -16,7 +16,7 @@
 namespace rockstack {
 namespace {
 
-constexpr double rounding = 1e-12;  // of a few dozen operations on numbers of like size
+constexpr double roundings = 1e-12;  // of a few dozen operations on numbers of like size
 
 TEST(Landing, PutRightIsTheProjectionThatTheSolverMakes) {
   const Scene scene = free_rocking(2);
@@ -29,8 +29,8 @@ TEST(Landing, PutRightIsTheProjectionThatTheSolverMakes) {
   after[0] = after[1] = Contact::left;
   const Vector<double> rates = absolute(velocities_after(model, impact, after).relative);
   const Landing landing = land(scene, {});
-  EXPECT_NEAR(landing.base, -rates[0], rounding);
-  EXPECT_NEAR(landing.top, -rates[1], rounding);
+  EXPECT_NEAR(landing.base, -rates[0], roundings);
+  EXPECT_NEAR(landing.top, -rates[1], roundings);
 }
 
 TEST(Landing, AsPrintedItGainsEnergyAndPutRightItLosesSome) {
@@ -53,7 +53,7 @@ TEST(Landing, TheWeldedBlockRocksAsTheClosedStackDoes) {
   stack.angles[0] = block.angles[0] = 0.1;
   const Point<double> still = Point<double>::Zero();
   EXPECT_NEAR(accelerations(make_model<double>(scene), stack, still)[0],
-              accelerations(make_model<double>(one), block, still)[0], rounding);
+              accelerations(make_model<double>(one), block, still)[0], roundings);
 }
 
 TEST(ImpactEnergies, BeforeIsAfterPlusThatOfTheJump) {
@@ -62,7 +62,7 @@ TEST(ImpactEnergies, BeforeIsAfterPlusThatOfTheJump) {
   for (const Event& event : solve(scene).events) {
     if (event.kind != EventKind::impact) continue;
     const ImpactEnergies energies = impact_energies(scene, event);
-    EXPECT_NEAR(energies.before, energies.after + energies.jump, rounding * energies.before) << event.time;
+    EXPECT_NEAR(energies.before, energies.after + energies.jump, roundings * energies.before) << event.time;
     ++impacts;
   }
   EXPECT_GT(impacts, 10);
