@@ -68,7 +68,7 @@ const char* explain(const Scene& scene, const History& found, const QuadHistory&
 
 }  // namespace
 
-Scene seeded_scene(std::uint64_t seed, Equations equations) {
+Scene drawn_scene(std::uint64_t seed, Equations equations) {
   Draw draw(seed);
   const int size = 1 + draw.below(4);
   const int motion = draw.below(3);
@@ -79,7 +79,7 @@ Scene seeded_scene(std::uint64_t seed, Equations equations) {
 }
 
 Scene rubbing_scene_of(std::uint64_t seed) {
-  Scene scene = seeded_scene(seed, Equations::nonlinear);
+  Scene scene = drawn_scene(seed, Equations::nonlinear);
   scene.law = Law::unilateral;
   Draw draw(seed + 50000);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) scene.friction.push_back(draw.between(0.1, 0.9));

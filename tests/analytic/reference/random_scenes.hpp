@@ -8,7 +8,7 @@
 namespace rockstack::testing {
 
 /// The scene of a seed: one to four random blocks that move, free, under a record or under a pulse.
-Scene seeded_scene(std::uint64_t seed, Equations equations = Equations::nonlinear);
+Scene drawn_scene(std::uint64_t seed, Equations equations = Equations::nonlinear);
 
 /// The same under law unilateral, with friction of 0.1 … 0.9 at each interface.
 Scene rubbing_scene_of(std::uint64_t seed);
@@ -33,7 +33,7 @@ struct Tally {
 
   /// Compares the scene of a seed; a line about it where its events are not those of the reference.
   std::string add(std::uint64_t seed, Equations equations = Equations::nonlinear) {
-    return add(seed, seeded_scene(seed, equations));
+    return add(seed, drawn_scene(seed, equations));
   }
   std::string add(std::uint64_t seed, const Scene& scene);
   std::string summary() const;

@@ -22,7 +22,7 @@ int main(int arguments, char** values) {
     const rockstack::Scene scene = kind == "unilateral"  ? rubbing_scene_of(seed)
                                    : kind == "compliant" ? springy_scene(seed)
                                    : kind == "bed"       ? bedded_scene(seed)
-                                                         : seeded_scene(seed, equations);
+                                                         : drawn_scene(seed, equations);
     const std::string words = tally.add(seed, scene);
     if (!words.empty()) std::printf("%s\n", words.c_str());
     std::fflush(stdout);
