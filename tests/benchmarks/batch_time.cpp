@@ -16,6 +16,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <span>
 
 #include "analytic/solve.hpp"
 #include "analytic/solve_batch.hpp"
@@ -169,12 +170,21 @@ std::vector<BatchMeasurement> measure(const std::string& title, const Scenes& sc
 /// As CSV, a row a sweep, tolerance and method.
 void write_table(const std::vector<BatchMeasurement>& all, std::ostream& out) {
   out << "sweep,tolerance,method,runs a second,median error (rad),90th percentile (rad),topple otherwise\n";
-  for (const auto& [median, high, different] : all) {
-    if (median.setting != 1e-12 && median.setting != 1e-9 && median.setting != 1e-6) continue;
-    std::array<char, 96> numbers{};
-    std::snprintf(numbers.data(), numbers.size(), "%.0f,%.1e,%.1e,%zu", 1 / median.seconds, median.error,
-                  high, different);
-    out << median.scene << ',' << median.setting << ',' << median.method << ',' << numbers.data() << '\n';
+  constexpr std::array tolerances{1e-12, 1e-9, 1e-6};
+  // Measured are sweeps one after the other: the rows of one are together.
+  for (auto sweep = all.begin(); sweep != all.end();) {
+    const auto end = std::find_if(
+        sweep, all.end(), [&](const BatchMeasurement& m) { return m.median.scene != sweep->median.scene; });
+    for (const double tolerance : tolerances) {
+      for (const auto& [median, high, different] : std::span(sweep, end)) {
+        if (median.setting != tolerance) continue;
+        std::array<char, 96> numbers{};
+        std::snprintf(numbers.data(), numbers.size(), "%.0f,%.1e,%.1e,%zu", 1 / median.seconds, median.error,
+                      high, different);
+        out << median.scene << ',' << tolerance << ',' << median.method << ',' << numbers.data() << '\n';
+      }
+    }
+    sweep = end;
   }
 }
 

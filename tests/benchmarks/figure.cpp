@@ -48,7 +48,7 @@ void draw(const std::vector<Measurement>& measurements, const std::filesystem::p
       << "set multiplot layout 2,2 margins 0.08,0.98,0.13,0.89 spacing 0.07,0.09\n"
          "set logscale xy\nset format xy '10^{%T}'\nset grid lc rgb '#E4E4E4'\n"
          "set yrange [1e-17:1]\nset ytics 1e-16,1e4\nset mytics 1\nset xrange [5e-6:5]\nset key at "
-         "screen 0.53,0.005 center bottom maxrows 2 samplen 1.5 width -1 font ',12'\n"
+         "screen 0.53,0.005 center bottom maxrows 2 samplen 1.5 width -4 font ',12'\n"
          "set label 1 'What does accuracy cost, by which method?' at screen 0.53,0.97 center font ',17'\n";
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     commands << "set title '" << scenes[i] << "' noenhanced offset 0,-0.5\n"
