@@ -23,9 +23,12 @@ double interface_half_width(const Scene& scene, int interface) {
 }
 
 double slenderness(const Scene& scene, int block) {
+  return std::max(balance_angle(scene, block, 1), balance_angle(scene, block, -1));
+}
+
+double balance_angle(const Scene& scene, int block, int side) {
   const Block& own = scene.blocks[block];
-  return std::atan2(interface_half_width(scene, block) + std::abs(own.offset_x),
-                    own.half_height + own.offset_y);
+  return std::atan2(interface_half_width(scene, block) - side * own.offset_x, own.half_height + own.offset_y);
 }
 
 double toppling_angle(const Scene& scene, int block) {

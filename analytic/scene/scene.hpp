@@ -165,6 +165,9 @@ double interface_half_width(const Scene& scene, int interface);
 /// interface; the larger one where the centre of mass is off the middle. rad.
 double slenderness(const Scene& scene, int block);
 
+/// The same of one side: 1 where the block leans right, −1 left. rad.
+double balance_angle(const Scene& scene, int block, int side);
+
 /// The angle at which a block counts as toppled, rad: halfway between lying on its side, π/2, and its balance
 /// uphill, slenderness + |inclination|, or 0.02 before that side where the balance lies beyond it. Past it
 /// free motion does not come back, or lies down within 10 mrad; an engine's block on the floor has passed it.

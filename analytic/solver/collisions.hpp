@@ -23,10 +23,11 @@ class Collisions {
   }
 
   /// What follows an impact, `offset` into a ground piece; `directions` are those at its state. `foreseen` is
-  /// what is known of it, or null.
+  /// what is known of it, or null. Noted are its impulses as they are, not those of a closure that stands for
+  /// the impacts to come.
   Resolution<Real, N> outcome(const Impact<Real, N>& impact, const Directions<Real, N>& directions,
-                              const GroundPiece<Real>& piece, const Real& offset,
-                              const Recorder<Real, N>& recorder, const ForeseenImpact<Real, N>* foreseen) {
+                              const GroundPiece<Real>& piece, const Real& offset, Recorder<Real, N>& recorder,
+                              const ForeseenImpact<Real, N>* foreseen) {
     const Model<Real, N>& model = upright_ ? *upright_ : model_;
     const BeforeImpact<Real, N> before = foreseen   ? foreseen->before
                                          : upright_ ? before_impact(model, impact.before)
@@ -38,6 +39,7 @@ class Collisions {
     if (!scene_.restitution.empty())
       if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
         solution = *own;
+    recorder.note_impact(solution, piece.start + offset);
     const auto without_slow = [&] {
       return end_of_chatter_.without_slow({solution.pattern, impact.before.angles, solution.relative},
                                           impact.touching(), directions, piece.at(offset));

@@ -226,7 +226,6 @@ class Solver {
     state_.pattern = outcome.solution.pattern;
     state_.velocities = outcome.solution.relative;
     require_numbers();
-    recorder_.note_impact(outcome.solution, time());
     const EventKind kind = !outcome.closes             ? EventKind::impact
                            : is_closed(state_.pattern) ? EventKind::rest
                                                        : EventKind::closure;

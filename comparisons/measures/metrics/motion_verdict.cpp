@@ -14,13 +14,17 @@ constexpr double visible = 1e-9;  // m
 /// In the order of TopplingVerdict.
 constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
 
-/// When an interface would have to pull, by forces or by impulses; empty where none does.
+/// Which interface would have to pull first, by forces or by impulses; empty where none does.
 std::string pull(const History& history) {
+  double first = std::numeric_limits<double>::infinity();
+  std::string text;
   for (const auto* demands : {&history.forces, &history.impulses})
     for (std::size_t k = 0; k < demands->size(); ++k)
-      if (const Demand& one = (*demands)[k]; one.least_normal < 0)
-        return fmt::format("interface {} would have to pull at {:.4g} s", k + 1, one.least_normal_time);
-  return "";
+      if (const Demand& one = (*demands)[k]; one.least_normal < 0 && one.first_pull_time < first) {
+        first = one.first_pull_time;
+        text = fmt::format("interface {} would have to pull at {:.4g} s", k + 1, first);
+      }
+  return text;
 }
 
 /// What blocks and ground must do for the model to hold; empty where it was not asked for.
@@ -29,8 +33,19 @@ std::string demand(const History& history) {
   if (const std::string text = pull(history); !text.empty()) return "; " + text;
   const double forces = worst_of(history.forces).friction;
   const double impulses = worst_of(history.impulses).friction;
-  return impulses > forces ? fmt::format("; needs friction {:.2g}, {:.2g} in impacts", forces, impulses)
-                           : fmt::format("; needs friction {:.2g}", forces);
+  const std::string needed = fmt::format("{:.2g}", forces), in_impacts = fmt::format("{:.2g}", impulses);
+  return "; needs friction " + needed +
+         (impulses > forces && in_impacts != needed ? ", " + in_impacts + " in impacts" : "");
+}
+
+/// The largest angle of samples over the angle of balance on the side that the block leans to.
+double lean_to_either_side(const Scene& scene, const History& history, std::size_t block) {
+  double most = 0;
+  for (std::size_t i = 0; i < history.size(); ++i)
+    for (const int side : {1, -1})
+      most = std::max(
+          most, side * history.angles_at(i)[block] / balance_angle(scene, static_cast<int>(block), side));
+  return most;
 }
 
 /// How far a block is above what is below it, m; 0 where the history does not tell it.
@@ -224,7 +239,9 @@ Lean largest_lean(const Scene& scene, const History& history) {
   const std::vector<double> peaks = peak_angles(history);
   Lean largest;
   for (std::size_t k = 0; k < peaks.size(); ++k) {
-    const double ratio = peaks[k] / slenderness(scene, static_cast<int>(k));
+    const double ratio = scene.blocks[k].offset_x == 0 || history.angles.empty()
+                             ? peaks[k] / slenderness(scene, static_cast<int>(k))
+                             : lean_to_either_side(scene, history, k);
     if (ratio > largest.ratio) largest = {k, ratio};
   }
   return largest;

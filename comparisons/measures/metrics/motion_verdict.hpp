@@ -47,7 +47,8 @@ Swing largest_swing(const History& history, std::size_t block);
 std::vector<double> peak_angles(const History& history);
 
 /// The largest angle of a block over its slenderness angle atan(b/h), the normalized rotation of the
-/// literature: beyond 1 a single block does not come back by itself.
+/// literature: beyond 1 a single block does not come back by itself. Where the centre of mass is off the
+/// middle, over that of the side that it leans to, in samples.
 struct Lean {
   std::size_t block = 0;
   double ratio = 0;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analytic/events/chatter.hpp"
+#include "analytic/solve.hpp"
 #include "analytic/solver/solver.hpp"
 #include "tests/analytic/solver/stacks.hpp"
 
@@ -153,6 +154,24 @@ TEST(Chatter, WhatIsLeftOutStaysBelowTheResolution) {
       EXPECT_GT(most, 0) << slenderness << ' ' << resolution;
       EXPECT_LE(most, slenderness / 2 * (1 - std::sqrt(1 - 4 * resolution / slenderness)))
           << slenderness << ' ' << resolution;
+    }
+  }
+}
+
+// Impulses of a uniform block that falls back on its other corner: T/N = 3bh/(b² + 4h²), from the speeds of
+// its centre of mass about either corner. A closure stands for impacts that all ask for this.
+TEST(Chatter, ItsEndAsksOfAnInterfaceWhatItsImpactsDo) {
+  Scene scene;
+  scene.duration = 20;
+  scene.blocks = {make_block(0.6, 2.4, 2500)};
+  scene.initial = {{0.5 * slenderness(scene, 0)}, {0}};
+  constexpr double b = 0.3, h = 1.2;
+  for (const double tolerance : {0.0, 1e-9, 1e-6, 1e-3}) {
+    for (const EventsKept kept : {EventsKept::all, EventsKept::summed}) {
+      const History history =
+          solve(scene, {.events = kept, .validity = true, .resolution = tolerance, .tolerance = tolerance});
+      EXPECT_EQ(history.events.back().kind, EventKind::rest);
+      EXPECT_NEAR(history.impulses[0].friction, 3 * b * h / (b * b + 4 * h * h), 1e-12) << tolerance;
     }
   }
 }

@@ -52,6 +52,34 @@ TEST(MotionVerdict, ABlockThatIsCarriedAlongRests) {
   EXPECT_EQ(verdict_of(one_block(0, 2.0)), "rests throughout; needs friction 0.2");  // 2/9.81
 }
 
+// A squat block that leans right on another that leans left: its interface pulls from the start, most later.
+TEST(MotionVerdict, APullIsToldWithItsFirstTime) {
+  Scene scene;
+  scene.law = Law::paper;
+  scene.duration = 1;
+  scene.blocks = {make_block(1, 0.6, 2500), make_block(0.9, 0.7, 2500)};
+  scene.initial = {{0.1, -0.1}, {0, 0}};
+  const History history = solve(scene, {.sample_times = {0, 0.5, 1}, .validity = true, .peaks = true});
+  EXPECT_GT(history.forces[1].least_normal_time, 0.1);
+  const std::string verdict = motion_verdict(scene, history);
+  EXPECT_NE(verdict.find("interface 2 would have to pull at 0 s"), std::string::npos) << verdict;
+}
+
+// A mass 0.1 m to the right of the middle: to the right the block balances at atan(0.2/1.5), to the left at
+// atan(0.4/1.5).
+TEST(MotionVerdict, ABlockLeansByTheBalanceOfTheSideThatItLeansTo) {
+  for (const double angle : {0.125, -0.125}) {
+    Scene scene;
+    scene.duration = 1;
+    scene.blocks = {make_block(0.6, 2.4, 2500)};
+    scene.blocks[0].offset_x = 0.1;
+    scene.blocks[0].offset_y = 0.3;
+    scene.initial = {{angle}, {0}};
+    const History history = solve(scene, {.sample_times = {0, 0.1}, .peaks = true});
+    EXPECT_DOUBLE_EQ(largest_lean(scene, history).ratio, 0.125 / std::atan2(angle > 0 ? 0.2 : 0.4, 1.5));
+  }
+}
+
 TEST(MotionVerdict, ABlockThatIsLetGoNeverLeansFurtherThanAtFirst) {
   // 0.1 rad over atan(1/4) = 0.24498 rad.
   EXPECT_EQ(verdict_of(one_block(0.1, 0))
