@@ -38,13 +38,16 @@ std::string demand(const History& history) {
          (impulses > forces && in_impacts != needed ? ", " + in_impacts + " in impacts" : "");
 }
 
-/// The largest angle of samples over the angle of balance on the side that the block leans to.
-double lean_to_either_side(const Scene& scene, const History& history, std::size_t block) {
-  double most = 0;
-  for (std::size_t i = 0; i < history.size(); ++i)
-    for (const int side : {1, -1})
-      most = std::max(
-          most, side * history.angles_at(i)[block] / balance_angle(scene, static_cast<int>(block), side));
+/// Of a block, in samples, by the angle of balance on the side that it leans to.
+Lean lean_to_either_side(const Scene& scene, const History& history, std::size_t block) {
+  Lean most{block, 0, 0};
+  for (const int side : {1, -1}) {
+    const double balance = balance_angle(scene, static_cast<int>(block), side);
+    for (std::size_t i = 0; i < history.size(); ++i) {
+      const double angle = side * history.angles_at(i)[block];
+      if (angle > 0 && angle / balance > most.ratio) most = {block, angle / balance, history.times[i]};
+    }
+  }
   return most;
 }
 
@@ -204,9 +207,10 @@ double angle_at(const History& history, std::size_t block, double time) {
 
 std::vector<Swing> swings(const History& history, std::size_t block) {
   std::vector<Swing> list(1);
-  double side = history.angles_at(0)[block];
+  double side = 0;
   for (std::size_t i = 0; i < history.size(); ++i) {
     const double angle = history.angles_at(i)[block];
+    if (i == 0) side = angle;
     if (angle * side < 0) {
       list.back().end = history.times[i];
       list.emplace_back();
@@ -239,10 +243,11 @@ Lean largest_lean(const Scene& scene, const History& history) {
   const std::vector<double> peaks = peak_angles(history);
   Lean largest;
   for (std::size_t k = 0; k < peaks.size(); ++k) {
-    const double ratio = scene.blocks[k].offset_x == 0 || history.angles.empty()
-                             ? peaks[k] / slenderness(scene, static_cast<int>(k))
-                             : lean_to_either_side(scene, history, k);
-    if (ratio > largest.ratio) largest = {k, ratio};
+    const Lean lean =
+        scene.blocks[k].offset_x == 0 || history.angles.empty()
+            ? Lean{k, peaks[k] / slenderness(scene, static_cast<int>(k)), largest_swing(history, k).peak_time}
+            : lean_to_either_side(scene, history, k);
+    if (lean.ratio > largest.ratio) largest = lean;
   }
   return largest;
 }
@@ -274,7 +279,7 @@ std::string motion_verdict(const Scene& scene, const History& history, const Sup
       most.ratio < 1e-3 && !history.slips.empty()
           ? "; nothing rocks"
           : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
-                        most.ratio, largest_swing(history, most.block).peak_time);
+                        most.ratio, most.time);
   const std::string state =
       going_on.empty() ? "stands" : fmt::format("{} at the end, {:.4g} s", going_on, history.times.back());
   return state + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(history);

@@ -52,6 +52,7 @@ std::vector<double> peak_angles(const History& history);
 struct Lean {
   std::size_t block = 0;
   double ratio = 0;
+  double time = 0;  ///< of the sample that comes nearest to it, s; 0 without samples
 };
 Lean largest_lean(const Scene& scene, const History& history);
 

@@ -3,20 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "comparisons/measures/results/csv.hpp"
+#include "tests/comparisons/block_text.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr const char* sampled_block = R"(duration = 0.5
-[[blocks]]
-width = 0.5
-height = 2
-density = 2500
-[initial]
-angles = [0.05]
-)";
 
 double size_of(const std::filesystem::path& folder) {
   double bytes = 0;
@@ -29,7 +21,8 @@ double size_of(const std::filesystem::path& folder) {
 TEST(DiskUse, IsToldBeforeAndFallsWithTheSamplesThatAreKept) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", sampled_block), {}), {.steps = {1e-3}});
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {"duration=0.5"}),
+                          {.steps = {1e-3}});
   suite.repeats = 1;
   suite.replicates.runs = 1;
   const RunMetrics all = compare({suite}, folder.path() / "all", *make_threads(1), {}).rows.back();

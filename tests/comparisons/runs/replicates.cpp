@@ -9,6 +9,7 @@
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/runs/job.hpp"
+#include "tests/comparisons/block_text.hpp"
 #include "tests/free_rocking.hpp"
 #include "tests/native_engines.hpp"
 #include "tests/temporary_folder.hpp"
@@ -16,17 +17,8 @@
 namespace rockstack {
 namespace {
 
-constexpr const char* block_let_go = R"(duration = 1
-[[blocks]]
-width = 0.5
-height = 2
-density = 2500
-[initial]
-angles = [0.05]
-)";
-
 Suite suite_of(const TemporaryFolder& folder, const WorkerEngine& engine) {
-  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_let_go), {}));
+  Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {"duration=1"}));
   suite.repeats = 1;
   suite.limits.time = 5;
   suite.replicates.runs = 5;

@@ -80,6 +80,20 @@ TEST(MotionVerdict, ABlockLeansByTheBalanceOfTheSideThatItLeansTo) {
   }
 }
 
+// Further to the left than to the right, but less so of what each side bears: the time is that of the right.
+TEST(MotionVerdict, ALeanHasTheTimeOfItsSide) {
+  Scene scene;
+  scene.blocks = {make_block(0.6, 2.4, 2500)};
+  scene.blocks[0].offset_x = 0.1;
+  History history;
+  history.blocks = 1;
+  history.times = {0, 1, 2};
+  history.angles = {0, -0.15, 0.14};
+  const Lean lean = largest_lean(scene, history);
+  EXPECT_DOUBLE_EQ(lean.ratio, 0.14 / std::atan2(0.2, 1.2));
+  EXPECT_EQ(lean.time, 2);
+}
+
 TEST(MotionVerdict, ABlockThatIsLetGoNeverLeansFurtherThanAtFirst) {
   // 0.1 rad over atan(1/4) = 0.24498 rad.
   EXPECT_EQ(verdict_of(one_block(0.1, 0))
