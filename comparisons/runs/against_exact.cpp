@@ -245,7 +245,11 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
   // Times are rounded: where everything is compared, so is the last sample.
   if (horizon >= scene.duration) horizon = std::numeric_limits<double>::infinity();
   const Difference compared = up_to(apart, horizon);
-  row.toppling_verdict = toppling_verdict(!reported_toppling(exact).empty(), candidate.topples);
+  const bool topples = !reported_toppling(exact).empty();
+  // What is past balance as the scene ends would topple later.
+  const History& other = topples ? history : exact;
+  if (topples == candidate.topples || !falling_block(scene, other, other.size() - 1))
+    row.toppling_verdict = toppling_verdict(topples, candidate.topples);
   if (wanted.angles) {
     const History seen = up_to(exact, horizon);
     add_angles(seen, up_to(history, horizon), compared, suite.tolerance, row);

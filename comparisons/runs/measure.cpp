@@ -149,7 +149,7 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
     files["events.csv"] = events_csv(history);
   } else {
     row.horizon = horizon_of(job);
-    row.outcome = doubt_of(history);
+    row.outcome = doubt_of(scene, history);
     row.impacts = static_cast<int>(impacts.size());
     row.slower_impacts = static_cast<int>(reported_impacts(history, 0).size()) - *row.impacts;
     add_history(history, files);

@@ -2,6 +2,15 @@
 
 namespace rockstack {
 
+Points<double> centre_places(const Stack<double>& stack, const History& history, std::size_t sample) {
+  const auto first = static_cast<std::ptrdiff_t>(2 * sample * static_cast<std::size_t>(stack.size()));
+  if (!history.centres.empty()) return Points<double>::Map(history.centres.data() + first, 2, stack.size());
+  const Vector<double> angles = vector_of(history.angles_at(sample));
+  const Vector<double> open = relative(angles);
+  return centres(make_chain(
+      stack, history.patterns.empty() ? pattern_of(open, open) : history.patterns[sample], angles));
+}
+
 Centres centres_at(const Stack<double>& stack, const History& history, std::size_t sample) {
   const int size = stack.size();
   if (!history.centres.empty()) {
@@ -20,7 +29,7 @@ std::vector<double> centres_of(const Scene& scene, const History& history) {
   std::vector<double> result;
   result.reserve(2 * history.angles.size());
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const Points<double> at = centres_at(stack, history, i).at;
+    const Points<double> at = centre_places(stack, history, i);
     result.insert(result.end(), at.data(), at.data() + at.size());
   }
   return result;

@@ -10,13 +10,16 @@ inline Vector<double> vector_of(std::span<const double> values) {
   return Vector<double>::Map(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The centres of mass of all blocks at a sample, from the middle of the ground's interface, m, and their
-/// velocities, m/s; a column each.
+/// The centres of mass of all blocks at a sample, from the middle of the ground's interface, m, a column
+/// each. Where slip and lift-off make places, from those; else from the angles, which tell them. `stack` is
+/// that of the history's scene.
+Points<double> centre_places(const Stack<double>& stack, const History& history, std::size_t sample);
+
+/// The same and their velocities, m/s.
 struct Centres {
   Points<double> at, rate;
 };
 
-/// Where slip and lift-off make places, from those; else from the angles, which tell them.
 /// Precondition: a solver's history, which knows its patterns. `stack` is that of its scene.
 Centres centres_at(const Stack<double>& stack, const History& history, std::size_t sample);
 

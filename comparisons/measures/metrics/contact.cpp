@@ -86,8 +86,10 @@ std::vector<InterfaceSummary> contact_summary(const History& history) {
   std::vector<InterfaceSummary> list(blocks);
   for (std::size_t i = 0; i < history.slips.size(); ++i) {
     InterfaceSummary& one = list[i % blocks];
-    one.final_slip = history.slips[i] - history.slips[i % blocks];
-    one.largest_slip = std::max(one.largest_slip, std::abs(one.final_slip));
+    if (history.patterns.empty() || history.patterns[i / blocks].contacts[i % blocks] != Contact::apart) {
+      one.final_slip = history.slips[i] - history.slips[i % blocks];
+      one.largest_slip = std::max(one.largest_slip, std::abs(one.final_slip));
+    }
     if (!history.gaps.empty() && std::isfinite(history.gaps[i]))
       one.highest_lift = std::max(one.highest_lift, history.gaps[i]);
   }

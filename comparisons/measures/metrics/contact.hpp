@@ -8,8 +8,8 @@ namespace rockstack {
 
 /// What one interface has seen under a law that leaves pivots, from samples and events.
 struct InterfaceSummary {
-  double final_slip = 0;    ///< from the first sample to the last, to the right positive, m
-  double largest_slip = 0;  ///< absolute, m
+  double final_slip = 0;    ///< from the first sample to the last without flight, to the right positive, m
+  double largest_slip = 0;  ///< absolute, likewise, m
   double highest_lift = 0;  ///< largest finite gap, m
   int slips = 0;            ///< events after which it slides and did not before
   int lift_offs = 0;        ///< events after which it is apart and was not before

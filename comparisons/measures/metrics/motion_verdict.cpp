@@ -10,45 +10,63 @@ namespace rockstack {
 namespace {
 
 constexpr double visible = 1e-9;  // m
+constexpr const char* visible_text = "1 nm";
 
 /// In the order of TopplingVerdict.
 constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
 
-/// Which interface would have to pull first, by forces or by impulses; empty where none does.
-std::string pull(const History& history) {
-  double first = std::numeric_limits<double>::infinity();
+/// The most friction that an interface needs, and in words; there it is rounded up, to two digits.
+struct FrictionNeeded {
+  double friction = 0;
   std::string text;
+};
+
+FrictionNeeded friction_needed(const std::vector<Demand>& demands) {
+  const auto most = std::ranges::max_element(demands, {}, &Demand::friction);
+  double enough = most->friction;
+  if (enough > 0 && std::isfinite(enough)) {
+    const double digit = std::pow(10, std::floor(std::log10(enough)) - 1);
+    constexpr double rounding = 1e-9;
+    enough = digit * std::ceil(enough / digit * (1 - rounding));
+  }
+  const std::string where =
+      demands.size() > 1 && enough > 0 ? fmt::format(" at interface {}", most - demands.begin() + 1) : "";
+  return {most->friction,
+          (enough < 100 ? fmt::format("{:.2g}", enough) : fmt::format("{:.0f}", enough)) + where};
+}
+
+/// From when on pivots hold what blocks would not, as "interface 2 would have to pull"; empty where they
+/// never do, or where it was not asked for. Before it pulls an interface slips, whatever its friction: where
+/// both come at one time, it pulls.
+struct Breach {
+  double time = std::numeric_limits<double>::infinity();  ///< s
+  std::string text = {};
+};
+
+Breach breach_of(const Scene& scene, const History& history) {
+  Breach first;
   for (const auto* demands : {&history.forces, &history.impulses})
-    for (std::size_t k = 0; k < demands->size(); ++k)
-      if (const Demand& one = (*demands)[k]; one.least_normal < 0 && one.first_pull_time < first) {
-        first = one.first_pull_time;
-        text = fmt::format("interface {} would have to pull at {:.4g} s", k + 1, first);
-      }
-  return text;
+    for (std::size_t k = 0; k < demands->size(); ++k) {
+      const Demand& one = (*demands)[k];
+      const double time = std::min(one.first_pull_time, one.first_slip_time);
+      if (!(time < first.time)) continue;
+      const auto text = [](double value) { return fmt::format("{:.4g} s", value); };
+      first = {time, fmt::format("not valid from {}, as interface {} would ", text(time), k + 1) +
+                         (text(time) == text(one.first_pull_time)
+                              ? "have to pull"
+                              : fmt::format("slip: it has friction {} and needs {}", friction_of(scene)[k],
+                                            friction_needed({one}).text))};
+    }
+  return first;
 }
 
 /// What blocks and ground must do for the model to hold; empty where it was not asked for.
-std::string demand(const History& history) {
-  if (history.forces.empty()) return "";
-  if (const std::string text = pull(history); !text.empty()) return "; " + text;
-  const double forces = worst_of(history.forces).friction;
-  const double impulses = worst_of(history.impulses).friction;
-  const std::string needed = fmt::format("{:.2g}", forces), in_impacts = fmt::format("{:.2g}", impulses);
-  return "; needs friction " + needed +
-         (impulses > forces && in_impacts != needed ? ", " + in_impacts + " in impacts" : "");
-}
-
-/// Of a block, in samples, by the angle of balance on the side that it leans to.
-Lean lean_to_either_side(const Scene& scene, const History& history, std::size_t block) {
-  Lean most{block, 0, 0};
-  for (const int side : {1, -1}) {
-    const double balance = balance_angle(scene, static_cast<int>(block), side);
-    for (std::size_t i = 0; i < history.size(); ++i) {
-      const double angle = side * history.angles_at(i)[block];
-      if (angle > 0 && angle / balance > most.ratio) most = {block, angle / balance, history.times[i]};
-    }
-  }
-  return most;
+std::string demand(const Scene& scene, const History& history) {
+  if (history.forces.empty() || !breach_of(scene, history).text.empty()) return "";
+  const FrictionNeeded forces = friction_needed(history.forces), impulses = friction_needed(history.impulses);
+  if (impulses.friction > forces.friction && impulses.text != forces.text)
+    return fmt::format("; needs friction {} in impacts, {} between them", impulses.text, forces.text);
+  return "; needs friction " + forces.text;
 }
 
 /// How far a block is above what is below it, m; 0 where the history does not tell it.
@@ -69,51 +87,85 @@ std::optional<std::size_t> sliding_at_end(const History& history) {
       history, [&](std::size_t k) { return !history.patterns.empty() && history.patterns.back().slides[k]; });
 }
 
+/// "block 3 leans" of the top one, "blocks 1 to 3 lean" of one with what stands on it.
+std::string blocks_up_from(std::size_t block, const Scene& scene) {
+  const std::size_t top = scene.blocks.size();
+  return block + 1 == top ? fmt::format("block {} leans", top)
+                          : fmt::format("blocks {} to {} lean", block + 1, top);
+}
+
+/// With two digits, however small.
+std::string share_text(double share) {
+  return share < 0.1 ? fmt::format("{:.2g}", share) : fmt::format("{:.2f}", share);
+}
+
+/// How far a block by itself comes, or one with what stands on it where that comes nearer to its balance.
+std::string leaning(const Scene& scene, const Lean& alone, const Lean& common) {
+  if (common.ratio > alone.ratio)
+    return fmt::format("blocks {} to {} together come to {} of their balance at {:.4g} s", common.block + 1,
+                       scene.blocks.size(), share_text(common.ratio), common.time);
+  return fmt::format("block {} peaks at {} of its slenderness angle at {:.4g} s", alone.block + 1,
+                     share_text(alone.ratio), alone.time);
+}
+
 /// What is still going on in the last sample, so that nothing can be said of standing: "block 1 is in
 /// flight".
 std::string unsettled(const Scene& scene, const History& history) {
   if (history.times.empty()) return "";
   const std::size_t last = history.size() - 1;
-  const auto angles = history.angles_at(last), velocities = history.velocities_at(last);
   if (const auto block =
           first_block(history, [&](std::size_t k) { return gap_at(history, last, k) > visible; }))
     return fmt::format("block {} is in flight", *block);
   if (const auto block = sliding_at_end(history)) return fmt::format("block {} slides", *block);
-  if (const auto block = first_block(history, [&](std::size_t k) {
-        return std::abs(angles[k]) > slenderness(scene, static_cast<int>(k)) && angles[k] * velocities[k] > 0;
-      }))
-    return fmt::format("block {} leans further than its slenderness angle, and on", *block);
-  return "";
+  if (const auto falling = falling_block(scene, history, last))
+    return blocks_up_from(*falling, scene) + " past balance and on";
+  const bool rocks = !history.patterns.empty() && !is_closed(history.patterns.back());
+  return rocks ? "still rocks" : "";
 }
 
 /// The block that slips furthest, and where it is left.
 std::string slipping(const History& history, const std::vector<InterfaceSummary>& interfaces) {
   const auto most = std::ranges::max_element(interfaces, {}, &InterfaceSummary::largest_slip);
   if (most->largest_slip <= visible) return "";
-  std::string far = fmt::format("; block {} slips by up to {}", most - interfaces.begin() + 1,
-                                quantity_text(most->largest_slip, "m"));
+  // What is apart at times need not have slipped to be elsewhere.
+  std::string far =
+      fmt::format("; block {} {} by up to {}", most - interfaces.begin() + 1,
+                  most->highest_lift > visible ? "shifts" : "slips", quantity_text(most->largest_slip, "m"));
   if (sliding_at_end(history)) return far;
+  if (std::abs(most->final_slip) <= visible) return far + " and ends where it began";
   return far + fmt::format(" and is left {} to the {}", quantity_text(std::abs(most->final_slip), "m"),
                            most->final_slip < 0 ? "left" : "right");
 }
 
-/// The block that rises furthest above where it starts.
-std::string lifting(const History& history, std::vector<InterfaceSummary> interfaces) {
-  for (std::size_t k = 0; k < interfaces.size(); ++k) interfaces[k].highest_lift -= gap_at(history, 0, k);
-  const auto most = std::ranges::max_element(interfaces, {}, &InterfaceSummary::highest_lift);
-  if (most->highest_lift <= visible) return "";
-  return fmt::format("; block {} lifts by up to {}", most - interfaces.begin() + 1,
-                     quantity_text(most->highest_lift, "m"));
+/// The block that rises furthest above where it starts, and how far it is above what is below it then.
+std::string lifting(const History& history, const std::vector<InterfaceSummary>& interfaces) {
+  const auto risen = [&](std::size_t k) { return interfaces[k].highest_lift - gap_at(history, 0, k); };
+  std::size_t most = 0;
+  for (std::size_t k = 1; k < interfaces.size(); ++k)
+    if (risen(k) > risen(most)) most = k;
+  if (risen(most) <= visible) return "";
+  const std::string high = quantity_text(interfaces[most].highest_lift, "m");
+  return fmt::format("; block {} {}", most + 1,
+                     gap_at(history, 0, most) > visible ? "rises to " + high + " above what it is over"
+                                                        : "lifts by up to " + high);
+}
+
+/// Nothing is seen to slip or lift, whatever impacts bring about by roundings; of blocks that touch.
+std::string held(const History& history) {
+  if (first_block(history, [&](std::size_t k) { return gap_at(history, 0, k) > visible; })) return "";
+  const bool slightly = std::ranges::any_of(history.events, [](const Event& event) {
+    return event.kind == EventKind::slip || event.kind == EventKind::stick ||
+           event.kind == EventKind::lift_off;
+  });
+  return "; nothing slips or lifts" + (slightly ? std::string(" by more than ") + visible_text : "");
 }
 
 /// How far blocks slip and lift, where they may; else what must hold for them not to.
-std::string freedom(const History& history) {
+std::string freedom(const Scene& scene, const History& history) {
   const std::vector<InterfaceSummary> interfaces = contact_summary(history);
-  if (interfaces.empty()) return demand(history);
+  if (interfaces.empty()) return demand(scene, history);
   const std::string text = slipping(history, interfaces) + lifting(history, interfaces);
-  const bool held = !first_block(history, [&](std::size_t k) { return gap_at(history, 0, k) > visible; });
-  const std::string doubt = doubt_of(history);
-  return (text.empty() && held ? "; nothing slips or lifts" : text) + (doubt.empty() ? "" : "; " + doubt);
+  return text.empty() ? held(history) : text;
 }
 
 /// What ends a motion, of a block from 1.
@@ -154,14 +206,45 @@ std::string fallen_block(const std::vector<double>& unsupported_since) {
   return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
 }
 
+/// How it ends, how far it comes, and what for.
+std::string outcome_of(const Scene& scene, const History& history, const Support& support) {
+  const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
+  const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
+  if (!toppled.empty())
+    return fmt::format(
+        "{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
+        reported ? end_words(history.events.back().kind, history.events.back().interface) : "topples",
+        reported ? history.events.back().time : history.times.back(), freedom(scene, history));
+  if (!support.fallen.empty())
+    return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
+                       support.fallen.substr(support.fallen.find(" at ")), freedom(scene, history));
+  const Lean most = largest_lean(scene, history);
+  const std::string sunk = sinking(scene, history, support.sinking);
+  const std::string going_on = unsettled(scene, history);
+  if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
+    return sunk.empty() ? "rests throughout" + freedom(scene, history)
+                        : "rests, but " + sunk + freedom(scene, history);
+  const std::string rest =
+      ends_at_rest(scene, history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
+  const std::string lean = most.ratio < 1e-3 && !history.slips.empty()
+                               ? "; nothing rocks"
+                               : "; " + leaning(scene, most, largest_common_lean(scene, history));
+  const std::string state =
+      going_on.empty() ? "stands" : fmt::format("{} at the end, {:.4g} s", going_on, history.times.back());
+  return state + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(scene, history);
+}
+
 }  // namespace
 
-std::string doubt_of(const History& history) {
-  for (const Event& event : history.events)
+std::string doubt_of(const Scene& scene, const History& history) {
+  for (const Event& event : history.events) {
     if (event.consistency == Consistency::several)
-      return fmt::format("from {:.4g} s on one of several motions that obey", event.time);
-  const std::string text = pull(history);
-  return text.empty() ? "" : "one in which " + text;
+      return fmt::format("from {:.4g} s on one of several motions that obey the laws of contact", event.time);
+    if (event.consistency == Consistency::none && leaves_pivots(scene.law))
+      return fmt::format("stopped by an impulse at {:.4g} s, as no finite forces let it go on (Painlevé)",
+                         event.time);
+  }
+  return breach_of(scene, history).text;
 }
 
 std::string reported_toppling(const History& history) {
@@ -205,84 +288,21 @@ double angle_at(const History& history, std::size_t block, double time) {
   return from + fraction * (history.angles_at(i)[block] - from);
 }
 
-std::vector<Swing> swings(const History& history, std::size_t block) {
-  std::vector<Swing> list(1);
-  double side = 0;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const double angle = history.angles_at(i)[block];
-    if (i == 0) side = angle;
-    if (angle * side < 0) {
-      list.back().end = history.times[i];
-      list.emplace_back();
-      side = angle;
-    }
-    if (std::abs(angle) > list.back().peak) {
-      list.back().peak = std::abs(angle);
-      list.back().peak_time = history.times[i];
-    }
-  }
-  return list;
-}
-
-Swing largest_swing(const History& history, std::size_t block) {
-  const auto list = swings(history, block);
-  return *std::ranges::max_element(list, {}, &Swing::peak);
-}
-
-std::vector<double> peak_angles(const History& history) {
-  if (!history.peaks.empty()) return history.peaks;
-  std::vector<double> result(static_cast<std::size_t>(history.blocks));
-  for (std::size_t i = 0; i < history.angles.size(); ++i) {
-    double& peak = result[i % result.size()];
-    peak = std::max(peak, std::abs(history.angles[i]));
-  }
-  return result;
-}
-
-Lean largest_lean(const Scene& scene, const History& history) {
-  const std::vector<double> peaks = peak_angles(history);
-  Lean largest;
-  for (std::size_t k = 0; k < peaks.size(); ++k) {
-    const Lean lean =
-        scene.blocks[k].offset_x == 0 || history.angles.empty()
-            ? Lean{k, peaks[k] / slenderness(scene, static_cast<int>(k)), largest_swing(history, k).peak_time}
-            : lean_to_either_side(scene, history, k);
-    if (lean.ratio > largest.ratio) largest = lean;
-  }
-  return largest;
-}
-
 Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since) {
   const auto tenth = static_cast<std::ptrdiff_t>((penetration.size() + 9) / 10);
   return {*std::min_element(penetration.end() - tenth, penetration.end()), fallen_block(unsupported_since)};
 }
 
 std::string motion_verdict(const Scene& scene, const History& history, const Support& support) {
-  const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
-  const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
-  if (!toppled.empty())
-    return fmt::format(
-        "{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
-        reported ? end_words(history.events.back().kind, history.events.back().interface) : "topples",
-        reported ? history.events.back().time : history.times.back(), freedom(history));
-  if (!support.fallen.empty())
-    return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
-                       support.fallen.substr(support.fallen.find(" at ")), freedom(history));
-  const Lean most = largest_lean(scene, history);
-  const std::string sunk = sinking(scene, history, support.sinking);
-  const std::string going_on = unsettled(scene, history);
-  if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
-    return sunk.empty() ? "rests throughout" + freedom(history) : "rests, but " + sunk + freedom(history);
-  const std::string rest =
-      ends_at_rest(scene, history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
-  const std::string lean =
-      most.ratio < 1e-3 && !history.slips.empty()
-          ? "; nothing rocks"
-          : fmt::format("; block {} peaks at {:.2f} of its slenderness angle at {:.4g} s", most.block + 1,
-                        most.ratio, most.time);
-  const std::string state =
-      going_on.empty() ? "stands" : fmt::format("{} at the end, {:.4g} s", going_on, history.times.back());
-  return state + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(history);
+  const std::string doubt = doubt_of(scene, history), outcome = outcome_of(scene, history, support);
+  if (doubt.empty()) return outcome;
+  // What pivots hold of a block that is falling anyway comes last.
+  const Breach breach = breach_of(scene, history);
+  const auto after = std::upper_bound(history.times.begin(), history.times.end(), breach.time);
+  const auto sample =
+      static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - history.times.begin() - 1, 0));
+  return doubt == breach.text && falling_block(scene, history, sample) ? outcome + "; " + doubt
+                                                                       : doubt + "; " + outcome;
 }
 
 }  // namespace rockstack

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "analytic/scene/history.hpp"
-#include "analytic/scene/scene.hpp"
+#include "comparisons/measures/metrics/leans.hpp"
 
 namespace rockstack {
 
@@ -30,32 +29,6 @@ bool differ(TopplingVerdict verdict);
 /// line goes on. Precondition: at least two samples.
 double angle_at(const History& history, std::size_t block, double time);
 
-/// One swing of a block between two changes of side.
-struct Swing {
-  double end = 0;        ///< s; 0 for the last
-  double peak = 0;       ///< largest absolute angle, rad
-  double peak_time = 0;  ///< s
-};
-
-/// All swings of a block (from 0) in order.
-std::vector<Swing> swings(const History& history, std::size_t block);
-
-/// The one with the largest peak.
-Swing largest_swing(const History& history, std::size_t block);
-
-/// The largest angle of each block, rad; of samples where the history does not keep it.
-std::vector<double> peak_angles(const History& history);
-
-/// The largest angle of a block over its slenderness angle atan(b/h), the normalized rotation of the
-/// literature: beyond 1 a single block does not come back by itself. Where the centre of mass is off the
-/// middle, over that of the side that it leans to, in samples.
-struct Lean {
-  std::size_t block = 0;
-  double ratio = 0;
-  double time = 0;  ///< of the sample that comes nearest to it, s; 0 without samples
-};
-Lean largest_lean(const Scene& scene, const History& history);
-
 /// How blocks end on what they stand on, as an engine's bodies tell.
 struct Support {
   double sinking = 0;       ///< how deep one has sunk in, m
@@ -67,16 +40,15 @@ struct Support {
 /// nothing below it, s (infinite where it has).
 Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since);
 
-/// Why a motion need not be the one that follows, after "it is": other motions obey as well, or, of a history
-/// that was solved with SolveOptions::validity under laws of pivots, blocks would part where they are held
-/// together. Empty where neither is so.
-std::string doubt_of(const History& history);
+/// Why a motion need not be the one that follows, after "it is": other motions obey as well, an impulse stops
+/// it, or, of a history that was solved with SolveOptions::validity under laws of pivots, blocks would part
+/// or slip where these hold them. Empty where none is so.
+std::string doubt_of(const Scene& scene, const History& history);
 
-/// A motion in one line: whether it stands, rests or topples, which block comes nearest to its slenderness
-/// angle, and, of a history that was solved with SolveOptions::validity, the friction that it needs; from
-/// when on it is one of several motions that obey the laws of contact. Motion within a thousandth of the
-/// slenderness angles and without events counts as rest. Blocks that have sunk in or fallen off are told.
-/// Precondition: samples.
+/// A motion in one line: what doubt_of() tells; whether it stands, rests, topples, or what goes on at its
+/// end; how near it comes to balance; and, of a history that was solved with SolveOptions::validity, the
+/// friction that it needs. Motion within a thousandth of the slenderness angles and without events counts as
+/// rest. Blocks that have sunk in or fallen off are told. Precondition: samples.
 std::string motion_verdict(const Scene& scene, const History& history, const Support& support = {});
 
 }  // namespace rockstack

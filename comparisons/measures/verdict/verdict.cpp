@@ -203,7 +203,7 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   sentences.reserve(scenes.size() + 3);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
-  sentences.push_back(together(agreement_sentence(rows, scenes), doubt_sentence(rows)));
+  sentences.push_back(together(doubt_sentence(rows), agreement_sentence(rows, scenes)));
   sentences.push_back(event_sentence(rows, scenes, most_events));
   sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");

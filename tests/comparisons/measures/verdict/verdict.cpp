@@ -107,7 +107,7 @@ TEST(Verdict, OfSeveralExactMotionsItIsToldThatThereAre) {
   exact.outcome = "from 0 s on one of several motions that obey";
   rows.insert(rows.begin(), exact);
   EXPECT_NE(headline(rows, {scene("a")})[0].find(
-                "in a the exact motion is from 0 s on one of several motions that obey"),
+                "In a the exact motion is from 0 s on one of several motions that obey"),
             std::string::npos);
 }
 
