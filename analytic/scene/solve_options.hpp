@@ -33,6 +33,8 @@ struct SolveOptions {
   Integrator integrator = Integrator::taylor;
   /// When to sample the motion, s, ascending from ≥ 0; none: events alone.
   std::vector<double> sample_times = {};
+  /// Whether to keep, behind all others, a sample of the end of the scene, where the motion comes to it.
+  bool end = false;
   EventsKept events = EventsKept::all;
   /// Whether to keep the demands on each interface, along whole steps; of rk4 at their starts.
   bool validity = false;

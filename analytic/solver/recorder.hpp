@@ -112,6 +112,7 @@ class Recorder {
   /// The samples that are left up to the end, where the last step has led.
   void note_rest(const State<Real, N>& state, const Real& end) {
     while (sample_due() && Real(options_.sample_times[next_sample_]) <= end) record_sample(state);
+    if (options_.end) add_sample(state, end);
   }
 
   /// Of a whole step that takes them to these.
@@ -161,7 +162,11 @@ class Recorder {
   }
 
   void record_sample(const State<Real, N>& state) {
-    history_.times.push_back(Real(options_.sample_times[next_sample_++]));
+    add_sample(state, Real(options_.sample_times[next_sample_++]));
+  }
+
+  void add_sample(const State<Real, N>& state, const Real& time) {
+    history_.times.push_back(time);
     const Vector<Real, N> angles = absolute(state.angles);
     const Vector<Real, N> velocities = absolute(state.velocities);
     history_.angles.insert(history_.angles.end(), angles.begin(), angles.end());

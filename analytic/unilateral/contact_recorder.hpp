@@ -89,6 +89,7 @@ class ContactRecorder {
   /// The samples at the end of the scene.
   void note_rest(const ContactState<Real>& state, const SpringContacts<Real>& springs, double duration) {
     while (sample_due() && options_.sample_times[next_sample_] <= duration) note_sample(state, springs);
+    if (options_.end) add_sample(state, springs, duration);
   }
 
   /// The motion up to where it has come.
@@ -146,8 +147,12 @@ class ContactRecorder {
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
 
   void note_sample(ContactState<Real> state, const SpringContacts<Real>& springs) {
+    add_sample(std::move(state), springs, options_.sample_times[next_sample_++]);
+  }
+
+  void add_sample(ContactState<Real> state, const SpringContacts<Real>& springs, double time) {
     place(stack_, state.joints, state.bodies);
-    ContactSample<Real> sample{.time = Real(options_.sample_times[next_sample_++]),
+    ContactSample<Real> sample{.time = Real(time),
                                .bodies = state.bodies,
                                .joints = springs.shown(std::move(state.joints)),
                                .springs = springs.states(state.bodies)};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <system_error>
 
 #include "analytic/scene/input/fields.hpp"
@@ -9,6 +10,26 @@
 #include "engines/worker/installation.hpp"
 
 namespace rockstack {
+namespace {
+
+/// What comes with the program: its folder, what one is, and what takes it.
+struct Kind {
+  const char *folder, *name, *command;
+};
+constexpr std::array kinds{Kind{"scenes", "a scene", "solve"}, Kind{"suites", "a suite", "compare"},
+                           Kind{"ensembles", "an ensemble", "sweep"},
+                           Kind{"studies/lessons", "a lesson", "teach"}};
+
+/// Of an input that is something else than a command takes.
+std::string what_it_is(const std::string& input) {
+  std::error_code ignored;
+  for (const Kind& kind : kinds)
+    if (std::filesystem::exists(find_file(input, kind.folder), ignored))
+      return fmt::format("this is {}, which `rockstack {}` takes", kind.name, kind.command);
+  return "";
+}
+
+}  // namespace
 
 std::filesystem::path shipped(const std::string& kind) {
   return (in_build_tree() ? std::filesystem::path(build::tree) : own_folder() / build::installed) / kind;
@@ -34,13 +55,19 @@ std::filesystem::path find_file(const std::string& input, const std::string& kin
   return given;
 }
 
-std::filesystem::path input_file(const std::string& input, const std::vector<std::string>& kinds) {
+std::filesystem::path input_file(const std::string& input, const std::vector<std::string>& asked) {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const std::string& kind : kinds) {
+  for (const std::string& kind : asked) {
     std::filesystem::path file = find_file(input, kind);
     if (std::filesystem::exists(file, ignored)) return file;
     for (std::string& name : shipped_names(kind)) names.push_back(std::move(name));
+  }
+  if (const std::string other = what_it_is(input); !other.empty()) {
+    std::vector<std::string> wanted;
+    for (const Kind& kind : kinds)
+      if (std::ranges::find(asked, kind.folder) != asked.end()) wanted.emplace_back(kind.name);
+    throw InputError(fmt::format("{}: must be {}, {}", input, fmt::join(wanted, " or "), other));
   }
   throw InputError(fmt::format("{}: must be a file or a name from `rockstack list`, nothing is there{}",
                                input, did_you_mean(input, names)));

@@ -1,5 +1,3 @@
-#include <numeric>
-
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 #include "plots/pages/html.hpp"
@@ -42,52 +40,6 @@ void write_study(const fs::path& results, const Json& json, const Study& study) 
                    {"command", command.empty() ? "" : element("h2", "To run it again") + code_block(command)},
                    {"facts", definition_list(facts)}});
   write_file(results / "report.html", page(study.title, "report", content));
-}
-
-/// The sum of each column of a file, whole numbers; none where there is no such file.
-std::vector<double> sums(const fs::path& file, const std::vector<std::string>& names) {
-  std::vector<double> list;
-  if (!fs::exists(file)) return list;
-  for (const std::vector<double>& values : read_columns(file, names))
-    list.push_back(std::accumulate(values.begin(), values.end(), 0.0));
-  return list;
-}
-
-void add_toppled(const fs::path& results, Sentences& sentences) {
-  std::size_t done = 0, fell = 0, failed = 0;
-  for (CsvLine row(results / "runs.csv"); row.next();) {
-    const bool is_done = row.text("status") == "done", stands = row.text("toppled") == "0";
-    ++(is_done ? done : failed);
-    if (is_done && !stands) ++fell;
-  }
-  if (done > 0) sentences.push_back(fmt::format("Of {} {} topple.", counted(done, "run"), fell));
-  if (failed > 0) sentences.push_back(fmt::format("{} failed; runs.csv says why.", failed));
-}
-
-void add_fit(const fs::path& results, const std::string& intensity, Sentences& sentences) {
-  const fs::path file = results / "fragility-fit.csv";
-  if (!fs::exists(file)) return;
-  const auto fit = read_columns(file, {"median", "beta"});
-  if (fit[0].empty()) return;
-  sentences.insert(
-      sentences.begin(),
-      fmt::format(
-          "Half of the runs topple at {}, by the fitted lognormal curve; its logarithmic spread β is {:.3g}.",
-          value_on(intensity, fit[0][0]), fit[1][0]));
-}
-
-void add_outcomes(const fs::path& results, Sentences& sentences) {
-  if (const auto counts = sums(results / "overturning.csv",
-                               {"rest", "rocking", "toppled_after_impact", "toppled_without_impact"});
-      !counts.empty())
-    sentences.push_back(
-        fmt::format("{} stay at rest, {} rock and stand, {} topple after an impact, {} without one.",
-                    counts[0], counts[1], counts[2], counts[3]));
-  if (const auto counts =
-          sums(results / "modes.csv", {"rest", "slide", "rock", "slide_rock", "free_flight", "fall"});
-      !counts.empty())
-    sentences.push_back(fmt::format("{} rest, {} slide, {} rock, {} do both, {} lift off; {} fall off.",
-                                    counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]));
 }
 
 std::string verdicts(const fs::path& results) {
@@ -190,12 +142,10 @@ std::string canon_content(const Json& canon) {
 }  // namespace
 
 void write_sweep_report(const fs::path& results, const Json& json) {
-  Study study{
-      text_at(json, "title"), {}, {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"}};
-  add_toppled(results, study.answers);
-  add_fit(results, axis_title(text_at(json.at("summary"), "intensity")), study.answers);
-  add_outcomes(results, study.answers);
-  write_study(results, json, study);
+  write_study(results, json,
+              {text_at(json, "title"),
+               json.at("headline").get<Sentences>(),
+               {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"}});
 }
 
 void write_stability_report(const fs::path& results, const Json& json) {

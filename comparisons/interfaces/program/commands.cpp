@@ -40,7 +40,7 @@ std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& n
 }
 
 NamedScene read_one_scene(const std::string& input, const Common& common) {
-  const auto file = input_file(input, {"scenes", "suites"});
+  const auto file = input_file(input, {"scenes"});
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored) && kind_of(file) != InputKind::scene)
     throw InputError(input + ": must be a scene, this is a suite, which `rockstack compare` takes");

@@ -72,6 +72,11 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 }
 #endif
 
+void print_left_out() {
+  if (const std::vector<std::string> names = engines_left_out(); !names.empty())
+    fmt::print("left out of this build: {}\n", fmt::join(names, ", "));
+}
+
 /// Shares by kind of impact, and what the engines follow.
 void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
                        const Common& common) {
@@ -93,7 +98,7 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
   fmt::print(
       "\ndiffer: the laws choose different patterns; none: no pattern is consistent; below: whose "
       "pattern the\nengines show where the laws differ\n");
-  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
+  print_left_out();
   fmt::print("results: {}\n", folder.string());
 }
 
@@ -149,7 +154,7 @@ void print_comparison(const CompareResult& result, const std::filesystem::path& 
                           [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
     fmt::print("times are those of runs that shared the machine\n");
   if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, result.rows.size());
-  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
+  print_left_out();
   fmt::print("results: {}\n\n", folder.string());
   for (const std::string& sentence : result.verdict.headline) fmt::print("{}\n", sentence);
 }

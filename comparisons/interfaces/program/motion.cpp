@@ -55,6 +55,10 @@ int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
 int solve_command(const SolveArguments& arguments, const Common& common) {
   require_positive_option("--step", arguments.step);
   require_positive_option("--interval", arguments.interval);
+  if (arguments.integrator == "rk4" && arguments.tolerance > 0)
+    throw InputError(
+        fmt::format("--tolerance = {}: must be left out beside --integrator rk4, which takes --step",
+                    arguments.tolerance));
   const auto scene = read_one_scene(arguments.scene, common);
   const SolveOptions options{
       .integrator = arguments.integrator == "rk4" ? Integrator::rk4 : Integrator::taylor,

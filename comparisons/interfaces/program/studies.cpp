@@ -56,17 +56,19 @@ std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const 
   };
 }
 
-/// Runs done, and where the results are.
+/// Runs done, what they come to, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
   if (!in_words({{"runs", result.runs},
                  {"done", result.done},
                  {"computed", result.computed},
                  {"failed", result.failed},
                  {"seconds", result.seconds},
+                 {"headline", result.headline},
                  {"folder", folder.string()}},
                 common))
     return;
   fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
+  for (const std::string& sentence : result.headline) fmt::print("{}\n", sentence);
   fmt::print("results: {}\n", folder.string());
 }
 

@@ -65,4 +65,24 @@ std::string filled_in(std::string_view text, const std::map<std::string, std::st
   return result;
 }
 
+std::string axis_title(const std::string& key) {
+  for (const auto& [end, title] : {std::pair{".peak", "peak ground acceleration (m/s²)"},
+                                   {".amplitude", "amplitude of the pulse (m/s²)"},
+                                   {".scale", "scale of the record"}})
+    if (key.ends_with(end)) return title;
+  return key;
+}
+
+std::string value_on(const std::string& axis, const std::string& value) {
+  const std::size_t unit = axis.find(" (");
+  if (unit == std::string::npos) return axis + " = " + value;
+  const bool vowel = std::string("aeiou").find(axis.front()) != std::string::npos;
+  return fmt::format("{} {} of {} {}", vowel ? "an" : "a", axis.substr(0, unit), value,
+                     axis.substr(unit + 2, axis.size() - unit - 3));
+}
+
+std::string value_on(const std::string& axis, double value) {
+  return value_on(axis, fmt::format("{:.3g}", value));
+}
+
 }  // namespace rockstack

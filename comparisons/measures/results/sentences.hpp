@@ -19,6 +19,13 @@ std::string joined_up_to(std::size_t most, const std::vector<std::string>& words
 /// With a capital where it begins with a letter.
 std::string capitalised(std::string text);
 
+/// The title of an axis along which a scene's key varies, with its unit where the key has one.
+std::string axis_title(const std::string& key);
+
+/// A value with the words of its axis: "a peak ground acceleration of 4.8 m/s²".
+std::string value_on(const std::string& axis, double value);
+std::string value_on(const std::string& axis, const std::string& value);
+
 /// A paragraph of a text that the program holds: "NAME" or "NAME: KIND" in its first line, and the others as
 /// one.
 struct Paragraph {

@@ -1,5 +1,6 @@
 #include "comparisons/measures/statistics/fragility.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -143,22 +144,37 @@ double probability(const Fragility& curve, double intensity) {
   return normal_cdf(std::log(intensity / curve.median) / curve.beta);
 }
 
-FragilityBounds::FragilityBounds(const Fragility& curve, const std::vector<Level>& levels) : curve_(curve) {
-  // Of z = (ln x − ln median)/β the slopes are −1/β along ln median and −z/β along β.
-  double along_median = 0, along_beta = 0, mixed = 0;
-  for (const Level& level : levels) {
-    const double z = std::log(level.intensity / curve.median) / curve.beta, p = normal_cdf(z);
-    if (!(p > 0 && p < 1)) continue;
-    const double slope = normal_density(z) / curve.beta;
-    const double weight = static_cast<double>(level.runs) * slope * slope / (p * (1 - p));
-    along_median += weight;
-    along_beta += weight * z * z;
-    mixed += weight * z;
+std::vector<RunGroup> single_runs(const std::vector<Level>& levels) {
+  std::vector<RunGroup> groups;
+  for (const Level& level : levels)
+    for (std::size_t i = 0; i < level.runs; ++i)
+      groups.push_back({{level.intensity, 1, i < level.toppled ? std::size_t{1} : std::size_t{0}}});
+  return groups;
+}
+
+FragilityBounds::FragilityBounds(const Fragility& curve, const std::vector<RunGroup>& groups)
+    : curve_(curve) {
+  using Eigen::Matrix2d, Eigen::Vector2d;
+  Matrix2d information = Matrix2d::Zero(), squares = Matrix2d::Zero();
+  for (const RunGroup& group : groups) {
+    Vector2d slope = Vector2d::Zero();
+    for (const Level& level : group) {
+      const double z = std::log(level.intensity / curve.median) / curve.beta, p = normal_cdf(z);
+      if (!(p > 0 && p < 1)) continue;
+      const auto runs = static_cast<double>(level.runs);
+      // Of z the slopes are −1/β along ln median and −z/β along β.
+      const Vector2d rise = Vector2d(-1, -z) * (normal_density(z) / curve.beta);
+      information += runs / (p * (1 - p)) * rise * rise.transpose();
+      slope += (static_cast<double>(level.toppled) - runs * p) / (p * (1 - p)) * rise;
+    }
+    squares += slope * slope.transpose();
   }
-  const double determinant = along_median * along_beta - mixed * mixed;
-  variance_median_ = along_beta / determinant;
-  variance_beta_ = along_median / determinant;
-  covariance_ = -mixed / determinant;
+  const auto count = static_cast<double>(groups.size());
+  const Matrix2d inverse = information.inverse();
+  const Matrix2d covariance = count / (count - 1) * inverse * squares * inverse;
+  variance_median_ = covariance(0, 0);
+  variance_beta_ = covariance(1, 1);
+  covariance_ = covariance(0, 1);
 }
 
 Bounds FragilityBounds::at(double intensity) const {

@@ -37,11 +37,19 @@ std::optional<Fragility> fit_fragility(const std::vector<Level>& all);
 
 double probability(const Fragility& curve, double intensity);
 
+/// Runs that depend on each other, as those of one motion that is scaled up; runs of other groups do not.
+using RunGroup = std::vector<Level>;
+
+/// Each run by itself.
+std::vector<RunGroup> single_runs(const std::vector<Level>& levels);
+
 /// What the runs leave open of a fitted curve, with 95 % confidence: by the covariance of ln median and β,
-/// from Fisher's information. Precondition: median and β > 0.
+/// A⁻¹BA⁻¹ with A Fisher's information and B the sum over groups of the squares of their slopes of the
+/// likelihood, times G/(G − 1) of G groups (Liang & Zeger 1986, Biometrika 73, 13–22). Precondition: median
+/// and β > 0.
 class FragilityBounds {
  public:
-  FragilityBounds(const Fragility& curve, const std::vector<Level>& levels);
+  FragilityBounds(const Fragility& curve, const std::vector<RunGroup>& groups);
 
   /// Of the curve at an intensity; 0 and 1 where the runs fix none.
   Bounds at(double intensity) const;

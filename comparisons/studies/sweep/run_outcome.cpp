@@ -1,6 +1,7 @@
 #include "comparisons/studies/sweep/run_outcome.hpp"
 
 #include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/metrics/leans.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
@@ -38,7 +39,8 @@ MotionMode mode_of(unsigned freedom) {
 }  // namespace
 
 SolveOptions run_options(double tolerance) {
-  return {.events = EventsKept::summed,
+  return {.end = true,
+          .events = EventsKept::summed,
           .validity = true,
           .peaks = true,
           .resolution = tolerance,
@@ -63,6 +65,8 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
       outcome.topple_time = last.time;
     }
   }
+  if (!history.times.empty())
+    if (const auto block = falling_block(scene, history, 0)) outcome.falling = static_cast<int>(*block) + 1;
   outcome.onset = onset_mode(scene, history);
   outcome.motion = whole_mode(scene, history);
   outcome.force = worst_of(history.forces);

@@ -39,6 +39,7 @@ struct RunOutcome {
   double peak_ratio = 0;              ///< the largest of these over the block's slenderness
   int toppled = 0;                    ///< number of the block that toppled or fell off first, from 1; 0: none
   std::optional<double> topple_time;  ///< s, where one has
+  int falling = 0;                    ///< falling_block() at the end, from 1; 0: none
   std::size_t impacts = 0;            ///< with those that end chatter
   std::size_t events = 0;             ///< of any kind
   std::optional<double> last_event_time;                           ///< s, where there is an event

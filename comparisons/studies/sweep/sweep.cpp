@@ -66,9 +66,12 @@ std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ens
 }
 
 /// All that is needed to make the runs again, and what the columns mean.
-Json description(const Ensemble& ensemble) {
+Json description(const Ensemble& ensemble, const std::vector<std::string>& headline) {
   Json json{{"title", ensemble.title},
+            {"headline", headline},
             {"runs", run_count(ensemble)},
+            {"tolerance", ensemble.tolerance},
+            {"demands", ensemble.demands},
             {"samples", ensemble.samples},
             {"seed", ensemble.seed},
             {"scene", page_scene(ensemble.base.root)},
@@ -82,7 +85,9 @@ Json description(const Ensemble& ensemble) {
   return json;
 }
 
-void write_results(const Ensemble& ensemble, const Journal& journal, const std::filesystem::path& folder) {
+/// @returns the headline.
+std::vector<std::string> write_results(const Ensemble& ensemble, const Journal& journal,
+                                       const std::filesystem::path& folder) {
   write_file(folder / "runs.csv", [&](const Sink& put) {
     CsvWriter header;
     for (const auto& [name, meaning] : run_columns(ensemble)) header.add(name);
@@ -90,8 +95,10 @@ void write_results(const Ensemble& ensemble, const Journal& journal, const std::
     put(header.text());
     journal.copy_to(put);
   });
-  write_file(folder / "sweep.json", description(ensemble).dump(2) + "\n");
   write_summaries(folder, ensemble.summary);
+  const std::vector<std::string> headline = sweep_headline(folder, ensemble.summary);
+  write_file(folder / "sweep.json", description(ensemble, headline).dump(2) + "\n");
+  return headline;
 }
 
 }  // namespace
@@ -145,6 +152,7 @@ std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble) {
       {"peak_ratio", Measure(&RunOutcome::peak_ratio)},
       {"toppled", Count(&RunOutcome::toppled)},
       {"topple_time", Measure(&RunOutcome::topple_time)},
+      {"falling", Count(&RunOutcome::falling)},
       {"impacts", Count(&RunOutcome::impacts)},
       {"events", Count(&RunOutcome::events)},
       {"last_event_time", Measure(&RunOutcome::last_event_time)},
@@ -195,7 +203,9 @@ std::size_t block_size(std::size_t runs) {
 SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
                   const SweepOptions& options) {
   SweepResult result{.runs = run_count(ensemble)};
-  Journal journal(options.folder, identity(ensemble, library) + std::to_string(block_size(result.runs)));
+  std::string known = identity(ensemble, library) + std::to_string(block_size(result.runs));
+  for (const auto& [name, meaning] : run_columns(ensemble)) known += "\n" + name;
+  Journal journal(options.folder, known);
   std::vector<std::size_t> blocks;
   for (std::size_t block = 0; block * block_size(result.runs) < result.runs; ++block) {
     if (journal.has(block))
@@ -216,7 +226,7 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   result.computed = result.done - begun_with;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!result.finished()) return result;
-  write_results(ensemble, journal, options.folder);
+  result.headline = write_results(ensemble, journal, options.folder);
   for (CsvLine line(options.folder / "runs.csv"); line.next();)
     result.failed += line.text("status") == "failed" ? 1 : 0;
   const Json timing{{"command", options.command},

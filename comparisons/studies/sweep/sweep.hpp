@@ -56,6 +56,9 @@ std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble);
 /// written.
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys);
 
+/// What the results in a folder come to, from runs.csv and its summaries, in sentences.
+std::vector<std::string> sweep_headline(const std::filesystem::path& folder, const SummaryKeys& keys);
+
 struct SweepOptions {
   std::filesystem::path folder;  ///< for results; must be there
   std::string command;           ///< the whole command line
@@ -65,10 +68,11 @@ struct SweepOptions {
 
 struct SweepResult {
   std::size_t runs = 0;
-  std::size_t done = 0;      ///< before or now
-  std::size_t computed = 0;  ///< now
-  std::size_t failed = 0;    ///< of all, once finished
-  double seconds = 0;        ///< wall time of those
+  std::size_t done = 0;                    ///< before or now
+  std::size_t computed = 0;                ///< now
+  std::size_t failed = 0;                  ///< of all, once finished
+  double seconds = 0;                      ///< wall time of those
+  std::vector<std::string> headline = {};  ///< once finished
   bool finished() const { return done == runs; }
 };
 

@@ -72,18 +72,34 @@ Numbers capacity(const std::vector<ScaledMotion>& motions, double share) {
   return curve;
 }
 
+/// Where half of the motions come to the slenderness first, between two intensities that were tried.
 std::string answer_of(const Numbers& median, const std::string& axis) {
-  for (const std::vector<double>& line : median)
-    if (line[0] >= 1) return "Half of the motions turn it by its slenderness at " + value_on(axis, line[1]);
-  return "Half of the motions turn it by less than its slenderness throughout";
+  const auto past =
+      std::ranges::find_if(median, [](const std::vector<double>& line) { return line[0] >= 1; });
+  if (past == median.end()) return "Half of the motions turn it by less than its slenderness throughout";
+  if (past == median.begin())
+    return "Half of the motions turn it by its slenderness at no more than " + value_on(axis, (*past)[1]);
+  const std::string range = fmt::format("{:.3g} to {:.3g}", (*std::prev(past))[1], (*past)[1]);
+  return "Half of the motions first turn it by its slenderness at " + value_on(axis, range);
+}
+
+/// Runs by their motions, where the runs of one are known as such; else each by itself.
+std::vector<RunGroup> groups_of(const fs::path& folder, const std::vector<Level>& levels) {
+  const fs::path file = folder / "incremental.csv";
+  if (!fs::exists(file)) return single_runs(levels);
+  const auto columns = read_columns(file, {"curve", "intensity", "toppled"});
+  std::map<double, RunGroup> groups;
+  for (std::size_t i = 0; i < columns[0].size(); ++i)
+    groups[columns[0][i]].push_back({columns[1][i], 1, columns[2][i] > 0 ? std::size_t{1} : std::size_t{0}});
+  return each_of(groups, [](const auto& group) { return group.second; });
 }
 
 }  // namespace
 
 Drawings fragility(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
-  const auto levels =
-      read_columns(subject.folder / "fragility.csv", {"intensity", "fraction", "lower", "upper", "runs"});
+  const auto levels = read_columns(subject.folder / "fragility.csv",
+                                   {"intensity", "fraction", "lower", "upper", "runs", "toppled"});
   const auto fit = read_columns(subject.folder / "fragility-fit.csv", {"median", "beta"});
   double end = 0, runs = 0;
   std::vector<Level> tested;
@@ -92,7 +108,8 @@ Drawings fragility(const FolderSubject& subject) {
     end = std::max(end, levels[0][i]);
     runs = std::max(runs, levels[4][i]);
     if (std::isnan(levels[1][i])) continue;
-    tested.push_back({levels[0][i], static_cast<std::size_t>(levels[4][i])});
+    tested.push_back(
+        {levels[0][i], static_cast<std::size_t>(levels[4][i]), static_cast<std::size_t>(levels[5][i])});
     counts.push_back({levels[0][i], levels[1][i], levels[2][i], levels[3][i]});
   }
   end *= 1.04;
@@ -101,11 +118,15 @@ Drawings fragility(const FolderSubject& subject) {
   Numbers curve;
   if (!fit[0].empty()) {
     const Fragility fitted{fit[0][0], fit[1][0]};
-    const FragilityBounds bounds(fitted, tested);
+    const std::vector<RunGroup> groups = groups_of(subject.folder, tested);
+    const FragilityBounds bounds(fitted, groups);
     const auto [lower, upper] = bounds.of_median();
-    legend.emplace_back(fitted_style, fmt::format("fit: median {:.4g} ({:.3g}–{:.3g}), β {:.3g}",
-                                                  fitted.median, lower, upper, fitted.beta));
-    legend.emplace_back(bounds_style, "95 % bounds of the fit");
+    const std::string between = groups.size() > 1 ? fmt::format(" ({:.3g}–{:.3g})", lower, upper) : "";
+    legend.emplace_back(fitted_style,
+                        fmt::format("fit: median {:.4g}{}, β {:.3g}", fitted.median, between, fitted.beta));
+    if (groups.size() > 1)
+      legend.emplace_back(bounds_style, fmt::format("95 % bounds of the fit, of {} that are independent",
+                                                    counted(groups.size(), "motion")));
     answer = fmt::format("Half of the motions topple it at {}", value_on(facts.intensity, fitted.median));
     if (facts.least_acceleration > 0)
       answer += fmt::format(", {:.3g} times g tan α", fitted.median / facts.least_acceleration);

@@ -108,22 +108,6 @@ SweepFacts sweep_facts(const fs::path& results) {
   });
 }
 
-std::string axis_title(const std::string& key) {
-  for (const auto& [end, title] : {std::pair{".peak", "peak ground acceleration (m/s²)"},
-                                   {".amplitude", "amplitude of the pulse (m/s²)"},
-                                   {".scale", "scale of the record"}})
-    if (key.ends_with(end)) return title;
-  return key;
-}
-
-std::string value_on(const std::string& axis, double value) {
-  const std::size_t unit = axis.find(" (");
-  if (unit == std::string::npos) return fmt::format("{} = {:.3g}", axis, value);
-  const bool vowel = std::string("aeiou").find(axis.front()) != std::string::npos;
-  return fmt::format("{} {} of {:.3g} {}", vowel ? "an" : "a", axis.substr(0, unit), value,
-                     axis.substr(unit + 2, axis.size() - unit - 3));
-}
-
 std::string dimensionless_axis(const std::string& axis, double low, double high, double unit,
                                const std::string& words) {
   if (!(unit > 0)) return "";

@@ -38,18 +38,12 @@ struct SweepFacts {
 /// From sweep.json. @throws InputError naming the file that is missing or malformed.
 SweepFacts sweep_facts(const fs::path& results);
 
-/// The title of an axis along which a scene's key varies, with its unit where the key has one.
-std::string axis_title(const std::string& key);
-
-/// A value with the words of its axis: "a peak ground acceleration of 4.8 m/s²".
-std::string value_on(const std::string& axis, double value);
-
 /// Room for a second axis along the upper edge of a panel, pixels.
 inline constexpr double axis_above = 52;
 
 /// A second axis, "x2" or "y2", opposite of "x" or "y" with its range, on which values are divided by `unit`;
 /// nothing where that is 0.
 std::string dimensionless_axis(const std::string& axis, double low, double high, double unit,
-                               const std::string& words = "over g tan α, of uplift");
+                               const std::string& words = "over g tan α");
 
 }  // namespace rockstack::plots

@@ -42,6 +42,24 @@ TEST(RunOutcome, SumsUpAHistory) {
   EXPECT_EQ(outcome.impulse.friction, 0.6);
 }
 
+// Of three cubes that lean as one, past their balance at atan(1/3) but not past that of a cube: one, side by
+// side with others, and with contacts.
+TEST(RunOutcome, TellsWhatFallsStillAtTheEnd) {
+  Scene scene;
+  scene.duration = 0.5;
+  scene.blocks.assign(3, make_block(1, 1, 2500));
+  const auto falling = [&](double angle) {
+    scene.initial = {{angle, angle, angle}, {0, 0, 0}};
+    return run_outcome(scene, solve(scene, run_options())).falling;
+  };
+  for (const Law law : {Law::consistent, Law::unilateral}) {
+    scene.law = law;
+    EXPECT_EQ(falling(0.4), 1);
+    EXPECT_EQ(falling(-0.4), 1);
+    EXPECT_EQ(falling(0.3), 0);
+  }
+}
+
 /// A low block on ground that for half a second is pushed aside, or falls away, with some share of gravity.
 Scene pushed(double aside, double down) {
   const auto rectangle = [](double amplitude) {

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/studies/sweep/sweep.hpp"
+
+// What a sweep comes to, in sentences: the only place where they are made.
+
+namespace rockstack {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+void add_fit(const std::filesystem::path& file, const std::string& axis, Sentences& sentences) {
+  if (!std::filesystem::exists(file)) return;
+  const auto fit = read_columns(file, {"median", "beta"});
+  sentences.push_back(
+      fit[0].empty()
+          ? "No lognormal curve fits: one intensity parts the runs that topple from those that do not, or toppling "
+            "does not grow with intensity."
+          : fmt::format(
+                "Half of the runs topple at {}, by the fitted lognormal curve; its logarithmic spread β is "
+                "{:.3g}.",
+                value_on(axis, fit[0][0]), fit[1][0]));
+}
+
+void add_counts(const std::filesystem::path& runs, Sentences& sentences) {
+  std::size_t done = 0, fell = 0, failed = 0, falling = 0;
+  for (CsvLine row(runs); row.next();) {
+    const bool is_done = row.text("status") == "done";
+    ++(is_done ? done : failed);
+    if (!is_done) continue;
+    fell += row.text("toppled") != "0";
+    falling += row.text("falling") != "0";
+  }
+  if (done > 0)
+    sentences.push_back(fmt::format("Of {} {} topple{}.", counted(done, "run"), fell, fell == 1 ? "s" : ""));
+  if (falling > 0)
+    sentences.push_back(
+        fmt::format("{} more {} past balance at the end, and count as standing: a longer duration decides.",
+                    falling, falling == 1 ? "is" : "are"));
+  if (failed > 0) sentences.push_back(fmt::format("{} failed; runs.csv says why.", failed));
+}
+
+/// The sum of each column of a file, whole numbers; none where there is no such file.
+std::vector<double> sums(const std::filesystem::path& file, const std::vector<std::string>& names) {
+  std::vector<double> list;
+  if (!std::filesystem::exists(file)) return list;
+  for (const std::vector<double>& values : read_columns(file, names))
+    list.push_back(std::accumulate(values.begin(), values.end(), 0.0));
+  return list;
+}
+
+void add_maps(const std::filesystem::path& folder, Sentences& sentences) {
+  if (const auto counts = sums(folder / "overturning.csv",
+                               {"rest", "rocking", "toppled_after_impact", "toppled_without_impact"});
+      !counts.empty())
+    sentences.push_back(
+        fmt::format("{} stay at rest, {} rock and stand, {} topple after an impact, {} without one.",
+                    counts[0], counts[1], counts[2], counts[3]));
+  if (const auto counts =
+          sums(folder / "modes.csv", {"rest", "slide", "rock", "slide_rock", "free_flight", "fall"});
+      !counts.empty())
+    sentences.push_back(fmt::format("{} rest, {} slide, {} rock, {} do both, {} lift off; {} fall off.",
+                                    counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]));
+}
+
+}  // namespace
+
+std::vector<std::string> sweep_headline(const std::filesystem::path& folder, const SummaryKeys& keys) {
+  Sentences sentences;
+  add_fit(folder / "fragility-fit.csv", axis_title(keys.intensity), sentences);
+  add_counts(folder / "runs.csv", sentences);
+  add_maps(folder, sentences);
+  return sentences;
+}
+
+}  // namespace rockstack
