@@ -56,6 +56,20 @@ std::string shown_pattern(const Pattern& pattern) {
   return text;
 }
 
+std::string pattern_words(const Pattern& pattern) {
+  std::string words;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(pattern.size); ++k) {
+    const Contact contact = pattern.contacts[k];
+    const auto way = [](int sign) { return std::string(sign < 0 ? "left" : "right"); };
+    words += (k > 0 ? ", block " : "block ") + std::to_string(k + 1);
+    words += contact == Contact::apart    ? " in flight"
+             : contact == Contact::closed ? " flat"
+                                          : " leaning " + way(sign(contact));
+    if (pattern.slides[k] != 0) words += " and sliding " + way(pattern.slides[k]);
+  }
+  return words;
+}
+
 Pattern named_pattern(std::string_view text, int size) {
   if (size == 2)
     if (const std::optional<Pattern> pattern = paper_pattern(text)) return *pattern;

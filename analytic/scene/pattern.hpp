@@ -62,6 +62,9 @@ std::string name(const Pattern& pattern);
 /// The same for people: an arrow the way an interface slides, a dash where it is apart.
 std::string shown_pattern(const Pattern& pattern);
 
+/// The same in words: "block 1 flat, block 2 leaning right and sliding left", or "in flight".
+std::string pattern_words(const Pattern& pattern);
+
 /// The pattern of `size` blocks with that name. @throws std::invalid_argument where there is none.
 Pattern named_pattern(std::string_view name, int size);
 

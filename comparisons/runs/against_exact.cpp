@@ -246,9 +246,9 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
   if (horizon >= scene.duration) horizon = std::numeric_limits<double>::infinity();
   const Difference compared = up_to(apart, horizon);
   const bool topples = !reported_toppling(exact).empty();
-  // What is past balance as the scene ends would topple later.
-  const History& other = topples ? history : exact;
-  if (topples == candidate.topples || !falling_block(scene, other, other.size() - 1))
+  // What is past balance as the scene ends would topple later; samples go no further than the engine's.
+  const auto falls = [&](const History& other) { return falling_block(scene, other, other.size() - 1); };
+  if (topples == candidate.topples || !falls(topples ? history : solve(scene, {.end = true})))
     row.toppling_verdict = toppling_verdict(topples, candidate.topples);
   if (wanted.angles) {
     const History seen = up_to(exact, horizon);

@@ -89,8 +89,10 @@ void clear_progress(const Common& common) {
   if (shows_progress(common)) fmt::print(stderr, "\r\033[K");
 }
 
-int end_of_runs(std::size_t failed, std::size_t runs, const char* file) {
-  if (failed > 0) fmt::print(stderr, "rockstack: {} of {} runs failed, {} says why\n", failed, runs, file);
+int end_of_runs(std::size_t failed, std::size_t runs, const char* file, const std::string& reason) {
+  if (failed > 0)
+    fmt::print(stderr, "rockstack: {} of {} runs failed, {} says why; the first: {}\n", failed, runs, file,
+               reason);
   return failed > 0 ? 1 : 0;
 }
 

@@ -189,8 +189,9 @@ std::function<void(const Progress&)> progress(const Common& common);
 /// Takes that line away, so that something else can be printed there.
 void clear_progress(const Common& common);
 
-/// Says on standard error how many runs failed, and which file says why. Returns the exit code.
-int end_of_runs(std::size_t failed, std::size_t runs, const char* file);
+/// Says on standard error how many runs failed, which file says why, and why the first did. Returns the exit
+/// code.
+int end_of_runs(std::size_t failed, std::size_t runs, const char* file, const std::string& reason);
 
 /// Where figures and report are.
 void print_report(const std::filesystem::path& folder, const Common& common);

@@ -59,6 +59,14 @@ void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::
              bytes / megabyte, out.string());
 }
 
+/// As end_of_runs().
+int end_of_rows(const std::vector<RunMetrics>& rows, const char* file) {
+  const auto is_failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
+  const auto first = std::ranges::find_if(rows, is_failed);
+  return end_of_runs(static_cast<std::size_t>(std::ranges::count_if(rows, is_failed)), rows.size(), file,
+                     first == rows.end() ? "" : first->reason);
+}
+
 #ifdef ROCKSTACK_WITH_PLOTS
 /// Figures of thousands of scenes take hours: they are drawn when asked for.
 void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& results, const Common& common) {
@@ -138,9 +146,7 @@ int stability_command(const std::filesystem::path& file, const CompareArguments&
       study, arguments.out, executor, {.command = common.command, .progress = progress(common)});
   print_verdicts(rows, arguments.out, common);
   show_report(arguments.out, common);
-  const auto failed =
-      std::ranges::count_if(rows, [](const StabilityRun& row) { return row.row.status != RunStatus::done; });
-  return end_of_runs(static_cast<std::size_t>(failed), rows.size(), "stability.csv");
+  return end_of_rows(each_of(rows, &StabilityRun::row), "stability.csv");
 }
 
 /// The verdict, what was left out, and where the results are; or all of it as JSON.
@@ -198,9 +204,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
 #endif
   print_report(arguments.out, common);
   print_comparison(result, arguments.out, common);
-  const auto failed =
-      std::ranges::count_if(result.rows, [](const RunMetrics& row) { return row.status != RunStatus::done; });
-  return end_of_runs(static_cast<std::size_t>(failed), result.rows.size(), "comparison.csv");
+  return end_of_rows(result.rows, "comparison.csv");
 }
 
 }  // namespace rockstack

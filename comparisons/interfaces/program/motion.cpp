@@ -33,8 +33,9 @@ void print_history(const Scene& scene, const History& history, const Support& su
   if (!in_words(json, common)) return;
   fmt::print("{}\n", verdict);
   for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
+  constexpr double rounding = 1e-12;
   for (std::size_t k = 0; const double peak : peaks)
-    fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak);
+    fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak < rounding ? 0 : peak);
   for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
   for (const std::string& line : lines_of_others) fmt::print("{}\n", line);
   fmt::print("results: {}\n", folder.string());

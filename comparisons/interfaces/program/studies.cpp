@@ -98,7 +98,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   }
   print_sweep(result, arguments.out, common);
   show_report(arguments.out, common);
-  return end_of_runs(result.failed, result.runs, "runs.csv");
+  return end_of_runs(result.failed, result.runs, "runs.csv", result.reason);
 }
 
 int fit_command(const FitArguments& arguments, const Common& common) {

@@ -47,11 +47,11 @@ void add_warnings(const Scene& scene, const std::vector<Demand>& demands, const 
 void add_open_questions(const History& history, std::vector<std::string>& lines) {
   for (const Event& event : history.events) {
     if (event.consistency == Consistency::several) {
-      lines.push_back(
-          fmt::format("at t = {:.6g} s several motions obey the laws of contact: {} follows. What sticks "
-                      "goes on to stick "
-                      "if it can; corner on corner, a slip is judged by the face that it meets",
-                      event.time, name(event.to)));
+      lines.push_back(fmt::format(
+          "at t = {:.6g} s several motions obey the laws of contact: the one with {} follows. What "
+          "sticks goes on to stick "
+          "if it can; corner on corner, a slip is judged by the face that it meets",
+          event.time, pattern_words(event.to)));
     } else if (event.consistency == Consistency::none) {
       lines.push_back(fmt::format(
           "at t = {:.6g} s no finite forces let the motion go on (Painlevé): an impulse stops interface {}, "

@@ -119,8 +119,7 @@ std::string unsettled(const Scene& scene, const History& history) {
   if (const auto block = sliding_at_end(history)) return fmt::format("block {} slides", *block);
   if (const auto falling = falling_block(scene, history, last))
     return blocks_up_from(*falling, scene) + " past balance and on";
-  const bool rocks = !history.patterns.empty() && !is_closed(history.patterns.back());
-  return rocks ? "still rocks" : "";
+  return "";
 }
 
 /// The block that slips furthest, and where it is left.
@@ -224,14 +223,17 @@ std::string outcome_of(const Scene& scene, const History& history, const Support
   if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
     return sunk.empty() ? "rests throughout" + freedom(scene, history)
                         : "rests, but " + sunk + freedom(scene, history);
-  const std::string rest =
-      ends_at_rest(scene, history) ? fmt::format(", at rest from {:.4g} s", history.events.back().time) : "";
   const std::string lean = most.ratio < 1e-3 && !history.slips.empty()
                                ? "; nothing rocks"
                                : "; " + leaning(scene, most, largest_common_lean(scene, history));
-  const std::string state =
-      going_on.empty() ? "stands" : fmt::format("{} at the end, {:.4g} s", going_on, history.times.back());
-  return state + rest + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(scene, history);
+  const std::string end = fmt::format("the end, {:.4g} s", history.times.back());
+  const bool rocks = !history.patterns.empty() && !is_closed(history.patterns.back());
+  const std::string state = !going_on.empty() ? going_on + " at " + end
+                            : ends_at_rest(scene, history)
+                                ? fmt::format("stands, at rest from {:.4g} s", history.events.back().time)
+                            : rocks ? "stands so far, still rocking at " + end
+                                    : "stands";
+  return state + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(scene, history);
 }
 
 }  // namespace

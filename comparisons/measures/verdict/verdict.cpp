@@ -178,12 +178,17 @@ std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vec
                      worst == nullptr ? "" : fmt::format("; {} {}", phrase(*worst), worst->outcome));
 }
 
-/// Scenes whose exact motion is not the only one, or not one of blocks that only push.
+/// Scenes whose exact motion is not the only one, not one of blocks that only push and stick, or not one that
+/// engines are asked for: they stand on contacts of their own.
 std::string doubt_sentence(const std::vector<ReplicatedRow>& rows) {
   std::vector<std::string> doubts;
-  for (const ReplicatedRow& one : rows)
-    if (one.engine == "exact" && !one.outcome.empty())
-      doubts.push_back(fmt::format("in {} the exact motion is {}", one.scene, one.outcome));
+  for (const ReplicatedRow& one : rows) {
+    if (one.engine != "exact") continue;
+    const std::string motion = fmt::format("in {} the exact motion ", one.scene);
+    if (!one.outcome.empty()) doubts.push_back(motion + "is " + one.outcome);
+    if (one.law == name(Law::compliant))
+      doubts.push_back(motion + "stands on springs that engines do not have");
+  }
   if (doubts.empty()) return "";
   return capitalised(joined(doubts)) + ".";
 }

@@ -228,7 +228,7 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   if (!result.finished()) return result;
   result.headline = write_results(ensemble, journal, options.folder);
   for (CsvLine line(options.folder / "runs.csv"); line.next();)
-    result.failed += line.text("status") == "failed" ? 1 : 0;
+    if (line.text("status") == "failed" && result.failed++ == 0) result.reason = line.text("reason");
   const Json timing{{"command", options.command},
                     {"workers", executor.description()},
                     {"runs_computed", result.computed},

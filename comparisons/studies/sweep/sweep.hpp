@@ -71,6 +71,7 @@ struct SweepResult {
   std::size_t done = 0;                    ///< before or now
   std::size_t computed = 0;                ///< now
   std::size_t failed = 0;                  ///< of all, once finished
+  std::string reason = {};                 ///< of the first that failed
   double seconds = 0;                      ///< wall time of those
   std::vector<std::string> headline = {};  ///< once finished
   bool finished() const { return done == runs; }

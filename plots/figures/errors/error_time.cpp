@@ -54,8 +54,8 @@ Numbers numbers_of(const CostLine& line) {
   });
 }
 
-/// The lines between neighbours whose errors tell a trend: their quartiles over replicates differ, and
-/// without replicates histories can be compared to the end. Elsewhere a line between them would mean nothing.
+/// The lines between steps whose quartiles of errors over replicates part; without replicates, where
+/// histories can be compared to the end. Elsewhere a line between them would mean nothing.
 Numbers pieces(const CostLine& line, bool comparable) {
   Numbers numbers;
   for (std::size_t i = 1; i < line.costs.size(); ++i) {
@@ -173,11 +173,14 @@ std::string answer(const std::vector<CostLine>& lines, double tolerance) {
   for (const CostLine& line : lines)
     for (const Cost& cost : line.costs) {
       least = std::min(least, cost.error);
-      if (cost.error <= tolerance && (best == nullptr || cost.time < best->time)) best = &cost, of = &line;
+      if (std::max(cost.error, cost.upper) <= tolerance && (best == nullptr || cost.time < best->time))
+        best = &cost, of = &line;
     }
-  if (best == nullptr) return fmt::format("None within {:g} rad, all {} or more", tolerance, off_by(least));
-  return fmt::format("Cheapest within {:g} rad: {} ({}{}), {}, {} a second of motion", tolerance, of->label,
-                     best->label, of->unit, off_by(best->error), rounded_duration(best->time));
+  if (best == nullptr)
+    return fmt::format("No RMS error within {:g} rad, all {} or more", tolerance, off_by(least));
+  return fmt::format("Cheapest with an RMS error within {:g} rad: {} ({}{}), {}, {} a second of motion",
+                     tolerance, of->label, best->label, of->unit, off_by(best->error),
+                     rounded_duration(best->time));
 }
 
 /// The model errors that no step takes away, as plots.
@@ -193,7 +196,7 @@ std::vector<std::string> floors(const std::vector<CostLine>& lines) {
 void add_notes(Sheet& sheet, const std::vector<CostLine>& lines, bool guided, bool many) {
   if (guided)
     sheet.note(
-        "lines join runs whose errors tell a trend; dotted slopes: a method of order one, and of two; black: "
+        "lines join steps whose quartiles of errors part; dotted slopes: a method of order one, and of two; black: "
         "the exact solver");
   const bool changed = std::ranges::any_of(
       lines, [](const CostLine& line) { return line.run.settings.find('+') != std::string::npos; });

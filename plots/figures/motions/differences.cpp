@@ -113,9 +113,14 @@ std::string answer(const std::vector<Departure>& departures, const ComparedScene
     first = std::min(first, one.run.agreement_time.value_or(first));
     last = std::max(last, one.run.agreement_time.value_or(last));
   }
-  return fmt::format("Within {} rad until {} of {} that can be compared", tolerance,
-                     span_text(rounded_duration(first), rounded_duration(std::max(first, last))),
-                     duration_text(scene.horizon()));
+  const double horizon = scene.horizon();
+  const std::string end = duration_text(horizon) + " that can be compared";
+  if (first >= horizon) return fmt::format("All stay within {} rad for the {}", tolerance, end);
+  const auto text = [](double time) { return fmt::format("{:.3g} s", time); };
+  const std::string others = last >= horizon ? "others never in the " + end
+                             : last > first  ? "the last at " + text(last) + " of " + end
+                                             : "of " + end;
+  return fmt::format("The first is off by more than {} rad at {}, {}", tolerance, text(first), others);
 }
 
 }  // namespace

@@ -83,5 +83,11 @@ TEST(Pattern, OppositeSwapsTheEndsAndKeepsClosed) {
   EXPECT_EQ(opposite(Contact::closed), Contact::closed);
 }
 
+TEST(Pattern, InWordsItSaysWhatEachBlockDoes) {
+  EXPECT_EQ(pattern_words(named_pattern("C<-R>", 3)),
+            "block 1 flat and sliding left, block 2 in flight, block 3 leaning right and sliding right");
+  EXPECT_EQ(pattern_words(named_pattern("1b", 2)), "block 1 leaning left, block 2 leaning left");
+}
+
 }  // namespace
 }  // namespace rockstack

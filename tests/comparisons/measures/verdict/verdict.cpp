@@ -111,6 +111,19 @@ TEST(Verdict, OfSeveralExactMotionsItIsToldThatThereAre) {
             std::string::npos);
 }
 
+TEST(Verdict, OfSpringsItIsToldThatEnginesDoNotHaveThem) {
+  std::vector<ReplicatedRow> rows = {row("a", "one", 1e-3, 1e-3)};
+  ReplicatedRow exact;
+  exact.scene = "a";
+  exact.engine = "exact";
+  exact.law = "compliant";
+  rows.insert(rows.begin(), exact);
+  EXPECT_EQ(headline(rows, {scene("a")})[0].rfind(
+                "In a the exact motion stands on springs that engines do not have; engines ", 0),
+            0U)
+      << headline(rows, {scene("a")})[0];
+}
+
 TEST(Verdict, SetsThatShareTheLastRankAreFurthestTogether) {
   EXPECT_EQ(
       headline({row("a", "best", 1e-3, 1e-3), row("a", "good", 1e-3, 1e-3), row("a", "bad", 1e-3, 1e-2),
