@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -43,7 +44,7 @@ Part& found_or_added(std::vector<Part>& list, const Is& is, Part added) {
 }
 
 /// The largest absolute value; 0 where there is none.
-inline double largest_magnitude(const std::vector<double>& values) {
+inline double largest_magnitude(std::span<const double> values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
   return largest;

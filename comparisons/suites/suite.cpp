@@ -185,6 +185,7 @@ InputKind kind_of(const std::filesystem::path& file) {
   const Node root = read_toml(file);
   if (const Node* study = find(root, "study"))
     return study->text == "stability" ? InputKind::stability_study : InputKind::impact_law_study;
+  if (find(root, "scene") != nullptr) return InputKind::ensemble;
   const bool suite = std::ranges::any_of(suite_keys.keys, [&](const InputKey& key) {
     return find(root, key.name) != nullptr && std::string_view(key.name) != "title";
   });

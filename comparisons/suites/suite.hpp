@@ -141,8 +141,9 @@ struct Suite {
 /// Reads a scene and keeps its text. @throws InputError as read_scene().
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// What a file is that `compare` takes.
+/// What a file is.
 enum class InputKind {
+  ensemble,  ///< has a key that only ensembles have
   scene,
   suite,            ///< has a key that only suites have
   stability_study,  ///< has the key `study`, "stability"

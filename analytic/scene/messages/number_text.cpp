@@ -16,9 +16,21 @@ constexpr std::array<Prefix, 4> prefixes{
     {{"", 1, 1}, {"m", 1e-3, 0.999e-4}, {"µ", 1e-6, 0.999e-7}, {"n", 1e-9, 0}}};
 constexpr double rounding = 1e-12;
 
+double last_digit(double value, int digits) {
+  return std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - digits);
+}
+
 double rounded(double value, int digits) {
-  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - digits);
+  const double unit = last_digit(value, digits);
   return std::round(value / unit) * unit;
+}
+
+/// A number that is two digits already, but for `share` of it, stays so.
+template <class Round>
+double two_digits(double value, double share, const Round& round) {
+  if (!(value > 0) || !std::isfinite(value)) return value;
+  const double unit = last_digit(value, 2);
+  return unit * round(value / unit * (1 + share));
 }
 
 std::string plain_text(double value, int digits) {
@@ -29,6 +41,14 @@ std::string plain_text(double value, int digits) {
 }
 
 }  // namespace
+
+double two_digits_up(double value) {
+  return two_digits(value, -1e-9, [](double number) { return std::ceil(number); });
+}
+
+double two_digits_down(double value) {
+  return two_digits(value, 1e-9, [](double number) { return std::floor(number); });
+}
 
 std::string quantity_text(double value, const std::string& unit, int digits) {
   if (std::abs(value) < rounding) return "0 " + unit;

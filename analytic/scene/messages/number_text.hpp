@@ -19,6 +19,11 @@ inline std::string number_text(double value, int digits) {
   return {buffer.begin(), std::to_chars(buffer.begin(), buffer.end(), value, form, digits).ptr};
 }
 
+/// The nearest number with two significant digits that is not less, or not more, but for rounding. Of what is
+/// positive and finite; else the value itself.
+double two_digits_up(double value);
+double two_digits_down(double value);
+
 /// A quantity in the unit that suits its size, with so many significant digits: of "m" 3.67 is "3.67 m",
 /// 0.086 is "86 mm", 1e-4 is "0.1 mm"; "0 m" where it is less than 10⁻¹², which is rounding.
 std::string quantity_text(double value, const std::string& unit, int digits = 3);

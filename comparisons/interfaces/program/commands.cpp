@@ -39,11 +39,21 @@ std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& n
   return list;
 }
 
+void require_kind(const std::string& input, const std::filesystem::path& file, const char* wanted,
+                  const std::vector<InputKind>& kinds) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return;
+  const InputKind kind = kind_of(file);
+  if (std::ranges::find(kinds, kind) != kinds.end()) return;
+  throw InputError(fmt::format("{}: must be {}, this is {} takes", input, wanted,
+                               kind == InputKind::scene      ? "a scene, which `rockstack solve`"
+                               : kind == InputKind::ensemble ? "an ensemble, which `rockstack sweep`"
+                                                             : "a suite, which `rockstack compare`"));
+}
+
 NamedScene read_one_scene(const std::string& input, const Common& common) {
   const auto file = input_file(input, {"scenes"});
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(file, ignored) && kind_of(file) != InputKind::scene)
-    throw InputError(input + ": must be a scene, this is a suite, which `rockstack compare` takes");
+  require_kind(input, file, "a scene", {InputKind::scene});
   return read_named_scene(file, common.overrides);
 }
 

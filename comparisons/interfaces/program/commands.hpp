@@ -157,7 +157,12 @@ std::vector<const WorkerEngine*> engines_named(const std::string& name);
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
                                                EngineList (*otherwise)());
 
-/// @throws InputError also where the input names a suite.
+/// @throws InputError, with the command that takes it, where a file is none of those kinds; `wanted`: what it
+/// must be.
+void require_kind(const std::string& input, const std::filesystem::path& file, const char* wanted,
+                  const std::vector<InputKind>& kinds);
+
+/// @throws InputError also where the input names a suite or an ensemble.
 NamedScene read_one_scene(const std::string& input, const Common& common);
 
 /// @throws InputError where the value is not finite and > 0.

@@ -15,7 +15,13 @@ namespace rockstack {
 namespace {
 
 /// The kinds of inputs of `compare`.
-const std::vector<std::string> input_kinds{"suites", "scenes"};
+/// The file that an input of `compare` names.
+std::filesystem::path compared_file(const std::string& input) {
+  auto file = input_file(input, {"suites", "scenes"});
+  require_kind(input, file, "a scene or a suite",
+               {InputKind::scene, InputKind::suite, InputKind::stability_study, InputKind::impact_law_study});
+  return file;
+}
 
 /// A suite says by itself what it runs.
 void refuse_choice(const std::string& suite, const SceneChoice& choice) {
@@ -29,7 +35,7 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
 }
 
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
-  const auto file = input_file(input, input_kinds);
+  const auto file = compared_file(input);
   const InputKind kind = kind_of(file);
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
   refuse_choice(input, arguments.choice);
@@ -177,7 +183,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     return 0;
   }
   for (const std::string& input : arguments.inputs) {
-    const auto file = input_file(input, input_kinds);
+    const auto file = compared_file(input);
     const InputKind kind = kind_of(file);
     if (kind == InputKind::scene || kind == InputKind::suite) continue;
     refuse_choice(input, arguments.choice);

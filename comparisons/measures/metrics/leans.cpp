@@ -56,19 +56,21 @@ Point<double> from_corner(const Scene& scene, const History& history, std::size_
                         -own.half_height - own.offset_y, turn.cosine, turn.sine);
 }
 
-/// The angle of the line from the end of a block's lower face, on one side, to the common centre of mass of
-/// it and what stands on it, in the upright stack, from the vertical, rad.
-double common_slenderness(const Scene& scene, std::size_t block, int side) {
+/// The angle of from_corner() to the common centre of mass from the vertical, rad, were all blocks upright
+/// where they have slipped to; of the ground's vertical, or with its inclination.
+double common_slenderness(const Scene& scene, const History& history, std::size_t sample, std::size_t block,
+                          int side) {
   double x = 0, y = 0, mass = 0, middle = 0, floor = 0;
   for (std::size_t k = block; k < scene.blocks.size(); ++k) {
     const Block& own = scene.blocks[k];
-    if (k > block && !scene.initial.offsets.empty()) middle += scene.initial.offsets[k];
+    if (k > block && !history.slips.empty()) middle += history.row(history.slips, sample)[k];
     x += own.mass * (middle + own.offset_x);
     y += own.mass * (floor + own.half_height + own.offset_y);
     mass += own.mass;
     floor += 2 * own.half_height;
   }
-  return std::atan2(interface_half_width(scene, static_cast<int>(block)) - side * x / mass, y / mass);
+  const double end = contact_end(scene, history, sample, block, side);
+  return std::atan2(side * (end - x / mass), y / mass) - side * scene.inclination;
 }
 
 }  // namespace
@@ -122,15 +124,18 @@ Lean largest_lean(const Scene& scene, const History& history) {
 
 Lean largest_common_lean(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
+  // On level ground the top block is one by itself.
+  const std::size_t most = scene.blocks.size() - (scene.inclination == 0 ? 1 : 0);
   Lean largest;
   for (std::size_t i = 0; i < history.size(); ++i) {
     const Points<double> centres = centre_places(stack, history, i);
-    for (std::size_t k = 0; k + 1 < scene.blocks.size(); ++k) {
+    for (std::size_t k = 0; k < most; ++k) {
       const int side = leaning_side(history, i, k);
       if (side == 0) continue;
       const Point<double> arm =
           from_corner(scene, history, i, centres, k, side, common_centre(scene, centres, k));
-      const double ratio = 1 + side * std::atan2(arm.x(), arm.y()) / common_slenderness(scene, k, side);
+      const double lean = side * (std::atan2(arm.x(), arm.y()) + scene.inclination);
+      const double ratio = 1 + lean / common_slenderness(scene, history, i, k, side);
       if (ratio > largest.ratio) largest = {k, ratio, history.times[i]};
     }
   }

@@ -34,8 +34,9 @@ struct Lean {
 Lean largest_lean(const Scene& scene, const History& history);
 
 /// The same of a block with all that stands on it: by how much the line from the corner that it leans on to
-/// their common centre of mass has turned, over what that line has to turn in the upright stack. Of the
-/// lowest block of those that come nearest; the top block, which bears nothing, is left out. In samples.
+/// their common centre of mass has turned, over what it has to turn from upright blocks in the same places
+/// until it is vertical. Of the lowest block of those that come nearest; on level ground without the top
+/// block, which largest_lean() is of. In samples.
 Lean largest_common_lean(const Scene& scene, const History& history);
 
 /// The lowest block, from 0, that turns further over a corner beyond which, in the direction of gravity, is

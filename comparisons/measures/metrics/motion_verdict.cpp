@@ -12,9 +12,6 @@ namespace {
 constexpr double visible = 1e-9;  // m
 constexpr const char* visible_text = "1 nm";
 
-/// In the order of TopplingVerdict.
-constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
-
 /// The most friction that an interface needs, and in words; there it is rounded up, to two digits.
 struct FrictionNeeded {
   double friction = 0;
@@ -23,39 +20,35 @@ struct FrictionNeeded {
 
 FrictionNeeded friction_needed(const std::vector<Demand>& demands) {
   const auto most = std::ranges::max_element(demands, {}, &Demand::friction);
-  double enough = most->friction;
-  if (enough > 0 && std::isfinite(enough)) {
-    const double digit = std::pow(10, std::floor(std::log10(enough)) - 1);
-    constexpr double rounding = 1e-9;
-    enough = digit * std::ceil(enough / digit * (1 - rounding));
-  }
+  const double enough = two_digits_up(most->friction);
   const std::string where =
       demands.size() > 1 && enough > 0 ? fmt::format(" at interface {}", most - demands.begin() + 1) : "";
   return {most->friction,
           (enough < 100 ? fmt::format("{:.2g}", enough) : fmt::format("{:.0f}", enough)) + where};
 }
 
-/// From when on pivots hold what blocks would not, as "interface 2 would have to pull"; empty where they
-/// never do, or where it was not asked for. Before it pulls an interface slips, whatever its friction: where
-/// both come at one time, it pulls.
+/// From when on pivots hold what blocks would not, as "not valid from 1.2 s, as interface 2 would have to
+/// pull"; empty where they never do, or where it was not asked for. An interface slips before it pulls,
+/// whatever its friction; where that is more than is told from infinite, the pull is told.
 struct Breach {
   double time = std::numeric_limits<double>::infinity();  ///< s
   std::string text = {};
 };
 
 Breach breach_of(const Scene& scene, const History& history) {
+  const std::vector<double> friction = friction_of(scene);
   Breach first;
   for (const auto* demands : {&history.forces, &history.impulses})
     for (std::size_t k = 0; k < demands->size(); ++k) {
       const Demand& one = (*demands)[k];
-      const double time = std::min(one.first_pull_time, one.first_slip_time);
+      const bool slips = friction[k] < largest_friction && one.first_slip_time < one.first_pull_time;
+      const double time = slips ? one.first_slip_time : one.first_pull_time;
       if (!(time < first.time)) continue;
-      const auto text = [](double value) { return fmt::format("{:.4g} s", value); };
-      first = {time, fmt::format("not valid from {}, as interface {} would ", text(time), k + 1) +
-                         (text(time) == text(one.first_pull_time)
-                              ? "have to pull"
-                              : fmt::format("slip: it has friction {} and needs {}", friction_of(scene)[k],
-                                            friction_needed({one}).text))};
+      const std::string needed =
+          std::isfinite(one.friction) ? "needs " + friction_needed({one}).text : "no friction is enough";
+      first = {time, fmt::format("not valid from {:.4g} s, as interface {} would ", time, k + 1) +
+                         (slips ? fmt::format("slip: it has friction {} and {}", friction[k], needed)
+                                : "have to pull")};
     }
   return first;
 }
@@ -64,6 +57,7 @@ Breach breach_of(const Scene& scene, const History& history) {
 std::string demand(const Scene& scene, const History& history) {
   if (history.forces.empty() || !breach_of(scene, history).text.empty()) return "";
   const FrictionNeeded forces = friction_needed(history.forces), impulses = friction_needed(history.impulses);
+  if (!(std::max(forces.friction, impulses.friction) > 0)) return "";
   if (impulses.friction > forces.friction && impulses.text != forces.text)
     return fmt::format("; needs friction {} in impacts, {} between them", impulses.text, forces.text);
   return "; needs friction " + forces.text;
@@ -88,10 +82,11 @@ std::optional<std::size_t> sliding_at_end(const History& history) {
 }
 
 /// "block 3 leans" of the top one, "blocks 1 to 3 lean" of one with what stands on it.
-std::string blocks_up_from(std::size_t block, const Scene& scene) {
+std::string from_block_up(std::size_t block, const Scene& scene, const std::string& alone,
+                          const std::string& together) {
   const std::size_t top = scene.blocks.size();
-  return block + 1 == top ? fmt::format("block {} leans", top)
-                          : fmt::format("blocks {} to {} lean", block + 1, top);
+  return block + 1 == top ? fmt::format("block {} {}", top, alone)
+                          : fmt::format("blocks {} to {} {}", block + 1, top, together);
 }
 
 /// With two digits, however small.
@@ -99,11 +94,13 @@ std::string share_text(double share) {
   return share < 0.1 ? fmt::format("{:.2g}", share) : fmt::format("{:.2f}", share);
 }
 
-/// How far a block by itself comes, or one with what stands on it where that comes nearer to its balance.
+/// How far a block by itself comes, or one with what stands on it where that comes nearer to its balance; on
+/// sloping ground the latter.
 std::string leaning(const Scene& scene, const Lean& alone, const Lean& common) {
-  if (common.ratio > alone.ratio)
-    return fmt::format("blocks {} to {} together come to {} of their balance at {:.4g} s", common.block + 1,
-                       scene.blocks.size(), share_text(common.ratio), common.time);
+  if (common.ratio > alone.ratio || scene.inclination != 0)
+    return from_block_up(common.block, scene, "comes", "together come") +
+           fmt::format(" to {} of {} balance at {:.4g} s", share_text(common.ratio),
+                       common.block + 1 == scene.blocks.size() ? "its" : "their", common.time);
   return fmt::format("block {} peaks at {} of its slenderness angle at {:.4g} s", alone.block + 1,
                      share_text(alone.ratio), alone.time);
 }
@@ -113,12 +110,13 @@ std::string leaning(const Scene& scene, const Lean& alone, const Lean& common) {
 std::string unsettled(const Scene& scene, const History& history) {
   if (history.times.empty()) return "";
   const std::size_t last = history.size() - 1;
+  const auto falling = falling_block(scene, history, last);
+  if (falling && !(gap_at(history, last, *falling) > visible))
+    return from_block_up(*falling, scene, "leans", "lean") + " past balance and on";
   if (const auto block =
           first_block(history, [&](std::size_t k) { return gap_at(history, last, k) > visible; }))
     return fmt::format("block {} is in flight", *block);
   if (const auto block = sliding_at_end(history)) return fmt::format("block {} slides", *block);
-  if (const auto falling = falling_block(scene, history, last))
-    return blocks_up_from(*falling, scene) + " past balance and on";
   return "";
 }
 
@@ -247,38 +245,6 @@ std::string doubt_of(const Scene& scene, const History& history) {
                          event.time);
   }
   return breach_of(scene, history).text;
-}
-
-std::string reported_toppling(const History& history) {
-  if (history.events.empty() || !ends_motion(history.events.back().kind)) return "";
-  return fmt::format("block {} at {} s", history.events.back().interface, history.events.back().time);
-}
-
-std::string observed_toppling(const Scene& scene, const History& history) {
-  const auto last = history.angles_at(history.size() - 1);
-  for (std::size_t k = 0; k < last.size(); ++k)
-    if (std::abs(last[k]) > toppling_angle(scene, static_cast<int>(k)))
-      return fmt::format("block {} at {} s", k + 1, history.times.back());
-  return "";
-}
-
-TopplingVerdict toppling_verdict(bool exact, bool engine) {
-  if (exact == engine) return exact ? TopplingVerdict::both : TopplingVerdict::neither;
-  return exact ? TopplingVerdict::exact_alone : TopplingVerdict::engine_alone;
-}
-
-std::string name(TopplingVerdict verdict) {
-  return verdict_names.at(static_cast<std::size_t>(verdict));
-}
-
-TopplingVerdict named_verdict(const std::string& name) {
-  const auto found = std::find(verdict_names.begin(), verdict_names.end(), name);
-  return found == verdict_names.end() ? TopplingVerdict::unknown
-                                      : static_cast<TopplingVerdict>(found - verdict_names.begin());
-}
-
-bool differ(TopplingVerdict verdict) {
-  return verdict == TopplingVerdict::exact_alone || verdict == TopplingVerdict::engine_alone;
 }
 
 double angle_at(const History& history, std::size_t block, double time) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "comparisons/measures/statistics/samples.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -170,6 +172,7 @@ FragilityBounds::FragilityBounds(const Fragility& curve, const std::vector<RunGr
     squares += slope * slope.transpose();
   }
   const auto count = static_cast<double>(groups.size());
+  if (groups.size() > 1) reach_ = reach_of_interval(groups.size() - 1);
   const Matrix2d inverse = information.inverse();
   const Matrix2d covariance = count / (count - 1) * inverse * squares * inverse;
   variance_median_ = covariance(0, 0);
@@ -180,12 +183,12 @@ FragilityBounds::FragilityBounds(const Fragility& curve, const std::vector<RunGr
 Bounds FragilityBounds::at(double intensity) const {
   const double z = std::log(intensity / curve_.median) / curve_.beta;
   const double variance = variance_median_ + 2 * z * covariance_ + z * z * variance_beta_;
-  const double half = two_sided * std::sqrt(variance) / curve_.beta;
+  const double half = reach_ * std::sqrt(variance) / curve_.beta;
   return std::isfinite(variance) ? Bounds{normal_cdf(z - half), normal_cdf(z + half)} : Bounds{};
 }
 
 Bounds FragilityBounds::of_median() const {
-  const double factor = std::exp(two_sided * std::sqrt(variance_median_));
+  const double factor = std::exp(reach_ * std::sqrt(variance_median_));
   return {curve_.median / factor, curve_.median * factor};
 }
 

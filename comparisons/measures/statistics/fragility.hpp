@@ -58,6 +58,7 @@ class FragilityBounds {
  private:
   Fragility curve_;
   double variance_median_ = 0, variance_beta_ = 0, covariance_ = 0;
+  double reach_ = 0;  ///< of an interval, in standard errors: Student's t of G − 1
 };
 
 }  // namespace rockstack

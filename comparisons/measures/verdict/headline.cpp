@@ -27,15 +27,17 @@ std::string leaving(AgreementEnds ends) {
   const auto leave = static_cast<std::size_t>(
       std::ranges::count_if(ends.times, [](double time) { return std::isfinite(time); }));
   const char* const stays = ends.beyond ? "not before the horizon" : "not at all";
-  const auto text = [](double time) { return fmt::format("{:.2g}", time); };
+  // They agree up to the lower time, and have left by the upper one.
+  const auto after = [](double time) { return fmt::format("{:.2g}", two_digits_down(time)); };
+  const auto by = [](double time) { return fmt::format("{:.2g}", two_digits_up(time)); };
   if (leave == 0) return stays;
   const double first = ends.times.front(), last = ends.times[leave - 1];
   const std::size_t all = ends.times.size(), half = (all + 1) / 2;
   if (all > many)
     return fmt::format(
         "in {} of {} runs{}", leave, all,
-        half > leave ? "" : fmt::format(", half of the {} by {} s", all, text(ends.times[half - 1])));
-  return fmt::format("after {}{} s{}", text(first), text(first) == text(last) ? "" : " to " + text(last),
+        half > leave ? "" : fmt::format(", half of the {} by {} s", all, by(ends.times[half - 1])));
+  return fmt::format("after {}{} s{}", after(first), after(first) == after(last) ? "" : " to " + after(last),
                      leave < all ? fmt::format(" or {}", stays) : "");
 }
 

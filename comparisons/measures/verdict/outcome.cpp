@@ -65,7 +65,7 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
     const std::string verb = event.substr(0, event.find_first_of(" ,"));
     if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, part_named(scenes, row->scene)).depth);
     if (verb == "rises") highest = std::max(highest, row->gap.value_or(0));
-    sets[verb == "sinks" || verb == "rises" || verb == "stands" ? verb : "falls"].insert(set_name(*row));
+    sets[verb == "block" ? "falls" : verb].insert(set_name(*row));
   }
   std::vector<std::string> parts;
   const auto add = [&](const char* verb, const std::string& what) {
@@ -74,6 +74,7 @@ std::string counted_events(const std::vector<const RunMetrics*>& events,
   };
   add("falls", "blocks fall or topple that do not in the exact motion");
   add("stands", "blocks stand that fall in the exact motion");
+  add("topples", "some replicates topple otherwise than the exact motion");
   add("sinks", fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
   add("rises", fmt::format("blocks rise that do not lift off in the exact motion, by {} at most",
                            quantity_text(highest, "m", 2)));

@@ -61,18 +61,39 @@ void add_band(Sheet& sheet, const History& exact, double end) {
   const auto slides = [](const PatternSpan& span) {
     return name(span.pattern).find_first_of("<>-") != std::string::npos;
   };
-  if (sheet.width() == full_width && std::ranges::any_of(spans, slides))
-    sheet.note(
-        "patterns from the ground up: C closed, L and R on the left and right corner, – apart, ← → the way "
-        "it slides",
-        "#444444");
+  if (sheet.width() != full_width) return;
+  const bool of_paper = exact.blocks == 2 && std::ranges::none_of(spans, slides);
+  sheet.note(
+      of_paper
+          ? "ticks: exact impacts below that block; patterns as Spanos et al. 2001 number them, Fig. 2"
+          : "ticks: exact impacts below that block; patterns from the ground up: C closed, L and R on the "
+            "left and right corner, – apart, ← → the way it slides",
+      "#444444");
 }
 
-std::string largest_angles(const std::vector<Run>& runs) {
-  const auto largest = [](const Run& run) {
-    return fmt::format("{} {:.3g} rad", line_label(run), largest_magnitude(history_of(run)->angles));
-  };
-  return "Largest angles: " + text_of_each(runs, largest, "; ");
+/// Up to a time, rad.
+double largest_angle(const Run& run, double end) {
+  const auto history = history_of(run);
+  const auto last = std::ranges::upper_bound(history->times, end) - history->times.begin();
+  const std::span<const double> angles(history->angles);
+  return largest_magnitude(angles.first(static_cast<std::size_t>(last * history->blocks)));
+}
+
+/// Of each run; or of the exact one, and from which to which those of engines go.
+std::string largest_angles(const std::vector<Run>& runs, bool each, double end) {
+  std::vector<std::string> texts;
+  Reach engines;
+  for (const Run& run : runs) {
+    const double angle = largest_angle(run, end);
+    if (each || run.exact())
+      texts.push_back(fmt::format("{} {:.3g} rad", line_label(run), angle));
+    else
+      engines.add(angle);
+  }
+  if (engines.low <= engines.high)
+    texts.push_back(fmt::format("engines {} rad", span_text(fmt::format("{:.3g}", engines.low),
+                                                            fmt::format("{:.3g}", engines.high))));
+  return fmt::format("Largest angles: {}", fmt::join(texts, "; "));
 }
 
 /// All angles of a block; `drawn`: how many curves the figure has for one.
@@ -172,7 +193,7 @@ Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, boo
   Legend legend = legend_of(runs, curve_style);
   const TimeAxis axis = subject.time_axis(runs, legend);
   const bool banded = runs.front().exact() && !pattern_spans(*history_of(runs.front())).empty();
-  Sheet sheet = subject.sheet(legend, largest_angles(all ? runs : std::vector{runs.front()}));
+  Sheet sheet = subject.sheet(legend, largest_angles(runs, all, subject.scene.horizon()));
   for (int k = 0; k < blocks; ++k) add_angles(sheet, subject, runs, k, axis, k + 1 == blocks && !banded);
   if (banded) add_band(sheet, *history_of(runs.front()), axis.end);
   return sheet.finish();
@@ -196,7 +217,7 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
   if (std::ranges::any_of(runs, [](const Run& run) { return !band_lines(run, 0, HUGE_VAL).empty(); }))
     legend.emplace_back(fmt::format("{} fc rgb '#000000'", band_style), "middle half of its replicates");
   const TimeAxis axis = subject.time_axis(runs, legend);
-  Sheet sheet = subject.sheet(legend, largest_angles({runs.front()}));
+  Sheet sheet = subject.sheet(legend, largest_angles(runs, false, subject.scene.horizon()));
   const std::size_t drawn = runs.size() + lines.size() * exact.size();
   for (int k = 0; k < blocks; ++k) {
     sheet.leave_room_above(24);

@@ -125,9 +125,9 @@ Drawings fragility(const FolderSubject& subject) {
     legend.emplace_back(fitted_style,
                         fmt::format("fit: median {:.4g}{}, β {:.3g}", fitted.median, between, fitted.beta));
     if (groups.size() > 1)
-      legend.emplace_back(bounds_style, fmt::format("95 % bounds of the fit, of {} that are independent",
-                                                    counted(groups.size(), "motion")));
-    answer = fmt::format("Half of the motions topple it at {}", value_on(facts.intensity, fitted.median));
+      legend.emplace_back(bounds_style,
+                          fmt::format("95 % bounds of the fit, from {}", counted(groups.size(), "motion")));
+    answer = fmt::format("Half of the runs topple at {}", value_on(facts.intensity, fitted.median));
     if (facts.least_acceleration > 0)
       answer += fmt::format(", {:.3g} times g tan α", fitted.median / facts.least_acceleration);
     curve = fitted_curve(fitted, bounds, end);

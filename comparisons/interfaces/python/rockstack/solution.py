@@ -74,8 +74,8 @@ class Motion:
 
     @property
     def verdict(self) -> str:
-        """The motion in a line: whether it stands, rests or topples, which block comes nearest to its slenderness angle,
-        and of exact motions the friction that it needs. Empty without samples."""
+        """The motion in a line: why it may not be valid; whether it stands, rests or topples, and how near it comes to its
+        balance; of exact motions the friction that they need. Empty without samples."""
         return self._core.verdict
 
     def to_pandas(self) -> Any:

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace rockstack {
 namespace {
 
@@ -24,6 +26,19 @@ TEST(QuantityText, RoundingIsZero) {
   EXPECT_EQ(quantity_text(-3e-17, "m"), "0 m");
   EXPECT_EQ(signed_quantity_text(3e-17, "s"), "0 s");
   EXPECT_EQ(signed_quantity_text(4e-4, "s"), "+0.4 ms");
+}
+
+TEST(NumberText, TwoDigitsThatAreNotLessOrNotMore) {
+  EXPECT_DOUBLE_EQ(two_digits_up(0.2039), 0.21);
+  EXPECT_DOUBLE_EQ(two_digits_down(0.2039), 0.2);
+  EXPECT_DOUBLE_EQ(two_digits_up(1060), 1100);
+  EXPECT_DOUBLE_EQ(two_digits_up(0.999), 1);
+  for (const double same : {0.3, 0.21, 1.7, 23.0, 4e-5}) {  // whatever the roundings of their digits
+    EXPECT_DOUBLE_EQ(two_digits_up(same), same);
+    EXPECT_DOUBLE_EQ(two_digits_down(same), same);
+  }
+  EXPECT_EQ(two_digits_up(0), 0);
+  EXPECT_EQ(two_digits_up(INFINITY), INFINITY);
 }
 
 }  // namespace

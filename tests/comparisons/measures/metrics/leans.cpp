@@ -144,5 +144,38 @@ TEST(Leans, BalanceIsByGravity) {
   }
 }
 
+// Upright on a slope it has come no way yet; where its mass is over the corner by gravity, all of it.
+TEST(Leans, OnASlopeItIsHowFarGravityHasToTurnIt) {
+  Scene scene = cubes(1, 0);
+  scene.inclination = 0.1;
+  History history;
+  history.blocks = 1;
+  history.times = {0};
+  for (const int side : {1, -1})
+    for (const double share : {0.001, 0.5, 1.0}) {
+      history.angles = {side * share * (std::atan(1.0) - side * scene.inclination)};
+      const Lean lean = largest_common_lean(scene, history);
+      EXPECT_EQ(lean.block, 0U);
+      EXPECT_NEAR(lean.ratio, share, 1e-14);
+    }
+}
+
+// Two blocks that stand 0.2 m off the middle of the first, upright, have come no way to their balance.
+TEST(Leans, UprightBlocksThatHaveSlippedHaveNotLeaned) {
+  Scene scene = cubes(3, 0);
+  scene.law = Law::unilateral;
+  History history;
+  history.blocks = 3;
+  history.times = {0};
+  history.slips = {0, 0.2, 0.1};
+  const double angle = 1e-9;
+  history.angles = {0, angle, angle};
+  const double up =
+      1 - 0.3 * angle;  // about the corner (0.5, 1), 0.3 m to the right of the second one's middle
+  history.centres = {0, 0.5, 0.2 + 0.5 * angle, up + 0.5, 0.3 + 1.5 * angle, up + 1.5 - 0.1 * angle};
+  // Their common centre is 0.25 m to the left of that corner and 1 m up.
+  EXPECT_NEAR(largest_common_lean(scene, history).ratio / (angle / std::atan(0.25)), 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace rockstack

@@ -11,29 +11,6 @@
 namespace rockstack {
 namespace {
 
-TEST(Toppling, ReportedAndObservedInSamplesNameTheSameBlockAndTime) {
-  Scene scene;
-  scene.duration = 5;
-  scene.blocks = {make_block(1, 4, 2500)};
-  scene.initial = {{0.3}, {0}};  // past its balance at atan(1/4)
-  History history = solve(scene);
-  const double end = history.events.back().time;
-  history = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
-  EXPECT_EQ(reported_toppling(history).rfind("block 1 at ", 0), 0U);
-  EXPECT_EQ(observed_toppling(scene, history), "");
-  history.times.push_back(end);
-  history.angles.push_back(1.001 * toppling_angle(scene, 0));
-  history.velocities.push_back(0);
-  EXPECT_EQ(observed_toppling(scene, history), reported_toppling(history));
-}
-
-TEST(Toppling, VerdictNamesWhoTopples) {
-  EXPECT_EQ(toppling_verdict(false, false), TopplingVerdict::neither);
-  EXPECT_EQ(toppling_verdict(true, true), TopplingVerdict::both);
-  EXPECT_EQ(toppling_verdict(true, false), TopplingVerdict::exact_alone);
-  EXPECT_EQ(toppling_verdict(false, true), TopplingVerdict::engine_alone);
-}
-
 Scene one_block(double angle, double ground) {
   Scene scene;
   scene.duration = 1;
@@ -63,6 +40,31 @@ TEST(MotionVerdict, APullIsToldWithItsFirstTime) {
   EXPECT_GT(history.forces[1].least_normal_time, 0.1);
   const std::string verdict = motion_verdict(scene, history);
   EXPECT_EQ(verdict.find("not valid from 0 s, as interface 2 would have to pull; "), 0U) << verdict;
+}
+
+// With friction that is as good as infinite it pulls before anybody could tell a slip.
+TEST(MotionVerdict, WhatPullsIsNotSaidToSlip) {
+  Scene scene;
+  History history;
+  scene.blocks = {make_block(1, 1, 2500)};
+  history.blocks = 1;
+  history.times = {0, 1};
+  history.angles = history.velocities = {0, 0};
+  history.impulses.resize(1);
+  history.forces.resize(1);
+  history.forces[0].friction = INFINITY;
+  history.forces[0].first_slip_time = 0.5;
+  history.forces[0].first_pull_time = 0.6;
+  EXPECT_EQ(
+      motion_verdict(scene, history).rfind("not valid from 0.6 s, as interface 1 would have to pull; ", 0),
+      0U);
+  scene.engine.friction = 0.4;
+  EXPECT_EQ(
+      motion_verdict(scene, history)
+          .rfind(
+              "not valid from 0.5 s, as interface 1 would slip: it has friction 0.4 and no friction is enough; ",
+              0),
+      0U);
 }
 
 // Friction 0.2 gives way as the ground comes to 0.2 g, at 1.962/2 of its way to 2 m/s².

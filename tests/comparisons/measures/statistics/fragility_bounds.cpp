@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comparisons/measures/statistics/fragility.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
 namespace {
@@ -19,9 +20,10 @@ std::vector<RunGroup> counts(std::size_t times) {
   return single_runs(list);
 }
 
-/// What a variance from so many groups is more than one from very many.
-double few_groups(double count) {
-  return count / (count - 1);
+/// How many standard errors, if from very many groups, an interval from so many reaches.
+double reach(std::size_t groups) {
+  const auto count = static_cast<double>(groups);
+  return reach_of_interval(groups - 1) * std::sqrt(count / (count - 1));
 }
 
 TEST(FragilityBounds, PassesOneHalfAtItsMedianBetweenItsBounds) {
@@ -38,8 +40,8 @@ TEST(FragilityBounds, PassesOneHalfAtItsMedianBetweenItsBounds) {
 // Standard errors fall as one over the square root of the number of runs.
 TEST(FragilityBounds, FourTimesTheRunsHalveTheBounds) {
   const FragilityBounds few(curve, counts(1)), many(curve, counts(4));
-  EXPECT_NEAR(std::log(few.of_median().upper / middle) / std::sqrt(few_groups(120)),
-              2 * std::log(many.of_median().upper / middle) / std::sqrt(few_groups(480)), 1e-12);
+  EXPECT_NEAR(std::log(few.of_median().upper / middle) / reach(120),
+              2 * std::log(many.of_median().upper / middle) / reach(480), 1e-12);
 }
 
 // Levels at equal distances on both sides of the median leave its error free of β: each bears the information
@@ -52,8 +54,8 @@ TEST(FragilityBounds, TwoLevelsAtEqualDistancesFixTheMedianAlone) {
   const FragilityBounds bounds(
       curve, single_runs({{middle * std::exp(apart), n, 40}, {middle / std::exp(apart), n, 10}}));
   const double density = std::exp(-away * away / 2) / std::sqrt(2 * std::acos(-1.0));
-  const double error = beta * std::sqrt(few_groups(2.0 * n) * p * (1 - p) / (2.0 * n)) / density;
-  EXPECT_NEAR(std::log(bounds.of_median().upper / middle), 1.959963984540054 * error, 1e-12);
+  const double error = beta * std::sqrt(p * (1 - p) / (2.0 * n)) / density;
+  EXPECT_NEAR(std::log(bounds.of_median().upper / middle), reach(2 * n) * error, 1e-12);
 }
 
 TEST(FragilityBounds, CountsOfOneLevelBoundNothing) {
