@@ -56,8 +56,8 @@ Point<double> from_corner(const Scene& scene, const History& history, std::size_
                         -own.half_height - own.offset_y, turn.cosine, turn.sine);
 }
 
-/// The angle of from_corner() to the common centre of mass from the vertical, rad, were all blocks upright
-/// where they have slipped to; of the ground's vertical, or with its inclination.
+/// How far the line from_corner() to the common centre of mass is from gravity's direction, rad, were all
+/// blocks upright where they have slipped to; not positive where they could not stand so.
 double common_slenderness(const Scene& scene, const History& history, std::size_t sample, std::size_t block,
                           int side) {
   double x = 0, y = 0, mass = 0, middle = 0, floor = 0;
@@ -135,7 +135,9 @@ Lean largest_common_lean(const Scene& scene, const History& history) {
       const Point<double> arm =
           from_corner(scene, history, i, centres, k, side, common_centre(scene, centres, k));
       const double lean = side * (std::atan2(arm.x(), arm.y()) + scene.inclination);
-      const double ratio = 1 + lean / common_slenderness(scene, history, i, k, side);
+      const double upright = common_slenderness(scene, history, i, k, side);
+      if (!(upright > 0)) continue;
+      const double ratio = 1 + lean / upright;
       if (ratio > largest.ratio) largest = {k, ratio, history.times[i]};
     }
   }

@@ -95,13 +95,14 @@ std::string share_text(double share) {
 }
 
 /// How far a block by itself comes, or one with what stands on it where that comes nearer to its balance; on
-/// sloping ground the latter.
+/// sloping ground the latter, or nothing where upright blocks would fall.
 std::string leaning(const Scene& scene, const Lean& alone, const Lean& common) {
+  if (scene.inclination != 0 && common.ratio == 0) return "";
   if (common.ratio > alone.ratio || scene.inclination != 0)
-    return from_block_up(common.block, scene, "comes", "together come") +
+    return "; " + from_block_up(common.block, scene, "comes", "together come") +
            fmt::format(" to {} of {} balance at {:.4g} s", share_text(common.ratio),
                        common.block + 1 == scene.blocks.size() ? "its" : "their", common.time);
-  return fmt::format("block {} peaks at {} of its slenderness angle at {:.4g} s", alone.block + 1,
+  return fmt::format("; block {} peaks at {} of its slenderness angle at {:.4g} s", alone.block + 1,
                      share_text(alone.ratio), alone.time);
 }
 
@@ -223,7 +224,7 @@ std::string outcome_of(const Scene& scene, const History& history, const Support
                         : "rests, but " + sunk + freedom(scene, history);
   const std::string lean = most.ratio < 1e-3 && !history.slips.empty()
                                ? "; nothing rocks"
-                               : "; " + leaning(scene, most, largest_common_lean(scene, history));
+                               : leaning(scene, most, largest_common_lean(scene, history));
   const std::string end = fmt::format("the end, {:.4g} s", history.times.back());
   const bool rocks = !history.patterns.empty() && !is_closed(history.patterns.back());
   const std::string state = !going_on.empty() ? going_on + " at " + end

@@ -79,13 +79,13 @@ double largest_angle(const Run& run, double end) {
   return largest_magnitude(angles.first(static_cast<std::size_t>(last * history->blocks)));
 }
 
-/// Of each run; or of the exact one, and from which to which those of engines go.
+/// Of each run, or of the only one; or of the exact one, and from which to which those of engines go.
 std::string largest_angles(const std::vector<Run>& runs, bool each, double end) {
   std::vector<std::string> texts;
   Reach engines;
   for (const Run& run : runs) {
     const double angle = largest_angle(run, end);
-    if (each || run.exact())
+    if (each || run.exact() || runs.size() == 1)
       texts.push_back(fmt::format("{} {:.3g} rad", line_label(run), angle));
     else
       engines.add(angle);
