@@ -263,7 +263,8 @@ Support support_of(const std::vector<double>& penetration, const std::vector<dou
 }
 
 std::string motion_verdict(const Scene& scene, const History& history, const Support& support) {
-  const std::string doubt = doubt_of(scene, history), outcome = outcome_of(scene, history, support);
+  const std::string doubt = doubt_of(scene, history);
+  std::string outcome = outcome_of(scene, history, support);
   if (doubt.empty()) return outcome;
   // What pivots hold of a block that is falling anyway comes last.
   const Breach breach = breach_of(scene, history);

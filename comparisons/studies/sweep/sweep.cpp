@@ -96,7 +96,7 @@ std::vector<std::string> write_results(const Ensemble& ensemble, const Journal& 
     journal.copy_to(put);
   });
   write_summaries(folder, ensemble.summary);
-  const std::vector<std::string> headline = sweep_headline(folder, ensemble.summary);
+  std::vector<std::string> headline = sweep_headline(folder, ensemble.summary);
   write_file(folder / "sweep.json", description(ensemble, headline).dump(2) + "\n");
   return headline;
 }
