@@ -278,6 +278,7 @@ RunMetrics write_engine(const fs::path& folder, const Sample& sample, const Samp
   row.peak_over_slenderness = 0.5 + lag;
   row.rank = 1;
   if (sample.impacts > 0) row.first_impact_time_difference = period * lag;
+  if (sample.draws > 1) row.draws = sample.draws;
   row.impacts_matched = sample.impacts;
   row.impacts_missed = row.impacts_extra = 1;
   row.agreement_time = std::min(duration, 0.02 / lag);

@@ -20,6 +20,7 @@ struct Sample {
   std::string title = "A made-up scene";
   int blocks = 2;
   int impacts = 9;
+  int draws = 1;  ///< replicates that a row is the median of
   std::vector<SampleEngine> engines{{"bullet", "sequential-impulse", "tuned", 2e-3}};
   std::vector<double> steps{1e-2, 1e-3};  ///< s
   bool failed_row = false;

@@ -109,7 +109,6 @@ std::string leaning(const Scene& scene, const Lean& alone, const Lean& common) {
 /// What is still going on in the last sample, so that nothing can be said of standing: "block 1 is in
 /// flight".
 std::string unsettled(const Scene& scene, const History& history) {
-  if (history.times.empty()) return "";
   const std::size_t last = history.size() - 1;
   const auto falling = falling_block(scene, history, last);
   if (falling && !(gap_at(history, last, *falling) > visible))

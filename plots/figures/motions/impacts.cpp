@@ -119,15 +119,25 @@ std::string span_of(const std::vector<Verdicts>& all, const Value& value, const 
   return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
 }
 
+/// Of replicates counts are the medians that a row has: those of the run that is drawn are one draw.
 std::string answer(const std::vector<Verdicts>& all) {
-  const auto count = [&](std::vector<double> Verdicts::*list) {
+  const auto replicated = [](const Verdicts& one) { return one.run.draws.value_or(1) > 1; };
+  const auto count = [&](std::optional<int> RunMetrics::*median, std::vector<double> Verdicts::*list) {
     return span_of(
-        all, [list](const Verdicts& one) { return static_cast<double>((one.*list).size()); },
+        all,
+        [&](const Verdicts& one) {
+          const std::optional<int>& of_row = one.run.*median;
+          return replicated(one) && of_row ? static_cast<double>(*of_row)
+                                           : static_cast<double>((one.*list).size());
+        },
         [](double number) { return fmt::format("{:g}", number); });
   };
-  return fmt::format("By engine: {} impacts matched, in the median {} off; {} missed, {} extra",
-                     count(&Verdicts::numbers), span_of(all, median_size, rounded_duration),
-                     count(&Verdicts::missed), count(&Verdicts::extra));
+  return fmt::format("By engine: {} impacts matched, in the median {} off; {} missed, {} extra{}",
+                     count(&RunMetrics::impacts_matched, &Verdicts::numbers),
+                     span_of(all, median_size, rounded_duration),
+                     count(&RunMetrics::impacts_missed, &Verdicts::missed),
+                     count(&RunMetrics::impacts_extra, &Verdicts::extra),
+                     std::ranges::any_of(all, replicated) ? "; counts are medians of replicates" : "");
 }
 
 /// What there is to say where no impact is matched. Precondition: there are runs.

@@ -100,6 +100,13 @@ TEST(Shown, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
   EXPECT_TRUE(taken.picture.says("By engine: 8 impacts matched, in the median"));
 }
 
+// The run that is drawn has 8; that is one draw of five, whose median the row has.
+TEST(Shown, ImpactsAreCountedInTheMedianOfReplicates) {
+  const Shot taken = shot({.blocks = 1, .impacts = 9, .draws = 5}, "impact-times");
+  EXPECT_TRUE(taken.picture.says("By engine: 9 impacts matched, in the median"));
+  EXPECT_TRUE(taken.picture.says("counts are medians of replicates"));
+}
+
 // A row a solver and set, a column a time step: marks of one run stand at its rank and nowhere else.
 TEST(Shown, RowsAreRankedFromAbove) {
   const Shot taken = shot({.blocks = 1,

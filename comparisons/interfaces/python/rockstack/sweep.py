@@ -22,10 +22,10 @@ class SweepTable(Table):
     """The runs of a sweep, one row a run in the order of the grid: samples go fastest, then the last axis.
 
     A column for each varied key, then peak_1, … (largest |angle| of each block, rad), peak_ratio (over slenderness, of the
-    block where that is largest), toppled (number of the block, 0: none), topple_time (s), falling (at the end), impacts, events, last_event_time
-    (s), least_normal_force (N), force_friction, least_normal_impulse (N·s), impulse_friction, slip and lift (m), onset and
-    motion (rest, slide, rock, slide-rock, free flight, topple or fall). What a run does not have is nan, or "" where a
-    column is of texts.
+    block where that is largest), toppled (number of the block, 0: none), topple_time (s), falling (at the end), impacts,
+    events, last_event_time (s), least_normal_force (N), force_friction, least_normal_impulse (N·s), impulse_friction,
+    slip and lift (m), onset and motion (rest, slide, rock, slide-rock, free flight, topple or fall). What a run does
+    not have is nan, or "" where a column is of texts.
 
     failures: why runs have no outcome, by their number from 0. shape: how many runs each direction of the grid has.
     dimensions: its name, that of the first key that varies along it, or "sample"; coordinates: the keys that vary along

@@ -19,6 +19,15 @@ Scene cubes(std::size_t count, double angle) {
   return scene;
 }
 
+/// One sample of blocks with these angles.
+History one_sample(std::vector<double> angles) {
+  History history;
+  history.blocks = static_cast<int>(angles.size());
+  history.times = {0};
+  history.angles = std::move(angles);
+  return history;
+}
+
 History followed(const Scene& scene) {
   return solve(scene, {.sample_times = regular_times(1e-2, scene.duration), .peaks = true});
 }
@@ -57,10 +66,7 @@ TEST(Leans, AColumnThatLeansAsOneHasTheBalanceOfOneBlockOfItsHeight) {
   const double balance = std::atan(1.0 / 3);
   for (const double angle : {0.3 * balance, -0.3 * balance}) {
     const Scene scene = cubes(3, angle);
-    History history;
-    history.blocks = 3;
-    history.times = {0};
-    history.angles = scene.initial.angles;
+    const History history = one_sample(scene.initial.angles);
     const Lean common = largest_common_lean(scene, history);
     EXPECT_EQ(common.block, 0U);
     EXPECT_NEAR(common.ratio, 0.3, 1e-14);
@@ -72,10 +78,7 @@ TEST(Leans, AColumnThatLeansAsOneHasTheBalanceOfOneBlockOfItsHeight) {
 TEST(Leans, AnOffsetMassOfOneBlockIsThatOfTwo) {
   Scene two = cubes(2, 0.1);
   two.blocks[1].offset_x = 0.2;
-  History history;
-  history.blocks = 2;
-  history.times = {0};
-  history.angles = {0.1, 0.1};
+  const History history = one_sample({0.1, 0.1});
   Scene one = cubes(1, 0.1);
   one.blocks[0] = make_block(1, 2, 2500);
   one.blocks[0].offset_x = 0.1;
@@ -86,9 +89,7 @@ TEST(Leans, AnOffsetMassOfOneBlockIsThatOfTwo) {
 TEST(Leans, ASlippedBlockLeansOnTheEndOfWhatIsBelow) {
   Scene scene = cubes(2, 0);
   scene.law = Law::unilateral;
-  History history;
-  history.blocks = 2;
-  history.times = {0};
+  History history = one_sample({0, 0});
   history.velocities = {0, 0.1};
   history.slips = {0, 0.3};
   const auto falls = [&](double angle) {
@@ -131,9 +132,7 @@ TEST(Leans, WhatIsPastTheBalanceOfTheWholeDoesNotStand) {
 TEST(Leans, BalanceIsByGravity) {
   Scene scene = cubes(1, 0);
   scene.inclination = 0.1;
-  History history;
-  history.blocks = 1;
-  history.times = {0};
+  History history = one_sample({0});
   for (const int side : {1, -1}) {
     const double balance = std::atan(1.0) - side * scene.inclination;
     for (const double share : {0.999, 1.001}) {
@@ -148,9 +147,7 @@ TEST(Leans, BalanceIsByGravity) {
 TEST(Leans, OnASlopeItIsHowFarGravityHasToTurnIt) {
   Scene scene = cubes(1, 0);
   scene.inclination = 0.1;
-  History history;
-  history.blocks = 1;
-  history.times = {0};
+  History history = one_sample({0});
   for (const int side : {1, -1})
     for (const double share : {0.001, 0.5, 1.0}) {
       history.angles = {side * share * (std::atan(1.0) - side * scene.inclination)};
@@ -164,16 +161,14 @@ TEST(Leans, OnASlopeItIsHowFarGravityHasToTurnIt) {
 TEST(Leans, UprightBlocksThatHaveSlippedHaveNotLeaned) {
   Scene scene = cubes(3, 0);
   scene.law = Law::unilateral;
-  History history;
-  history.blocks = 3;
-  history.times = {0};
-  history.slips = {0, 0.2, 0.1};
   const double angle = 1e-9;
-  history.angles = {0, angle, angle};
-  const double up =
-      1 - 0.3 * angle;  // about the corner (0.5, 1), 0.3 m to the right of the second one's middle
+  History history = one_sample({0, angle, angle});
+  history.slips = {0, 0.2, 0.1};
+  // Turned about the corner (0.5, 1), 0.3 m to the right of the second one's middle.
+  const double up = 1 + 0.3 * angle;
   history.centres = {0, 0.5, 0.2 + 0.5 * angle, up + 0.5, 0.3 + 1.5 * angle, up + 1.5 - 0.1 * angle};
   // Their common centre is 0.25 m to the left of that corner and 1 m up.
+  // A rounding of places is 1e-7 of the angle.
   EXPECT_NEAR(largest_common_lean(scene, history).ratio / (angle / std::atan(0.25)), 1, 1e-6);
 }
 
