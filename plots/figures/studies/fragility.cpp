@@ -1,5 +1,6 @@
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 

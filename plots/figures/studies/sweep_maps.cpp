@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/drawing/maps.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
