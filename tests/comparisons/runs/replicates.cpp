@@ -20,7 +20,6 @@ namespace {
 Suite suite_of(const TemporaryFolder& folder, const WorkerEngine& engine) {
   Suite suite = suite_for(read_named_scene(folder.write("block.toml", block_text), {"duration=1"}));
   suite.repeats = 1;
-  suite.limits.time = 5;
   suite.replicates.runs = 5;
   suite.series = {make_series(engine, "default", {1e-2})};
   return suite;

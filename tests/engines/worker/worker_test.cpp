@@ -123,7 +123,8 @@ TEST(Workers, EndlessLoopMeetsTheTimeLimit) {
   EXPECT_EQ(made.reason, "not done after 0.3 s");
 }
 
-// Four threads to a processor get theirs in turn with it: by the clock it takes several times as long.
+// Among others it gets half of a processor at the most. A quarter is for the last wait, which is counted when
+// it ends.
 TEST(Workers, WhatTheyWaitForABusyMachineIsNotOfTheirTime) {
   std::vector<std::jthread> others;
   const unsigned count = 4 * std::max(1U, std::thread::hardware_concurrency());
@@ -133,11 +134,9 @@ TEST(Workers, WhatTheyWaitForABusyMachineIsNotOfTheirTime) {
       while (!enough.stop_requested()) continue;
     });
   }
-  Limits limits;
-  limits.time = 1;
-  const WorkerRun made = run("half-a-second", limits);
-  EXPECT_EQ(made.status, "done") << made.reason;
-  EXPECT_GE(made.processor_time, 0.5);
+  const WorkerRun made = run("loop", {.time = 1});
+  EXPECT_EQ(made.status, "time limit");
+  EXPECT_GT(made.processor_time, 0.75);
 }
 
 TEST(Workers, RunThatNobodyWantsAnyMoreIsStopped) {
@@ -202,7 +201,7 @@ TEST(Workers, LeaveNothingOfTheirSession) {
   const WorkerRun made = run("leaves-a-child");
   ASSERT_EQ(made.status, "signal");
   const std::string child = made.reason.substr(made.reason.rfind(' ') + 1);
-  for (int tries = 0; lives(child) && tries < 1000; ++tries) usleep(10'000);
+  for (int tries = 0; lives(child) && tries < 6000; ++tries) usleep(10'000);
   EXPECT_FALSE(lives(child));
 }
 
