@@ -122,7 +122,7 @@ function* lines() {
 export async function serve(engine) {
   for (const line of lines()) {
     const message = JSON.parse(line);
-    const reply = message.run ? { run: await answer(engine, message.run) } : { engines: describe(engine) };
+    const reply = message.run ? { run: { question: message.run.question, ...await answer(engine, message.run) } } : { engines: describe(engine) };
     writeAll(Buffer.from(`${JSON.stringify({ rockstack: 1, ...reply })}\n`));
   }
 }

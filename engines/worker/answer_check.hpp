@@ -13,8 +13,8 @@ void check_descriptions(const std::vector<EngineDescription>& engines);
 /// @throws NotFinite for a motion beyond all numbers, std::runtime_error naming another field that is wrong.
 void require_answer(const RunReply& reply, const RunRequest& asked);
 
-/// The line of a program's standard error that tells most of why it failed: the last of the form "Error: …",
-/// as all runtimes have it, below which some list calls or name themselves; without one, the last line.
-std::string telling_line(std::string_view text);
+/// Whether an answer is one to another question of its process rather than to that which was asked: its
+/// number of samples or its start is the other's. Of two questions alike in these it says nothing.
+bool answers_rather(const Trajectory& made, const Setup& other, const Setup& asked);
 
 }  // namespace rockstack

@@ -18,8 +18,6 @@
 #include <system_error>
 #include <thread>
 
-#include "engines/worker/answer_check.hpp"
-
 namespace rockstack {
 namespace {
 
@@ -121,7 +119,8 @@ FileDescriptor high(int number) {
 
 Ends make_pipe() {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) fail("no pipe for a worker");
+  if (pipe2(ends.data(), O_CLOEXEC) != 0 || fcntl(ends[0], F_SETFL, O_NONBLOCK) != 0)
+    fail("no pipe for a worker");
   return {high(ends[0]), high(ends[1])};
 }
 
@@ -210,15 +209,15 @@ bool Child::has_ended() const {
   return is(WEXITED, number_);
 }
 
-bool Child::wait_for_end(Allowance& time, std::chrono::milliseconds tick) const {
+bool Child::wait_for_end(Allowance& time, std::chrono::milliseconds tick) {
   // The last writer of the pipe is gone when the child ends, but for what it has started.
-  bool silent = false;
-  while (!silent) {
+  for (bool over = silent_; !over;) {
     if (!time.lasts(tick)) return false;
-    pollfd watched{complaints_.get(), 0, 0};
+    pollfd watched{complaints_.get(), POLLIN, 0};
     const int count = poll(&watched, 1, static_cast<int>(tick.count()));
     if (count < 0 && errno != EINTR) fail("a worker cannot be waited for");
-    silent = (count > 0 && (watched.revents & POLLHUP) != 0) || (count == 0 && has_ended());
+    listen();
+    over = silent_ || (count == 0 && has_ended());
   }
   // A child that has closed its standard error may live on.
   while (!has_ended()) {
@@ -229,12 +228,20 @@ bool Child::wait_for_end(Allowance& time, std::chrono::milliseconds tick) const 
   return true;
 }
 
-std::string Child::complaints() const {
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (ssize_t size = 0; (size = read(complaints_.get(), buffer.data(), buffer.size())) > 0;)
-    text.append(buffer.data(), static_cast<std::size_t>(size));
-  return text;
+void Child::listen() {
+  constexpr int most = 16;  // of somebody outside its session there may be no end
+  std::array<char, 1 << 16> buffer{};
+  for (int reads = 0; reads < most; ++reads) {
+    const ssize_t size = read(complaints_.get(), buffer.data(), buffer.size());
+    if (size == 0) silent_ = true;
+    if (size <= 0) return;
+    words_.hear({buffer.data(), static_cast<std::size_t>(size)});
+  }
+}
+
+void Child::forget_words() {
+  listen();
+  words_ = {};
 }
 
 ProcessEnd Child::finish(const Allowance& time) {
@@ -253,7 +260,8 @@ ProcessEnd Child::finish(const Allowance& time) {
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
   end.processor_time = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   require_started(program_, failure_);
-  end.last_words = telling_line(complaints());
+  listen();
+  end.last_words = words_.telling_line();
   return end;
 }
 

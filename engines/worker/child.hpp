@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "engines/worker/last_words.hpp"
+
 namespace rockstack {
 
 /// What a worker may take. The memory limit is one on what it may write to and shares with nobody
@@ -32,7 +34,7 @@ struct ProcessEnd {
   int exit_code = 0;          ///< where it ended by itself
   double processor_time = 0;  ///< user and system, as the operating system accounts for it, s
   std::string reply;          ///< what it wrote to descriptor 3
-  std::string last_words;     ///< the line on standard error, of its first 64 KiB, that tells most
+  std::string last_words;     ///< the line on standard error that tells most
 };
 
 /// An open file that closes itself and that no other program inherits.
@@ -63,7 +65,7 @@ struct Ends {
   FileDescriptor ours, theirs;
 };
 
-/// What does not fit into the pipe is lost: a worker that talks without end must not be held up.
+/// A pipe that is read without waiting.
 Ends make_pipe();
 
 /// What the operating system's scheduler has given to the threads of a session that are there, s.
@@ -117,11 +119,17 @@ class Child {
 
   bool has_ended() const;
 
-  /// Waits until it has ended, or its time is over. @return whether it has.
-  bool wait_for_end(Allowance& time, std::chrono::milliseconds tick) const;
+  /// Waits until it has ended, or its time is over, and hears what it says. @return whether it has.
+  bool wait_for_end(Allowance& time, std::chrono::milliseconds tick);
 
-  /// What waits of its standard error, 64 KiB at most.
-  std::string complaints() const;
+  /// Standard error, to be polled; -1 once nobody writes to it.
+  int complaints() const { return silent_ ? -1 : complaints_.get(); }
+
+  /// Takes what waits on standard error: a full pipe would hold the program up.
+  void listen();
+
+  /// Drops the words so far, which are of a question before.
+  void forget_words();
 
   /// Kills it where it has not ended, and what else is left of its session; how it has ended.
   /// @throws std::runtime_error where it could not be started.
@@ -130,6 +138,8 @@ class Child {
  private:
   std::string program_;
   FileDescriptor failure_, complaints_;
+  LastWords words_;
+  bool silent_ = false;  ///< nobody has the other end of its standard error any more
   pid_t number_ = 0;
 };
 

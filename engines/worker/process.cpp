@@ -17,13 +17,16 @@ std::chrono::milliseconds tick_of(const Limits& limits) {
 }
 
 /// Waits for a tick at most until the socket takes some of what is left of a question, or has more of a
-/// reply.
+/// reply; hears what the child says meanwhile.
 /// @return false where no more will come.
-bool exchange(const FileDescriptor& socket, const Child& child, std::string_view& left, std::string& reply,
+bool exchange(const FileDescriptor& socket, Child& child, std::string_view& left, std::string& reply,
               std::chrono::milliseconds tick) {
-  pollfd watched{socket.get(), static_cast<short>(left.empty() ? POLLIN : POLLIN | POLLOUT), 0};
-  if (poll(&watched, 1, static_cast<int>(tick.count())) <= 0) return !child.has_ended();
-  if ((watched.revents & POLLOUT) != 0) {
+  std::array<pollfd, 2> watched{
+      {{socket.get(), static_cast<short>(left.empty() ? POLLIN : POLLIN | POLLOUT), 0},
+       {child.complaints(), POLLIN, 0}}};
+  if (poll(watched.data(), watched.size(), static_cast<int>(tick.count())) <= 0) return !child.has_ended();
+  if (watched[1].revents != 0) child.listen();
+  if ((watched[0].revents & POLLOUT) != 0) {
     const ssize_t sent = send(socket.get(), left.data(), left.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent > 0) left.remove_prefix(static_cast<std::size_t>(sent));
   }
@@ -63,7 +66,7 @@ bool LastingProcess::waits() const {
 ProcessEnd LastingProcess::ask(std::string_view question, const Limits& limits) {
   const std::chrono::milliseconds tick = tick_of(limits);
   const double before = child_.processor_time();
-  child_.complaints();  // those of the question before are not of this one
+  child_.forget_words();
   Allowance time(child_.number(), limits, scheduled(child_.number()));
   const std::string line = std::string(question) + '\n';
   std::string_view left = line;

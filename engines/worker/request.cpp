@@ -79,6 +79,7 @@ json fields_of(const RunRequest& run, Form form) {
   for (const auto& [name, value] : run.parameters)
     object["parameters"][name] = parameter_field(run, name, value);
   if (run.warm_up > 0) object["warm_up"] = run.warm_up;
+  if (run.question > 0) object["question"] = run.question;
   if (!setup.accelerations.empty())
     write_columns(object["accelerations"], setup.accelerations, acceleration_fields, form);
   if (!setup.ground.empty()) write_columns(object["ground"], setup.ground, ground_fields, form);
@@ -98,6 +99,7 @@ RunRequest read_run_request(const json& object) {
   run.repeats = count_field(object, "repeats");
   run.bodies = flag_field(object, "bodies");
   if (has_field(object, "warm_up")) run.warm_up = count_field(object, "warm_up");
+  if (has_field(object, "question")) run.question = count_field(object, "question");
   setup.blocks =
       read_list(object, "blocks", [](const json& block) { return read_object(block, placement_fields); });
   for (const auto& [name, value] : field(object, "parameters").items()) {
@@ -204,6 +206,7 @@ ContactRecord read_contacts(const json& object) {
 json fields_of(const RunReply& run, Form form) {
   const Trajectory& made = run.trajectory;
   json object{{"status", run.status}, {"reason", run.reason}, {"peak_memory", run.peak_memory}};
+  if (run.question) object["question"] = *run.question;
   if (run.status != "done") return object;
   object["angles"] = to_field(made.angles, form);
   object["velocities"] = to_field(made.velocities, form);
@@ -223,6 +226,7 @@ RunReply read_run_reply(const json& object) {
   run.status = text_field(object, "status");
   if (has_field(object, "reason")) run.reason = text_field(object, "reason");
   if (has_field(object, "peak_memory")) run.peak_memory = number_field(object, "peak_memory");
+  if (has_field(object, "question")) run.question = count_field(object, "question");
   if (run.status != "done") return run;
   Trajectory& made = run.trajectory;
   made.angles = numbers_field(object, "angles");

@@ -16,6 +16,7 @@ struct RunRequest {
   bool bodies = false;      ///< whether the trajectory is to tell bodies and contacts
   std::size_t warm_up = 0;  ///< steps to take before the first timed run, the trajectory's among them
   std::set<std::string> whole = {};  ///< names of parameters that are written as whole numbers
+  std::size_t question = 0;          ///< its number in a process that takes several; 0: it takes one
 };
 
 /// A worker is asked for a run, or without one to describe its engines.
@@ -32,7 +33,9 @@ struct RunReply {
   double peak_memory = 0;            ///< of the worker, bytes; 0 where it does not say
   /// Steps that it took before the first timed run; empty where it does not say: those of the trajectory.
   std::optional<std::size_t> warm_up = {};
-  double processor_time = 0;  ///< by the operating system's account, s; no message has it
+  std::optional<std::size_t> question = {};  ///< the number that it answers; empty where it does not say
+  double processor_time = 0;                 ///< by the operating system's account, s; no message has it
+  bool is_to_another = false;                ///< question of its process; no message has it
 };
 
 struct Reply {

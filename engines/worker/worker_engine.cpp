@@ -57,10 +57,25 @@ Message read_answer(const std::string& bytes) {
   return read_message(bytes);
 }
 
+/// Two questions of one process: the one that is asked, and the one before it, none for the first.
+struct Questions {
+  const RunRequest& asked;
+  const Setup* before = nullptr;
+};
+
+bool is_to_another(const RunReply& reply, const Questions& questions) {
+  if (reply.question && questions.asked.question > 0) return *reply.question != questions.asked.question;
+  return questions.before != nullptr && reply.status == "done" &&
+         answers_rather(reply.trajectory, *questions.before, questions.asked.setup);
+}
+
 /// A whole reply to what was asked. @throws std::runtime_error where it is not that.
-RunReply read_run(const std::string& bytes, const RunRequest& asked) {
+RunReply read_run(const std::string& bytes, const Questions& questions) {
+  const RunRequest& asked = questions.asked;
   Reply reply = read_reply(read_answer(bytes));
   if (!reply.run) throw std::runtime_error("`run` must be there");
+  if (is_to_another(*reply.run, questions))
+    return {.status = "failed", .reason = "its answer is to another question", .is_to_another = true};
   try {
     require_answer(*reply.run, asked);
   } catch (const NotFinite& failure) {
@@ -72,12 +87,12 @@ RunReply read_run(const std::string& bytes, const RunRequest& asked) {
 }
 
 /// What a worker answered, or why it did not.
-RunReply answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunRequest& asked,
+RunReply answer_of(const ProcessEnd& end, const WorkerEngine& engine, const Questions& questions,
                    const Limits& limits) {
   RunReply answer;
   try {
     const bool silent = end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0;
-    answer = silent ? explain(end, limits) : read_run(end.reply, asked);
+    answer = silent ? explain(end, limits) : read_run(end.reply, questions);
   } catch (const std::exception& error) {
     const std::string reason =
         fmt::format("{} gave a reply that cannot be read: {}", engine.program.string(), heard(error.what()));
@@ -91,7 +106,8 @@ RunReply answer_of(const ProcessEnd& end, const WorkerEngine& engine, const RunR
 struct Kept {
   std::filesystem::path program = {};
   std::uint64_t memory = 0;  ///< its limit, bytes
-  std::size_t runs = 0;      ///< that it may take yet
+  std::size_t runs = 0;      ///< that it has taken
+  Setup before = {};         ///< the last of them, without the ground's motion
   std::unique_ptr<LastingProcess> process = {};
 };
 
@@ -104,28 +120,37 @@ bool may_share(const WorkerEngine& engine, const RunRequest& asked, const Limits
          limits.unwanted == nullptr;
 }
 
-RunReply ask_kept(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
+RunReply ask_kept(const WorkerEngine& engine, RunRequest& asked, const Limits& limits) {
+  asked.question = ++kept.runs;
   const std::string question = to_bytes(Request{asked}, engine.form);
-  RunReply answer = answer_of(kept.process->ask(question, limits), engine, asked, limits);
-  if (answer.status != "done" || --kept.runs == 0) kept = {};
+  const Questions questions{asked, kept.runs > 1 ? &kept.before : nullptr};
+  RunReply answer = answer_of(kept.process->ask(question, limits), engine, questions, limits);
+  if (answer.status != "done" || kept.runs >= engine.runs_per_process) {
+    kept = {};
+  } else {
+    kept.before.blocks = asked.setup.blocks;
+    kept.before.toppling_angles = asked.setup.toppling_angles;
+    kept.before.steps = asked.setup.steps;
+  }
   return answer;
 }
 
-RunReply ask(const WorkerEngine& engine, const RunRequest& asked, Limits limits) {
+RunReply ask(const WorkerEngine& engine, RunRequest& asked, Limits limits) {
   limits.reply = reply_limit(asked);
   if (!may_share(engine, asked, limits))
     return answer_of(run_process(engine.program, to_bytes(Request{asked}, engine.form), limits), engine,
-                     asked, limits);
+                     {asked}, limits);
   double spent = 0;
   const bool there = kept.process && kept.program == engine.program && kept.memory == limits.memory;
   if (there && kept.process->waits()) {
     RunReply answer = ask_kept(engine, asked, limits);
-    if (answer.status == "done") return answer;
+    if (answer.status == "done" || answer.is_to_another) return answer;
     spent = answer.processor_time;  // the runs before it may be why: a new process tells
   }
   kept = {};
-  kept = {engine.program, limits.memory, engine.runs_per_process,
-          std::make_unique<LastingProcess>(engine.program, limits)};
+  kept = {.program = engine.program,
+          .memory = limits.memory,
+          .process = std::make_unique<LastingProcess>(engine.program, limits)};
   RunReply answer = ask_kept(engine, asked, limits);
   answer.processor_time += spent;
   return answer;
