@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/tables.hpp"
 #include "plots/pages/sections.hpp"
 
 // What a page says of a comparison's runs: all numbers, parameters, files, contacts, parts of differences.

@@ -1,5 +1,6 @@
 #include "plots/figures/studies/sweep_facts.hpp"
 
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
