@@ -93,6 +93,27 @@ Real twice_energy(const ContactModel<Real>& stack, const FreeVector<Real>& motio
   return (motion.array().square() / stack.inverse_mass.array()).sum();
 }
 
+/// Velocities after an impact, without those that roundings make of its impulses: at each face of a block no
+/// impulse is larger than the momenta that all above it takes.
+template <class Real>
+Poses<Real> without_roundings(const ContactModel<Real>& stack, const Poses<Real>& before, Poses<Real> after) {
+  Real impulse = 0;
+  for (std::size_t k = after.size(); k-- > 0;) {
+    const Block& block = stack.blocks[k];
+    const Pose<Real>& old = before[k];
+    Pose<Real>& rate = after[k];
+    impulse += block.mass * (abs(rate.x - old.x) + abs(rate.y - old.y));
+    const Real arm = block.half_width + block.half_height + abs(block.offset_x) + abs(block.offset_y);
+    const auto clear = [&](Real& part, const Real& size) {
+      if (abs(part) <= tolerance<Real>(1e-14) * size) part = 0;
+    };
+    clear(rate.x, abs(old.x) + impulse / block.mass);
+    clear(rate.y, abs(old.y) + impulse / block.mass);
+    clear(rate.angle, abs(old.angle) + impulse * arm / block.inertia);
+  }
+  return after;
+}
+
 /// The impact of bodies that meet at `touching`; nothing where no impulses end it. `smooth` is the stack
 /// without friction, `free` the acceleration without contact. `turn` is as turn() below.
 template <class Real, class Turn>
@@ -129,7 +150,7 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
     impact.mode = held;
     bodies.rate = held_rates(smooth, impact.mode, bodies);
   }
-  impact.rates = bodies.rate;
+  impact.rates = without_roundings(stack, poses_of(before), bodies.rate);
   const auto still = [](const Joint<Real>& joint) {
     return joint.touch == Contact::closed && joint.slip == 0;
   };

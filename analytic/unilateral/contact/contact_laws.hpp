@@ -210,7 +210,7 @@ Joints<Real> likely_mode(const TouchingContacts<Real>& contacts, Joints<Real> jo
     Joint<Real>& joint = joints[contact.interface];
     joint.slip = 0;
     if (!contact.flat) continue;
-    const Real left = contacts.free(contact.point(0)), right = contacts.free(contact.point(1));
+    const Real left = contacts.told(contact.point(0)), right = contacts.told(contact.point(1));
     const Real meets = tolerance<Real>(1e-9) * std::min(left, right);
     if ((left < meets) != (right < meets))
       set_mode(question.stack, contact, {left < meets, right < meets}, 0, joint);

@@ -33,16 +33,16 @@ std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts
     for (std::size_t i = 0; i < held; ++i) conditions[i] = -condition(sticking[i].row);
     return system.solve(conditions);
   };
-  ShortNumbers<Real> tangential = answer([&](std::size_t row) { return contacts.free(row); });
+  ShortNumbers<Real> tangential = answer([&](std::size_t row) { return contacts.told(row); });
   ShortNumbers<Real> vector(size);
   Real scale = 0, conditions = 0;
   for (const ContactForceRow<Real>& row : sticking)
-    conditions = std::max<Real>(conditions, abs(contacts.free(row.row)));
+    conditions = std::max<Real>(conditions, abs(contacts.told(row.row)));
   for (std::size_t j = 0; j < size; ++j) {
     const ShortNumbers<Real> column =
         answer([&](std::size_t row) { return contacts.effect(row, points[j]); });
     for (std::size_t i = 0; i < held; ++i) tangential_per_normal(i, j) = column[i];
-    conditions = std::max<Real>(conditions, abs(contacts.free(points[j].row)));
+    conditions = std::max<Real>(conditions, abs(contacts.told(points[j].row)));
     vector[j] = contacts.condition(points[j].row, sticking, tangential);
     for (std::size_t i = 0; i < size; ++i) {
       reduced(i, j) = contacts.effect(points[i].row, points[j]);
@@ -114,7 +114,7 @@ std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts,
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < size; ++j)
       matrix(i, j) = signs[i] * signs[j] * contacts.effect(rows[i].row, rows[j]);
-    vector[i] = signs[i] * contacts.free(rows[i].row);
+    vector[i] = signs[i] * contacts.told(rows[i].row);
     scale = std::max<Real>(scale, abs(matrix(i, i)));
   }
   for (std::size_t i = 0; i < size; ++i)

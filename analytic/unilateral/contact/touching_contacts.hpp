@@ -73,7 +73,8 @@ template <class Real>
 using ContactForceRows = ShortVector<ContactForceRow<Real>, 20>;
 
 /// What touches at one instant: W row by row, what unit forces along rows change of the conditions of rows, W
-/// M⁻¹ Wᵀ, and the conditions W v + bias without contact.
+/// M⁻¹ Wᵀ, and the conditions W v + bias without contact. Decisions are by told(): a contact whose conditions
+/// are below the rounding of what enters them neither presses, parts nor slides, and stays without force.
 template <class Real>
 class TouchingContacts {
  public:
@@ -92,16 +93,18 @@ class TouchingContacts {
   bool empty() const { return interfaces_.empty(); }
   const FreeRow<Real>& row(std::size_t i) const { return rows_[i]; }
   const Real& free(std::size_t i) const { return free_[i]; }
+  /// The condition without contact, or zero where it is rounding.
+  Real told(std::size_t i) const { return abs(free_[i]) <= rounding_[i] ? Real(0) : free_[i]; }
   const Real& effect(std::size_t row, std::size_t force) const { return effects_(row, force); }
   Real effect(std::size_t row, const ContactForceRow<Real>& force) const {
     const Real own = effects_(row, force.row);
     return force.slide == 0 ? own : own + force.slide * effects_(row, force.slip);
   }
 
-  /// The condition of a row under forces.
+  /// The condition of a row under forces, from what is told without them.
   Real condition(std::size_t row, const ContactForceRows<Real>& forces,
                  const ShortNumbers<Real>& values) const {
-    Real sum = free_[row];
+    Real sum = told(row);
     for (std::size_t j = 0; j < forces.size(); ++j) sum += values[j] * effect(row, forces[j]);
     return sum;
   }
@@ -138,6 +141,8 @@ class TouchingContacts {
       add_row(half_width * turn, turning * half_width);
     }
     interfaces_.push_back(contact);
+    const Real rounding = rounding_of(kinematics);
+    while (rounding_.size() < rows_.size()) rounding_.push_back(rounding);
   }
   template <class Row>
   void add_row(const Eigen::MatrixBase<Row>& row, const Real& bias) {
@@ -145,11 +150,17 @@ class TouchingContacts {
     rows_.back() = row;
     free_.push_back(rows_.back().dot(question_.free) + bias);
   }
+  /// Axes and arms are known to rounding, so that a condition is known to that of all motions that enter it.
+  Real rounding_of(const ContactKinematics<Real>& kinematics) const {
+    const FreeRow<Real> motion = question_.free.cwiseAbs().transpose();
+    return tolerance<Real>(1e-14) *
+           (kinematics.gap_row.cwiseAbs() + kinematics.slip_row.cwiseAbs()).dot(motion);
+  }
 
   const ContactQuestion<Real>& question_;
   ShortVector<TouchingInterface<Real>> interfaces_;
   ShortVector<FreeRow<Real>, 20> rows_;
-  ShortNumbers<Real> free_;
+  ShortNumbers<Real> free_, rounding_;
   NumberTable<Real> effects_;
 };
 
