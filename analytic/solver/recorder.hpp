@@ -1,7 +1,8 @@
 #pragma once
 
+#include "analytic/events/event_limit.hpp"
+#include "analytic/events/first_event.hpp"
 #include "analytic/events/rest.hpp"
-#include "analytic/events/tie_breaker.hpp"
 #include "analytic/events/zeno_summation.hpp"
 #include "analytic/solver/validity.hpp"
 
@@ -13,7 +14,10 @@ class Recorder {
  public:
   /// Keeps references to `model` and `options`; `friction` is what each interface has.
   Recorder(const Model<Real, N>& model, const SolveOptions& options, const std::vector<double>& friction)
-      : model_(model), options_(options), friction_(friction.begin(), friction.end()), event_limit_(model) {
+      : model_(model),
+        options_(options),
+        friction_(friction.begin(), friction.end()),
+        event_limit_(model.stack.size(), sqrt(2 * model.stack.half_height.sum() / model.gravity)) {
     const int size = model.stack.size();
     history_.blocks = size;
     const std::size_t samples = options.sample_times.size();
@@ -94,7 +98,7 @@ class Recorder {
   void note_event(const Real& time, EventKind kind, int interface, const Pattern& from,
                   const Vector<Real, N>& before, const State<Real, N>& after,
                   Consistency consistency = Consistency::consistent) {
-    event_limit_.note_event(time);
+    event_limit_.note_event(time, history_.events.size());
     ++events_;
     if (options_.events == EventsKept::summed) {
       if (!sums_up(time, kind, interface, from, after.pattern, consistency))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/events/tie_breaker.hpp"
 #include "analytic/scene/branching.hpp"
 #include "analytic/solver/collisions.hpp"
 #include "analytic/steps/taylor_step.hpp"
@@ -28,7 +29,7 @@ class Solver {
   }
 
   /// @throws std::runtime_error with the time where no pattern lets the motion go on, events do not come to
-  /// an end (tie_breaker.hpp), or numbers leave the range of their type; IllConditioned for
+  /// an end (event_limit.hpp), or numbers leave the range of their type; IllConditioned for
   /// masses or sizes too far apart for the number type.
   BasicHistory<Real> run() {
     start();

@@ -16,6 +16,13 @@ Joint<Real> end_of(const ContactModel<Real>& stack, int interface, Joint<Real> j
   return joint;
 }
 
+/// Whether the point of a joint parts at more than `speed`, m/s.
+template <class Real>
+bool parts(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
+           const Joint<Real>& joint, const Real& speed) {
+  return kinematics_of(stack, bodies, interface, joint).gap_row.dot(vector_of(bodies.rate)) > speed;
+}
+
 /// The end of the motion that a change is, if it is one.
 inline std::optional<EventKind> ending(Change change) {
   static constexpr std::array kinds{EventKind::topple, EventKind::fall, EventKind::strike};
@@ -42,6 +49,8 @@ class ContactChatter {
 
   /// What is apart by less has not parted, in shares of a block's half-width: some roundings of it.
   const Real& negligible_gap() const { return negligible_gap_; }
+  /// What parts no faster has not parted, m/s.
+  Real slow_speed(int interface) const { return slow_speed_ * stack_.half_width(interface); }
 
   /// Open by what rounding makes of angles and speeds.
   bool negligibly_open(const Joint<Real>& joint, const Real& angle, const Real& angle_rate) const {
@@ -76,8 +85,7 @@ class ContactChatter {
       joint.slip = slip;
       if (mode[k].touches()) continue;
       const Real speed = kinematics_of(stack_, after, k, joint).slip_row.dot(rates);
-      const Real still = slow_speed_ * stack_.half_width(k);
-      joint.slip = (speed > still) - (speed < -still);
+      joint.slip = (speed > slow_speed(k)) - (speed < -slow_speed(k));
       meet_face(stack_, k, joint);
     }
     return result;
@@ -127,10 +135,11 @@ class ContactChatter {
   Real negligible_gap_{};
 };
 
-/// A joint that a corner of an interface has come to by landing.
+/// A joint that a corner of an interface has come to by landing. An end that parts at more than `speed`, m/s,
+/// has bounced, and takes no part: in a series of bounces gaps are below rounding while speeds are not.
 template <class Real>
 void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface, bool below,
-          Joints<Real>& joints) {
+          const Real& speed, Joints<Real>& joints) {
   Joint<Real>& joint = joints[interface];
   const Real angle = relative_angle(bodies.at, interface);
   joint.slip = 0;
@@ -141,6 +150,11 @@ void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int inter
     joint.corner_below = below;
   }
   joint.offset = offset_of(stack, bodies, interface, joint);
+  if (joint.touch != Contact::closed) return;
+  const Joint<Real> flat = joint;
+  for (const int side : {-1, 1})
+    if (parts(stack, bodies, interface, end_of(stack, interface, flat, side), speed))
+      joint = end_of(stack, interface, flat, -side);
 }
 
 /// The other corner takes over where one has come to the end of its face; true where it meets the face.
@@ -162,18 +176,20 @@ bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, in
   return speed < -rounding;
 }
 
-/// Lands what is above its face by no more than `gap`, m.
+/// Lands what is above its face by no more than `gap`, m, and does not part at more than `speed`, m/s.
 template <class Real>
 void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
-                     const Real& gap, Joints<Real>& joints) {
+                     const Real& gap, const Real& speed, Joints<Real>& joints) {
+  const FreeVector<Real> rates = vector_of(bodies.rate);
   for (const bool below : {true, false}) {
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
       if (side * relative_angle(bodies.at, interface) < -flat_angle<Real>) continue;
       const CornerOnFace<Real> corner = stack.corner(interface, side, below);
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner);
-      if (abs(rows.gap) <= gap && abs(rows.slip) <= stack.half_width(corner.face) + gap)
-        land(stack, bodies, interface, below, joints);
+      if (abs(rows.gap) <= gap && rows.gap_row.dot(rates) <= speed &&
+          abs(rows.slip) <= stack.half_width(corner.face) + gap)
+        land(stack, bodies, interface, below, speed, joints);
     }
   }
 }
@@ -184,7 +200,8 @@ void close_negligible(const ContactModel<Real>& stack, const ContactChatter<Real
                       const Bodies<Real>& bodies, Joints<Real>& joints) {
   for (int k = 0; k < stack.size(); ++k) {
     const Real gap = chatter.negligible_gap() * stack.half_width(k);
-    if (!joints[k].touches() && !stack.soft(k)) land_negligible(stack, bodies, k, gap, joints);
+    if (!joints[k].touches() && !stack.soft(k))
+      land_negligible(stack, bodies, k, gap, chatter.slow_speed(k), joints);
     if (chatter.negligibly_open(joints[k], relative_angle(bodies.at, k), relative_angle(bodies.rate, k)))
       joints[k].touch = Contact::closed;
   }
@@ -192,15 +209,16 @@ void close_negligible(const ContactModel<Real>& stack, const ContactChatter<Real
 
 /// Changes joints as the guards that end say; true where blocks meet.
 template <class Real>
-bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack, const Bodies<Real>& bodies,
-           Joints<Real>& joints) {
+bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack,
+           const ContactChatter<Real>& chatter, const Bodies<Real>& bodies, Joints<Real>& joints) {
   bool meets = false;
   for (const Guard<Real>& guard : found.guards) {
     Joint<Real>& joint = joints[guard.interface];
     if (guard.change == Change::closing) joint.touch = Contact::closed;
     if (guard.change == Change::halt) joint.slip = 0;
     const bool lands = guard.change == Change::landing;
-    if (lands && !joint.touches()) land(stack, bodies, guard.interface, guard.below, joints);
+    if (lands && !joint.touches())
+      land(stack, bodies, guard.interface, guard.below, chatter.slow_speed(guard.interface), joints);
     if (lands || guard.change == Change::closing ||
         (guard.change == Change::corner && pass_corner(stack, bodies, guard.interface, joints)))
       meets = true;

@@ -85,6 +85,8 @@ class ContactRecorder {
   }
 
   void note_event(ContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
+  /// How many are kept.
+  std::size_t events() const { return history_.events.size(); }
 
   /// The samples at the end of the scene.
   void note_rest(const ContactState<Real>& state, const SpringContacts<Real>& springs, double duration) {

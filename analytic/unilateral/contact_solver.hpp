@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/events/event_limit.hpp"
 #include "analytic/unilateral/contact/initial_contacts.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"
@@ -89,7 +90,7 @@ class ContactSolver {
 
   /// Forces are singular, as where one grows without bound. A vanishing step of Moreau's passes that time.
   void jam() {
-    note_stall();
+    event_limit_.note_event(time(), recorder_.events());
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.remaining());
     state_.bodies.at = poses_of<Real>(vector_of(state_.bodies.at) + length * vector_of(state_.bodies.rate));
     pieces_.go(length);
@@ -112,7 +113,7 @@ class ContactSolver {
 
   /// What springs change. Forces may change at once, so that rigid joints are decided anew.
   void handle(const FirstSpringChange<Real>& found) {
-    note_stall();
+    event_limit_.note_event(time(), recorder_.events());
     const Joints<Real> before = springs_.shown(state_.joints);
     std::vector<bool> passes(before.size(), false);
     for (const SpringGuard<Real>& guard : found.guards) {
@@ -134,7 +135,7 @@ class ContactSolver {
   }
 
   void handle(const FirstChange<Real>& found, const ModeSeries<Real>& series) {
-    note_stall();
+    event_limit_.note_event(time(), recorder_.events());
     const Joints<Real> before = state_.joints;
     for (const Guard<Real>& guard : found.guards) {
       const auto end = ending(guard.change);
@@ -144,7 +145,8 @@ class ContactSolver {
     }
     Joints<Real> touching = state_.joints;
     const int interface = found.guards.front().interface + 1;
-    if (apply(found, stack_, state_.bodies, touching)) return meet(before, std::move(touching), interface);
+    if (apply(found, stack_, chatter_, state_.bodies, touching))
+      return meet(before, std::move(touching), interface);
     look_ahead_.note_decision(time(), longest_);
     state_.joints = std::move(touching);
     hold();
@@ -220,7 +222,7 @@ class ContactSolver {
 
   /// As turn() of contact_decision.hpp, which chatter does not come to.
   bool turn(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, Joints<Real>& mode) {
-    const bool follows = branching_ != nullptr && burst_ <= longest_followed_burst;
+    const bool follows = branching_ != nullptr && event_limit_.burst() <= longest_followed_burst;
     return rockstack::turn(contacts, joints, springs_, time(), follows ? branching_ : nullptr, mode);
   }
 
@@ -261,14 +263,6 @@ class ContactSolver {
                           before, state_.bodies.rate, consistency});
   }
 
-  void note_stall() {
-    if (time() - burst_start_ > unit_time_ / 1000) {
-      burst_start_ = time();
-      burst_ = 0;
-    }
-    if (++burst_ > longest_burst_) stop("events do not come to an end after", burst_start_);
-  }
-
   [[noreturn]] static void stop(const char* what, const Real& time) {
     throw std::runtime_error(std::string(what) + " t = " + std::to_string(static_cast<double>(time)) + " s");
   }
@@ -293,10 +287,7 @@ class ContactSolver {
   ContactState<Real> state_;
   SpringContacts<Real> springs_;
   bool decided_ = false;  ///< the step starts at an event
-  Real burst_start_ = 0;  ///< s
-  int burst_ = 0;
-  /// Events; as many more as bounces take that fall more slowly.
-  Real longest_burst_ = Real(10000) * stack_.size() / (1 - stack_.restitution);
+  EventLimit<Real> event_limit_{stack_.size(), unit_time_, stack_.restitution};
   bool ended_ = false;
   ContactRecorder<Real> recorder_;
   const std::function<bool()>* cancelled_;

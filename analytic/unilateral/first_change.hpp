@@ -33,10 +33,12 @@ class FreshJoints {
     }
   }
 
-  /// Whether a corner has just bounced, so that it starts on its face, whatever roundings put it at.
-  bool bounced(const Guard<Real>& guard, const Real& time) const {
+  /// Whether a corner has bounced last, so that within rounding it is on its face: else a step that another
+  /// event starts would give it a height to fall from, and its series of bounces no end.
+  bool bounced(const Guard<Real>& guard) const {
     const Fresh& fresh = joints_[guard.interface];
-    return guard.change == Change::landing && fresh.bounced == time && may_be(guard, fresh.bounced_from);
+    return guard.change == Change::landing && fresh.bounced > fresh.parted &&
+           may_be(guard, fresh.bounced_from);
   }
 
   /// Whether a guard may start at zero by a decision at this time; `decided`: the last event was there.
@@ -137,7 +139,7 @@ FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries
       if (!above) continue;
       first = *above;
     } else if (guard.change == Change::landing &&
-               whole[0] <= (starts || fresh.bounced(guard, time) ? guard.rounding : Real(0))) {
+               whole[0] <= (starts || fresh.bounced(guard) ? guard.rounding : Real(0))) {
       // A corner that has not just parted may come down from within rounding above the face.
       whole[0] = 0;
     }

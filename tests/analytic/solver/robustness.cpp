@@ -173,11 +173,16 @@ TEST(Robustness, AMotionThatIsGivenUpIsKnownUpToThere) {
 // Columns of 20 equal blocks have been seen to come to rest after 25,000 events in a thousandth of √(H/g).
 TEST(Robustness, EventsThatMayComeTogetherGoWithTheNumberOfBlocks) {
   for (const int blocks : {1, 20}) {
-    testing::Draw draw(1);
-    EventLimit<double> guard(make_model<double>(testing::random_stack(draw, blocks)));
-    for (int i = 0; i < 10000 * blocks; ++i) guard.note_event(0);
-    EXPECT_THROW(guard.note_event(0), std::runtime_error) << blocks;
+    EventLimit<double> limit(blocks, 1);
+    for (int i = 0; i < 10000 * blocks; ++i) limit.note_event(0, 0);
+    EXPECT_THROW(limit.note_event(0, 0), std::runtime_error) << blocks;
   }
+}
+
+TEST(Robustness, NoMotionAsksForMemoryWithoutEnd) {
+  EventLimit<double> limit(1, 1, 1);
+  for (std::size_t kept = 0; kept < 500000; ++kept) limit.note_event(0, kept);
+  EXPECT_THROW(limit.note_event(1, 500000), std::runtime_error);
 }
 
 TEST(Robustness, OptionsOutOfRangeAreRefused) {
