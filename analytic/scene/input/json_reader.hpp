@@ -1,9 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "analytic/scene/input/json.hpp"
+#include "analytic/scene/input/json_words.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 
@@ -30,8 +30,7 @@ auto read_json(const std::filesystem::path& file, const Read& read) {
   try {
     return read(read_json(file));
   } catch (const nlohmann::json::exception& error) {
-    const std::string what = error.what();  // "[json.exception.type_error.302] type must be …"
-    throw InputError(one_line(file.string() + ": " + what.substr(what.find("] ") + 2)));
+    throw InputError(one_line(file.string() + ": " + plain_words(error)));
   } catch (const InputError&) {  // which names its place itself
     throw;
   } catch (const std::invalid_argument& error) {

@@ -17,6 +17,12 @@ constexpr double longest_run = 20;                             // s
 constexpr std::uint64_t run_memory = std::uint64_t{2} << 30U;  // bytes
 constexpr std::uint64_t longest_answer = std::uint64_t{64} << 20U;
 
+/// Of exact runs, and as many of engines.
+constexpr std::ptrdiff_t most_waiting = 16;
+std::ptrdiff_t places() {
+  return std::max(2, static_cast<int>(all_cores()));
+}
+
 /// A request as it was read.
 struct LiveRequest {
   Client client;
@@ -117,16 +123,31 @@ bool Scheduler::is_superseded(const Client& client) const {
 
 void Scheduler::serve(Kind kind, const std::function<bool()>& cancelled, const std::function<void()>& run) {
   constexpr std::chrono::milliseconds tick{5};
-  std::counting_semaphore<>& places = kind == Kind::exact ? exact_ : engines_;
-  while (!places.try_acquire_for(tick))
-    if (cancelled()) return;
-  const auto leave = [&](const void*) { places.release(); };
-  const std::unique_ptr<const void, decltype(leave)> place(this, leave);
+  constexpr std::chrono::seconds longest_wait{10};
+  const auto held = [](std::counting_semaphore<>& semaphore) {
+    const auto release = [](std::counting_semaphore<>* one) { one->release(); };
+    return std::unique_ptr<std::counting_semaphore<>, decltype(release)>(&semaphore, release);
+  };
+  Queue& queue = kind == Kind::exact ? exact_ : engines_;
+  const auto end = std::chrono::steady_clock::now() + longest_wait;
+  if (!queue.places.try_acquire()) {
+    if (!queue.waiting.try_acquire()) throw Busy();
+    const auto waits = held(queue.waiting);
+    while (!queue.places.try_acquire_for(tick)) {
+      if (cancelled()) return;
+      if (std::chrono::steady_clock::now() > end) throw Busy();
+    }
+  }
+  const auto place = held(queue.places);
   run();
 }
 
 Requests::Requests(std::set<std::string> records)
-    : records_(std::move(records)), scheduler_(std::max(2, static_cast<int>(all_cores()))) {}
+    : records_(std::move(records)), scheduler_(places(), most_waiting) {}
+
+std::size_t Requests::most_at_once() const {
+  return static_cast<std::size_t>(2 * (places() + most_waiting));
+}
 
 std::string Requests::answer(const std::string& text, const std::function<bool()>& gone) {
   const auto start = std::chrono::steady_clock::now();

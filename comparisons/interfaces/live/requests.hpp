@@ -20,22 +20,35 @@ struct Client {
   std::uint64_t sequence = 0;
 };
 
-/// Keeps to a few runs at a time, and knows which are superseded. Safe to call from several threads. What it
-/// remembers of pages stays bounded: of the oldest it forgets that they asked.
+/// Too many requests wait already, or one has waited for too long.
+class Busy : public std::runtime_error {
+ public:
+  Busy() : std::runtime_error("busy with other requests: ask again in a second") {}
+};
+
+/// Keeps to a few runs at a time and a few that wait, and knows which are superseded. Safe to call from
+/// several threads. What it remembers of pages stays bounded: of the oldest it forgets that they asked.
 class Scheduler {
  public:
-  explicit Scheduler(std::ptrdiff_t places) : exact_(places), engines_(places) {}
+  /// `places` and `waiting`: of exact runs, and as many of engines.
+  Scheduler(std::ptrdiff_t places, std::ptrdiff_t waiting)
+      : exact_{std::counting_semaphore<>(places), std::counting_semaphore<>(waiting)},
+        engines_{std::counting_semaphore<>(places), std::counting_semaphore<>(waiting)} {}
 
   /// A request, which supersedes older ones of its kind and page.
   void note(const Client& client);
   bool is_superseded(const Client& client) const;
 
-  /// Does `run` once there is a place, unless it is cancelled, which is asked while it waits.
+  /// Does `run` once there is a place, unless it is cancelled, which is asked while it waits. @throws Busy
   void serve(Kind kind, const std::function<bool()>& cancelled, const std::function<void()>& run);
 
  private:
+  struct Queue {
+    std::counting_semaphore<> places, waiting;
+  };
+
   mutable std::mutex mutex_;
-  std::counting_semaphore<> exact_, engines_;  ///< places of exact runs, and of engines
+  Queue exact_, engines_;
   std::map<std::string, std::array<std::uint64_t, 3>> newest_;
   std::deque<std::string> pages_;  ///< in order of their arrival
 };
@@ -49,11 +62,13 @@ class Requests {
   /// {"page", "sequence", "kind": "exact", "engine" or "cloud", "member", "state"}: what live_state.hpp says,
   /// with "milliseconds", or "failure" with the reason, or "dropped" for what is cancelled: superseded, or
   /// `gone`, which is asked now and then: whether the page has left. Safe to call from several threads.
-  /// @throws InputError, std::invalid_argument or nlohmann::json::exception for a request that is none.
+  /// @throws InputError, std::invalid_argument or nlohmann::json::exception for a request that is none; Busy.
   std::string answer(const std::string& text, const std::function<bool()>& gone);
 
   /// {"state", "name", "runs"}: the texts "scene" and "suite" of files to save. @throws likewise.
   std::string files(const std::string& text);
+
+  std::size_t most_at_once() const;  ///< that run or wait
 
  private:
   std::set<std::string> records_;

@@ -1,20 +1,15 @@
 #include <fmt/format.h>
-#include <httplib.h>
-#include <poll.h>
-#include <sys/ioctl.h>
 
-#include <nlohmann/json.hpp>
-
-#include "analytic/scene/input/document.hpp"
+#include "analytic/scene/input/json_words.hpp"
+#include "analytic/scene/messages/one_line.hpp"
+#include "comparisons/interfaces/live/connections.hpp"
 #include "comparisons/interfaces/live/requests.hpp"
 
 namespace rockstack::live {
 namespace {
 
 constexpr const char* home = "127.0.0.1";
-constexpr std::size_t longest_request = std::size_t{512} << 10U;  // bytes, headers included
-constexpr std::chrono::seconds reading_time{10};                  // of a whole request, and of each write
-constexpr std::size_t threads = 64;
+constexpr std::size_t readers = 32;  // threads beside those of requests that wait or run
 
 /// Lessons lie under this, a token and a sign, so that links between them keep the token.
 const std::string course_root = "/course/";
@@ -35,121 +30,6 @@ bool is_same(const std::string& given, const std::string& token) {
   return different == 0;
 }
 
-using Clock = std::chrono::steady_clock;
-
-/// Waits for an event on a socket. @return whether it came before the end.
-bool wait_for(int socket, short event, Clock::time_point end) {
-  for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-    pollfd watched{socket, event, 0};
-    const int count = poll(&watched, 1, static_cast<int>(std::max<std::int64_t>(0, left)));
-    if (count > 0) return true;
-    if (count == 0 || errno != EINTR) return false;
-  }
-}
-
-/// A connection that gives up: reads end after so many bytes or so long, whatever they hold. The socket is
-/// not closed with this.
-class BoundedStream : public httplib::Stream {
- public:
-  explicit BoundedStream(socket_t socket) : socket_(socket) {}
-
-  bool is_readable() const override { return left_ > 0 && wait_for(socket_, POLLIN, end_); }
-
-  /// Whether the other side has not closed it.
-  bool is_writable() const override {
-    char byte = 0;
-    const ssize_t count = recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
-    return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
-  }
-
-  ssize_t read(char* to, std::size_t size) override {
-    if (!is_readable()) return -1;
-    const ssize_t count = recv(socket_, to, std::min(size, left_), 0);
-    if (count > 0) left_ -= static_cast<std::size_t>(count);
-    return count;
-  }
-
-  /// All of it, or −1.
-  ssize_t write(const char* from, std::size_t size) override {
-    const Clock::time_point end = Clock::now() + reading_time;
-    for (std::size_t done = 0; done < size;) {
-      if (!wait_for(socket_, POLLOUT, end)) return -1;
-      const ssize_t count = send(socket_, from + done, size - done, MSG_NOSIGNAL | MSG_DONTWAIT);
-      if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
-      if (count <= 0) return -1;
-      done += static_cast<std::size_t>(count);
-    }
-    return static_cast<ssize_t>(size);
-  }
-
-  void get_remote_ip_and_port(std::string& ip, int& port) const override {
-    ip = home;
-    port = 0;
-  }
-  void get_local_ip_and_port(std::string& ip, int& port) const override { get_remote_ip_and_port(ip, port); }
-  socket_t socket() const override { return socket_; }
-
- private:
-  int socket_;
-  std::size_t left_ = longest_request;
-  Clock::time_point end_ = Clock::now() + reading_time;
-};
-
-/// The library's threads, and the connections that have not yet shown that they may ask. Where more are open
-/// than there are threads, the one that has been silent for longest makes room, so that no number of idle
-/// ones keeps a request waiting.
-class Connections : public httplib::ThreadPool {
- public:
-  Connections() : httplib::ThreadPool(threads) {}
-
-  /// One more is open, and has no thread yet.
-  void enqueue(std::function<void()> serve) override {
-    {
-      const std::lock_guard lock(mutex_);
-      ++open_;
-      make_room(-1);
-    }
-    httplib::ThreadPool::enqueue(std::move(serve));
-  }
-
-  /// It has a thread now.
-  void enter(int socket) {
-    const std::lock_guard lock(mutex_);
-    sockets_.push_back(socket);
-    make_room(socket);
-  }
-
-  /// It may ask.
-  void admit(int socket) {
-    const std::lock_guard lock(mutex_);
-    std::erase(sockets_, socket);
-  }
-
-  /// Before it is closed.
-  void leave(int socket) {
-    const std::lock_guard lock(mutex_);
-    std::erase(sockets_, socket);
-    --open_;
-  }
-
- private:
-  void make_room(int except) {
-    if (open_ <= threads) return;
-    const auto silent = std::ranges::find_if(sockets_, [&](int socket) {
-      int bytes = 0;
-      return socket != except && ioctl(socket, FIONREAD, &bytes) == 0 && bytes == 0;
-    });
-    if (silent == sockets_.end()) return;
-    ::shutdown(*silent, SHUT_RDWR);
-    sockets_.erase(silent);
-  }
-
-  std::mutex mutex_;
-  std::size_t open_ = 0;
-  std::vector<int> sockets_;  ///< of those with a thread, in the order in which they came
-};
-
 /// The connection that this thread serves.
 thread_local const BoundedStream* current = nullptr;
 
@@ -164,9 +44,12 @@ void answer_with(httplib::Response& response, const Answer& answer) {
   try {
     response.set_content(answer(), "application/json");
   } catch (const nlohmann::json::exception& error) {
-    refuse(response, 400, std::string("the page: must be a question in JSON: ") + error.what());
+    refuse(response, 400, one_line("the page: must be a question in JSON: " + plain_words(error)));
   } catch (const std::invalid_argument& error) {
     refuse(response, 400, one_line(error.what()));
+  } catch (const Busy& busy) {
+    response.set_header("Retry-After", "1");
+    refuse(response, 503, busy.what());
   } catch (const std::exception& error) {
     refuse(response, 500, one_line(error.what()));
   }
@@ -185,7 +68,7 @@ const char* media_type(const std::filesystem::path& file) {
 class LiveServer : public httplib::Server {
  public:
   LiveServer(LivePage page, int port) : page_(std::move(page)) {
-    new_task_queue = [this] { return connections_ = new Connections(); };
+    new_task_queue = [this] { return lobby_ = new Lobby(readers + requests_.most_at_once(), door()); };
     // Without the port being shared, which is what the library sets.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
@@ -193,6 +76,8 @@ class LiveServer : public httplib::Server {
     });
     port_ = port == 0 ? bind_to_any_port(home) : (bind_to_port(home, port) ? port : -1);
     if (port_ <= 0) throw std::runtime_error(fmt::format("port {} of {}: cannot be listened to", port, home));
+    ::listen(svr_sock_,
+             SOMAXCONN);  // as many as come at once wait to be accepted, not the few of the library
     set_payload_max_length(longest_request);
     set_default_headers(
         {{"Cache-Control", "no-store"},
@@ -236,54 +121,63 @@ class LiveServer : public httplib::Server {
  private:
   std::string course_path() const { return course_root + token_ + "/"; }
 
-  /// What a request gives for the token.
-  static std::string token_of(const httplib::Request& request) {
-    if (request.method != "GET" && request.method != "HEAD")
-      return request.get_header_value("X-Rockstack-Token");
-    if (request.path.compare(0, course_root.size(), course_root) != 0)
-      return request.get_param_value("token");
-    const std::string rest = request.path.substr(course_root.size());
-    return rest.substr(0, rest.find('/'));
+  /// What a request gives for the token, by its first line.
+  static std::string token_of(const std::string& line) {
+    const std::size_t begin = line.find(' ') + 1;  // of the path; 0: none
+    const std::string path = begin == 0 ? "" : line.substr(begin, line.find_first_of(" \r", begin) - begin);
+    const std::string query = "?token=";
+    if (path.starts_with(course_root))
+      return path.substr(0, path.find('/', course_root.size())).substr(course_root.size());
+    const std::size_t place = path.find(query);
+    return place == std::string::npos ? ""
+                                      : path.substr(0, path.find('&', place)).substr(place + query.size());
+  }
+
+  Lobby::Door door() {
+    const std::string reason = "token: must be that of the address that this `rockstack live` has printed\n";
+    return {[this](const std::string& line) { return is_same(token_of(line), token_); },
+            fmt::format(
+                "HTTP/1.1 403 Forbidden\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: {}\r\n"
+                "Connection: close\r\n\r\n{}",
+                reason.size(), reason),
+            [this](int socket, std::string begun) { serve_one(socket, std::move(begun)); }};
   }
 
   /// Whoever has been led here by another name or another page does not know the token either; each is
   /// refused for itself.
   bool admits(const httplib::Request& request, httplib::Response& response) {
-    const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin");
+    const std::string host = request.get_header_value("Host");
     const bool known =
         host == fmt::format("{}:{}", home, port_) || host == fmt::format("localhost:{}", port_);
-    const bool own = !request.has_header("Origin") || origin == "http://" + host;
-    if (!known || request.get_header_value_count("Host") != 1 || !own) {
-      refuse(response, 403, "Host or Origin: must be the address that `rockstack live` has printed");
-      return false;
-    }
-    if (!is_same(token_of(request), token_)) {
-      refuse(response, 403, "token: must be that of the address that this `rockstack live` has printed");
-      return false;
-    }
-    connections_->admit(current->socket());
+    const auto [first, last] = request.headers.equal_range("Origin");
+    const bool own =
+        std::all_of(first, last, [&](const auto& header) { return header.second == "http://" + host; });
+    if (known && request.get_header_value_count("Host") == 1 && own) return true;
+    refuse(response, 403, "Host or Origin: must be the address that `rockstack live` has printed");
+    return false;
+  }
+
+  /// In the place of the library's own: its first line decides who is served.
+  bool process_and_close_socket(socket_t socket) override {
+    lobby_->add(socket);
     return true;
   }
 
-  /// In the place of the library's own: a connection of bounded length and time, for one request.
-  bool process_and_close_socket(socket_t socket) override {
-    BoundedStream stream(socket);
-    connections_->enter(socket);
+  /// A connection of bounded length and time, for one request.
+  void serve_one(int socket, std::string begun) {
+    BoundedStream stream(socket, std::move(begun));
     current = &stream;
     bool closed = false;
     // Packing an answer takes ten times as long as making it.
-    const bool done = process_request(
-        stream, true, closed, [](httplib::Request& request) { request.headers.erase("Accept-Encoding"); });
+    process_request(stream, true, closed,
+                    [](httplib::Request& request) { request.headers.erase("Accept-Encoding"); });
     current = nullptr;
-    connections_->leave(socket);
-    shutdown(socket, SHUT_RDWR);
-    close(socket);
-    return done;
+    close_both_ways(socket);
   }
 
   LivePage page_;
   Requests requests_{page_.records};
-  Connections* connections_ = nullptr;  ///< the library's, for as long as it serves
+  Lobby* lobby_ = nullptr;  ///< the library's, for as long as it serves
   std::string token_ = drawn_token();
   int port_ = 0;
 };

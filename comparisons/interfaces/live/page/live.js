@@ -18,23 +18,50 @@ const shown = { exact: null, engine: null, cloud: [] };
 const latest = { exact: null, engine: null, members: 0 }; // ms from input to picture, and of which question
 window.live = { latest, shown, state: () => state };
 
-// The link's state, where there is one that can be read.
+// What a link holds. Throws what is wrong with it, in words; null where it leads to a part of the page, or
+// nowhere.
+const linked = () => {
+  const text = location.hash.slice(1);
+  if (text === '' || find(text)) return null;
+  const parse = () => {
+    try {
+      return JSON.parse(decodeURIComponent(text));
+    } catch {
+      throw Error('it is cut short, or none that this page has made');
+    }
+  };
+  const {state, cloud} = parse() ?? {}, blocks = state?.scene?.blocks;
+  if (!Array.isArray(blocks) || !(blocks.length > 0) || blocks.length > setup.blocks)
+    throw Error(`state.scene.blocks: must be a list of 1 to ${setup.blocks} blocks`);
+  return {state, cloud};
+};
+
+// Shows the state of the link, or what is there already and why.
 const readLink = () => {
+  const before = {state, cloud};
+  find('linked').textContent = '';
   try {
-    const linked = JSON.parse(decodeURIComponent(location.hash.slice(1)));
-    if (!linked.state?.scene?.blocks) return;
-    state = linked.state;
-    cloud = { ...cloud, ...linked.cloud };
-  } catch { /* a link to a part of the page, or none */ }
+    const {state: held = state, cloud: runs} = linked() ?? {};
+    [state, cloud] = [{...start, ...held}, {...cloud, ...runs}];
+    rebuild();
+  } catch (error) {
+    ({state, cloud} = before);
+    const reason = error instanceof TypeError ? 'something in it is of another kind' : error.message;
+    find('linked').textContent =
+        `The link does not hold a state that can be shown: ${reason}. This is shown instead.`;
+    rebuild();
+  }
 };
 
 const link = () => "#" + encodeURIComponent(JSON.stringify({ state, cloud }));
 
 const post = async (path, body, signal) => {
-  const reply = await fetch(path, { method: "POST", signal, body: JSON.stringify(body),
-    headers: { "Content-Type": "application/json", "X-Rockstack-Token": token } });
+  const reply = await fetch(
+      path + '?' + new URLSearchParams({token}),
+      {method: 'POST', signal, body: JSON.stringify(body), headers: {'Content-Type': 'application/json'}});
   const text = await reply.text();
-  if (!reply.ok) throw new Error(text.trim());
+  if (!reply.ok)
+    throw Object.assign(new Error(text.trim()), {again: Number(reply.headers.get('Retry-After'))});
   return JSON.parse(text);
 };
 
@@ -62,7 +89,11 @@ class Line {
         state: question.state }, stop.signal);
       if (!answer.dropped) this.show(answer, question);
     } catch (error) {
-      if (error.name !== "AbortError") complain(error, question);
+      if (error.again) await new Promise((done) => setTimeout(done, 1000 * error.again));
+      if (!error.again && error.name !== 'AbortError')
+        complain(error, question);
+      else if (!stop.signal.aborted)
+        this.next ??= question;
     } finally {
       this.stop = null;
       if (this.next) this.send();
@@ -325,11 +356,13 @@ const begin = () => {
   find("save-suite").addEventListener("click", () => save("suite"));
   find("controls").addEventListener("submit", (event) => event.preventDefault());
   new ResizeObserver(() => { looks.clear(); drawFigures(); }).observe(find("angles"));
-  addEventListener("hashchange", () => { readLink(); rebuild(); changed(); });
+  addEventListener('hashchange', () => {
+    readLink();
+    changed();
+  });
   document.body.classList.toggle("within", within);
   if (lesson && !within) tellLesson();
   readLink();
-  rebuild();
   changed();
 };
 begin();
