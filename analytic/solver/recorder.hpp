@@ -1,9 +1,9 @@
 #pragma once
 
-#include "analytic/events/event_limit.hpp"
 #include "analytic/events/first_event.hpp"
 #include "analytic/events/rest.hpp"
 #include "analytic/events/zeno_summation.hpp"
+#include "analytic/scene/event_limit.hpp"
 #include "analytic/solver/validity.hpp"
 
 namespace rockstack {

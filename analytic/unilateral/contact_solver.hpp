@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/events/event_limit.hpp"
+#include "analytic/scene/event_limit.hpp"
 #include "analytic/unilateral/contact/initial_contacts.hpp"
 #include "analytic/unilateral/contact_decision.hpp"
 #include "analytic/unilateral/contact_recorder.hpp"

@@ -141,7 +141,7 @@ class TouchingContacts {
       add_row(half_width * turn, turning * half_width);
     }
     interfaces_.push_back(contact);
-    const Real rounding = rounding_of(kinematics);
+    const Real rounding = rounding_of(k, kinematics);
     while (rounding_.size() < rows_.size()) rounding_.push_back(rounding);
   }
   template <class Row>
@@ -150,11 +150,13 @@ class TouchingContacts {
     rows_.back() = row;
     free_.push_back(rows_.back().dot(question_.free) + bias);
   }
-  /// Axes and arms are known to rounding, so that a condition is known to that of all motions that enter it.
-  Real rounding_of(const ContactKinematics<Real>& kinematics) const {
-    const FreeRow<Real> motion = question_.free.cwiseAbs().transpose();
-    return tolerance<Real>(1e-14) *
-           (kinematics.gap_row.cwiseAbs() + kinematics.slip_row.cwiseAbs()).dot(motion);
+  /// Axes and arms are known to rounding, so that conditions of an interface are to that of the motions of
+  /// both its blocks.
+  Real rounding_of(int k, const ContactKinematics<Real>& kinematics) const {
+    Real size = 0;
+    for (Eigen::Index at = Eigen::Index{3} * std::max(k - 1, 0); at < Eigen::Index{3} * (k + 1); ++at)
+      size += (abs(kinematics.gap_row[at]) + abs(kinematics.slip_row[at])) * abs(question_.free[at]);
+    return tolerance<Real>(1e-14) * size;
   }
 
   const ContactQuestion<Real>& question_;
