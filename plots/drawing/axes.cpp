@@ -41,6 +41,20 @@ std::string in_decades(double value) {
   return fmt::format("{}10^{{{}}}", times < 1 + rounding ? "" : fmt::format("{:.2g}·", times), power);
 }
 
+/// Numbers up the left edge in units of a power of ten, which stands above them: with exponents of their own
+/// they would push the axis' words out of the figure.
+std::string tics_in_units(double low, double high, double step) {
+  constexpr double rounding = 1e-9;
+  const double power = std::floor(std::log10(std::max(std::abs(low), std::abs(high))) + rounding);
+  const double unit = std::pow(10, power);
+  std::vector<std::string> tics;
+  for (double k = std::ceil(low / step - rounding); k <= high / step + rounding; ++k)
+    tics.push_back(fmt::format("'{:.4g}' {}", k == 0 ? 0 : k * step / unit, plain(k * step)));
+  return fmt::format(
+      "set ytics ({})\nset label '×10^{{{:.0f}}}' at graph 0, graph 1 right offset -0.8,0.75 font ',11'\n",
+      text_of_each(tics, std::identity(), ", "), power);
+}
+
 constexpr auto shade = "#ECECEC";
 
 bool is_across(const std::string& axis) {
@@ -93,6 +107,9 @@ std::string linear_tics(const std::string& axis, double low, double high, double
   double step = 10 * power;
   for (const double times : {5.0, 2.0, 1.0})
     if (times * power >= least) step = times * power;
+  constexpr double least_plain = 1e-4, most_plain = 1e6;  // beyond them gnuplot's numbers have exponents
+  if (axis == "y" && (step < least_plain || std::max(std::abs(low), std::abs(high)) >= most_plain))
+    return tics_in_units(low, high, step);
   return fmt::format("set {}tics {}\n", axis, plain(step));
 }
 

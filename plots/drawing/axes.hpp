@@ -26,7 +26,7 @@ struct Reach {
 std::string logarithmic_tics(const std::string& axis, double low, double high, double pixels);
 
 /// Numbers along a linear axis, "x", "x2" or "y", of that many pixels: as many round ones as there is room
-/// for.
+/// for; upwards those that would have exponents in units of a power of ten.
 std::string linear_tics(const std::string& axis, double low, double high, double pixels);
 
 /// The range of an axis with its numbers, of either kind.

@@ -11,11 +11,17 @@ Curve pick(const Curve& curve, const std::vector<std::size_t>& indices) {
   return result;
 }
 
-Curve finite_points(const Curve& curve) {
-  std::vector<std::size_t> finite;
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// The finite points up to an end, and the next one, to which a line leaves the axis.
+Curve shown_points(const Curve& curve, double end) {
+  std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < curve.size(); ++i)
-    if (std::isfinite(curve.values[i])) finite.push_back(i);
-  return pick(curve, finite);
+    if (std::isfinite(curve.values[i])) {
+      shown.push_back(i);
+      if (curve.times[i] > end) break;
+    }
+  return pick(curve, shown);
 }
 
 /// Calls `keep` with the range of the values of each bin that holds any.
@@ -58,9 +64,9 @@ double distance(const Curve& points, std::size_t of, std::size_t from, std::size
 
 }  // namespace
 
-Curve thin(const Curve& curve, std::size_t bins) {
+Curve thin(const Curve& curve, double end, std::size_t bins) {
   assert(bins >= 1 && curve.times.size() == curve.values.size());
-  Curve points = finite_points(curve);
+  Curve points = shown_points(curve, end);
   if (points.size() <= 2 * bins) return points;
   std::vector<std::size_t> kept{0};
   for_bins(points, bins, [&](const double* begin, const double* end) {
@@ -75,7 +81,7 @@ Curve thin(const Curve& curve, std::size_t bins) {
 
 Curve simplified(const Curve& curve, double tolerance) {
   assert(tolerance > 0 && curve.times.size() == curve.values.size());
-  Curve points = finite_points(curve);
+  Curve points = shown_points(curve, endless);
   if (points.size() < 3) return points;
   const Curve shares = scaled(points);
   std::vector<std::size_t> kept{0, points.size() - 1};
@@ -96,9 +102,9 @@ Curve simplified(const Curve& curve, double tolerance) {
   return pick(points, kept);
 }
 
-Curve envelope(const Curve& curve, std::size_t bins, double floor) {
+Curve envelope(const Curve& curve, double end, std::size_t bins, double floor) {
   assert(bins >= 1 && floor > 0 && curve.times.size() == curve.values.size());
-  Curve points = finite_points(curve);
+  Curve points = shown_points(curve, end);
   for (double& value : points.values) value = std::max(std::abs(value), floor);
   std::vector<std::size_t> kept;
   for_bins(points, bins, [&](const double* begin, const double* end) {

@@ -15,14 +15,16 @@ struct Curve {
   double largest() const { return largest_magnitude(values); }
 };
 
-/// The same curve in fewer points: time is cut into `bins` equal bins and each keeps its smallest and its
-/// largest value at their own times, so that no peak is hidden; the first and the last point stay. A curve of
-/// at most 2 × bins points stays as it is. Values that are not finite are dropped. Precondition: bins ≥ 1.
-Curve thin(const Curve& curve, std::size_t bins);
+/// The part of a curve that an axis shows up to `end`, with the point behind it, in fewer points: its time is
+/// cut into `bins` equal bins and each keeps its smallest and its largest value at their own times, so that
+/// no peak is hidden; the first and the last point stay. A part of at most 2 × bins points stays as it is.
+/// Values that are not finite are dropped. Precondition: bins ≥ 1.
+Curve thin(const Curve& curve, double end, std::size_t bins);
 
-/// The largest absolute value of each of `bins` equal bins of time, at its own time, but not under `floor`:
-/// what a logarithmic axis can show of a curve that crosses zero. Preconditions: bins ≥ 1, floor > 0.
-Curve envelope(const Curve& curve, std::size_t bins, double floor);
+/// The largest absolute value of each of `bins` equal bins of the time that an axis shows up to `end`, at its
+/// own time, but not under `floor`: a logarithmic axis can show that of a curve that crosses zero.
+/// Preconditions: bins ≥ 1, floor > 0.
+Curve envelope(const Curve& curve, double end, std::size_t bins, double floor);
 
 /// The same path in fewer points, for curves that turn back: without those nearer than `tolerance` to the
 /// line between the points kept around them, as a share of the curve's extent along either axis. Values that

@@ -165,13 +165,13 @@ void write_reactions(const fs::path& folder, const Sample& sample) {
   reactions << "\n";
 }
 
-/// Readings each tenth of a second, one of them missing, and what a run has there.
+/// Readings, one of them missing, and what a run has there.
 void write_readings(const fs::path& folder, const Sample& sample, double lag) {
   if (!sample.tested) return;
   std::ofstream readings = create(folder / "readings.csv");
   readings << "time,measured_1,motion_1\n0,,0\n";
-  for (int i = 1; i <= 50; ++i) {
-    const double t = 0.1 * i;
+  for (int i = 1; i <= std::lround(duration / sample.readings); ++i) {
+    const double t = sample.readings * i;
     fmt::print(readings, "{},{},{}\n", t, 0.1 * swing(t, 1) + 0.002, 0.1 * swing(t - lag, 1));
   }
 }

@@ -28,6 +28,7 @@ struct Sample {
   double rests_from = 5;        ///< s; angles stay what they are there
   bool shaken = false;          ///< whether the ground moves, along both axes
   bool tested = false;          ///< whether a point was measured
+  double readings = 0.1;        ///< s, between them
   bool slides = false;          ///< whether blocks slip, fly and land
   Law law = Law::unilateral;    ///< of blocks that slide, or `compliant`
   std::vector<std::string> results{"angles", "impacts", "patterns", "bodies",

@@ -35,12 +35,12 @@ std::string colour_of(std::size_t branch) {
 }
 
 /// An angle from where the branch starts.
-Numbers angle_of(const BranchRow& row, int block, std::size_t bins) {
+Numbers angle_of(const BranchRow& row, int block, double end, std::size_t bins) {
   Curve curve;
   for (std::size_t i = 0; i < row.history.size(); ++i)
     if (!(row.history.times[i] < row.start))
       curve.add(row.history.times[i], row.history.angles_at(i)[static_cast<std::size_t>(block)]);
-  const Curve thinned = thin(curve, bins);
+  const Curve thinned = thin(curve, end, bins);
   Numbers lines;
   for (std::size_t i = 0; i < thinned.size(); ++i) lines.push_back({thinned.times[i], thinned.values[i]});
   return lines;
@@ -97,7 +97,7 @@ Drawings branches(const FolderSubject& subject) {
   for (int k = 0; k < blocks; ++k) {
     Plots angles(sheet, fmt::format("angle_{}", k));
     for (std::size_t i = 0; i < rows.size(); ++i)
-      angles.add(angle_of(rows[i], k, bins),
+      angles.add(angle_of(rows[i], k, end, bins),
                  {fmt::format("using 1:2 with lines lw 2 lc rgb '{}'", colour_of(i))});
     sheet.panel(panel_height(blocks + 1), 16,
                 range + without_horizontal_labels + grid_lines +

@@ -12,8 +12,8 @@ struct Departure {
   std::vector<double> agreement_times;  ///< s, rising; one where there are no replicates
 };
 
-/// One curve a block, or where `together` is set one of the largest of all of them.
-Departure read_departure(const Run& run, int blocks, std::size_t bins, bool together) {
+/// One curve a block up to `end`, or where `together` is set one of the largest of all of them.
+Departure read_departure(const Run& run, int blocks, double end, std::size_t bins, bool together) {
   std::vector<std::string> names = numbered("difference_", blocks);
   names.insert(names.begin(), "time");
   std::vector<std::vector<double>> columns = read_columns(run.folder / "difference.csv", names);
@@ -28,7 +28,7 @@ Departure read_departure(const Run& run, int blocks, std::size_t bins, bool toge
   if (departure.agreement_times.empty()) departure.agreement_times = {value_of(run.agreement_time)};
   constexpr double nothing = 1e-30;  // under every axis: a curve that is nearer leaves the panel
   for (std::size_t k = 1; k < columns.size(); ++k)
-    departure.sizes.push_back(envelope(Curve{columns[0], std::move(columns[k])}, bins, nothing));
+    departure.sizes.push_back(envelope(Curve{columns[0], std::move(columns[k])}, end, bins, nothing));
   return departure;
 }
 
@@ -137,11 +137,12 @@ Drawing differences(const SceneSubject& subject) {
              together = many || scene.blocks() > most_blocks || (subject.on_slide && scene.blocks() > 1);
   const std::size_t curves =
       runs.size() * (many ? runs.size() : 2 * static_cast<std::size_t>(scene.blocks()));
-  const std::vector<Departure> departures = each_of(
-      runs, [&](const Run& run) { return read_departure(run, scene.blocks(), bins_for(curves), together); });
   Legend legend = legend_of(runs, curve_style);
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
+  const std::vector<Departure> departures = each_of(runs, [&](const Run& run) {
+    return read_departure(run, scene.blocks(), room_for_marks * axis.end, bins_for(curves), together);
+  });
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));
   add_panels(sheet, subject, departures, axis, together);
   add_agreements(sheet, departures, axis, scene.horizon());

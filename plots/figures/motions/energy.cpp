@@ -12,12 +12,12 @@ struct Energies {
   Curve apart;  ///< the median of each stretch between exact impacts
 };
 
-/// The times of the exact impacts, s, none nearer to the last than a part of the whole.
+/// The times of the exact impacts before an end, s, none nearer to the last than a part of the whole.
 std::vector<double> stretches(const Shown& shown, double end) {
   std::vector<double> times;
   if (!shown.exact.empty())
     for (const Event& event : history_of(shown.exact.front())->events)
-      if (event.kind == EventKind::impact) times.push_back(event.time);
+      if (event.kind == EventKind::impact && event.time < end) times.push_back(event.time);
   std::ranges::sort(times);
   constexpr double parts = 60;
   std::vector<double> kept{0};
@@ -45,14 +45,14 @@ Curve medians(const std::vector<double>& times, const std::vector<double>& value
   return levels;
 }
 
-Energies read_energies(const Run& run, const Shown& shown, std::size_t bins) {
+Energies read_energies(const Run& run, const Shown& shown, double end, std::size_t bins) {
   const auto file = energies_of(run);
   std::vector<double> apart;
   for (std::size_t i = 0; i < file->times.size(); ++i)
     apart.push_back(file->balance[i] + file->input[i] - file->exact[i]);
-  const double end = file->times.empty() ? 1 : std::max(file->times.back(), 1e-9);
-  return {run, thin({file->times, file->exact}, bins), thin({file->times, file->engine}, bins),
-          medians(file->times, apart, stretches(shown, end))};
+  const double last = file->times.empty() ? end : std::min(end, std::max(file->times.back(), 1e-9));
+  return {run, thin({file->times, file->exact}, end, bins), thin({file->times, file->engine}, end, bins),
+          medians(file->times, apart, stretches(shown, last))};
 }
 
 std::string range_of(const std::vector<Curve>& curves, double height) {
@@ -75,16 +75,16 @@ std::string answer(const std::vector<Energies>& all) {
 
 Drawing energy(const SceneSubject& subject) {
   const Shown shown = subject.shown({"energy.csv"});
-  const std::vector<Energies> all = each_of(shown.engines, [&](const Run& run) {
-    return read_energies(run, shown, bins_for(3 * shown.engines.size()));
-  });
-  if (all.empty()) return subject.nothing("No engine run of this scene tells its energy.");
+  if (shown.engines.empty()) return subject.nothing("No engine run of this scene tells its energy.");
   const bool many = are_many(shown.engines);
   const std::string in_grey = fmt::format("with lines lw 1 lc rgb '{}'", context_colour);
   Legend legend = legend_of(shown.engines, curve_style);
   legend.insert(legend.begin(), {exact_style, "exact"});
   if (many) legend.emplace_back(in_grey, "engines");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
+  const std::vector<Energies> all = each_of(shown.engines, [&](const Run& run) {
+    return read_energies(run, shown, axis.end, bins_for(3 * shown.engines.size()));
+  });
   Sheet sheet = subject.sheet(legend, answer(all));
   const auto last = [](const Energies& one) { return one.exact.times.empty() ? 0 : one.exact.times.back(); };
   std::vector<Curve> levels{std::ranges::max_element(all, {}, last)->exact};

@@ -28,11 +28,11 @@ void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, const T
   const auto at = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
   const double peak = *at, reach = reach_of(std::abs(peak)),
                time = curve.times[static_cast<std::size_t>(at - curve.values.begin())];
-  sheet.data(data_block(name, thin(curve, bins_for(2))));
-  sheet.panel(220, 16,
-              ground_grid + time_range(axis) +
-                  fmt::format("set yrange [{}:{}]\nset ylabel '{} (m/s²)' offset 0.5\n", plain(-reach),
-                              plain(reach), name) +
+  constexpr double height = 220;
+  sheet.data(data_block(name, thin(curve, axis.end, bins_for(2))));
+  sheet.panel(height, 16,
+              ground_grid + time_range(axis) + linear_range("y", -reach, reach, height) +
+                  fmt::format("set ylabel '{} (m/s²)' offset 0.5\n", name) +
                   (last ? time_numbers : without_horizontal_labels) + peak_mark(peak, time, "m/s²", 0.1),
               {plot_of(name, line_style)});
 }
@@ -57,7 +57,7 @@ Curve scaled(Curve curve, double factor) {
 /// A panel of a record over time, with the significant duration shaded.
 void add_over_time(Sheet& sheet, double height, const std::string& name, const Curve& curve,
                    const Json& significant, const std::string& settings) {
-  sheet.data(data_block(name, thin(curve, 1500)));
+  sheet.data(data_block(name, thin(curve, curve.times.back(), 1500)));
   sheet.panel(
       height, 16,
       ground_grid +

@@ -96,12 +96,13 @@ std::string largest_angles(const std::vector<Run>& runs, bool each, double end) 
   return fmt::format("Largest angles: {}", fmt::join(texts, "; "));
 }
 
-/// All angles of a block; `drawn`: how many curves the figure has for one.
-std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, int blocks, int block) {
+/// The angles of a block up to the end of the axis; `drawn`: how many curves the figure has for one.
+std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, int blocks, int block,
+                             double end) {
   const std::size_t bins = bins_for(drawn * static_cast<std::size_t>(blocks));
   return each_of(runs, [&](const Run& run) {
     const auto history = history_of(run);
-    return thin({history->times, column_of(*history, &History::angles, block)}, bins);
+    return thin({history->times, column_of(*history, &History::angles, block)}, end, bins);
   });
 }
 
@@ -116,7 +117,7 @@ void add_angles(Sheet& sheet, const SceneSubject& subject, const std::vector<Run
                 const TimeAxis& axis, bool lowest) {
   const int blocks = subject.scene.blocks();
   const double tall = subject.height(panel_height(blocks), blocks * panel_height(blocks));
-  const std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block);
+  const std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block, axis.end);
   const std::string words = angle_name(block + 1) + " (rad)", stem = fmt::format("angle_{}", block + 1);
   const auto axes = [&](double, double height) { return axes_of(runs, curves, axis, height); };
   SeriesPanel panel{"time (s)", words, words, lowest, axes, tall};
@@ -221,7 +222,7 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
   const std::size_t drawn = runs.size() + lines.size() * exact.size();
   for (int k = 0; k < blocks; ++k) {
     sheet.leave_room_above(24);
-    add_lines(sheet, runs, curves_of(runs, drawn, blocks, k), lines, k, axis);
+    add_lines(sheet, runs, curves_of(runs, drawn, blocks, k, axis.end), lines, k, axis);
   }
   if (!exact.empty()) {
     sheet.leave_room_above(70);

@@ -5,15 +5,18 @@ namespace rockstack::plots {
 namespace {
 
 /// Angular velocities of a block over its angles. A Curve's `times` are angles here, rad; its values rad/s.
-/// At most 20,000 samples are looked at, of which those that bear the shape within a tolerance are kept.
-Curve read_orbit(const Run& run, int block, double tolerance) {
+/// Up to an end, s. At most 20,000 samples are looked at, of which those that bear the shape within a
+/// tolerance are kept.
+Curve read_orbit(const Run& run, int block, double end, double tolerance) {
   const auto history = history_of(run);
   const std::vector<double> angles = column_of(*history, &History::angles, block),
                             velocities = column_of(*history, &History::velocities, block);
   constexpr std::size_t most = 20'000;
-  const std::size_t stride = std::max<std::size_t>(1, angles.size() / most);
+  const auto shown =
+      static_cast<std::size_t>(std::ranges::upper_bound(history->times, end) - history->times.begin());
+  const std::size_t stride = std::max<std::size_t>(1, shown / most);
   Curve curve;
-  for (std::size_t i = 0; i < angles.size(); i += stride) curve.add(angles[i], velocities[i]);
+  for (std::size_t i = 0; i < shown; i += stride) curve.add(angles[i], velocities[i]);
   return simplified(curve, tolerance);
 }
 
@@ -59,9 +62,10 @@ Drawing phase(const SceneSubject& subject) {
       fmt::format("{} goes as far as {:.3g} rad", first.exact() ? "The exact motion" : run_phrase(first),
                   largest_magnitude(history_of(first)->angles)));
   const double usual = panel_height(scene.blocks()), height = subject.height(usual, scene.blocks() * usual);
+  const double end = time_axis(scene, runs).end;
   for (int k = 0; k < scene.blocks(); ++k)
     add_block(sheet, runs, k, height,
-              each_of(runs, [&](const Run& run) { return read_orbit(run, k, tolerance); }));
+              each_of(runs, [&](const Run& run) { return read_orbit(run, k, end, tolerance); }));
   return sheet.finish();
 }
 

@@ -37,12 +37,12 @@ Drawing readings(const SceneSubject& subject) {
       const auto columns = read_columns(run.folder / "readings.csv", {"time", quantity + number});
       return Curve{columns[0], columns[1]};
     };
-    const std::vector<Curve> curves =
-        each_of(runs, [&](const Run& run) { return thin(read(run, "motion_"), bins_for(runs.size())); });
+    const std::vector<Curve> curves = each_of(
+        runs, [&](const Run& run) { return thin(read(run, "motion_"), axis.end, bins_for(runs.size())); });
     Reach extent = extent_of(runs, curves, 1, 1e-6);
     const Curve seen = read(runs.front(), "measured_");
     Numbers marks;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t i = 0; i < seen.size() && seen.times[i] <= axis.end; ++i) {
       if (std::isnan(seen.values[i])) continue;
       marks.push_back({seen.times[i], seen.values[i]});
       extent.add(seen.values[i]);

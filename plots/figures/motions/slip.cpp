@@ -15,9 +15,10 @@ struct SlipPanel {
   std::vector<Curve> curves = {};
 };
 
-/// A panel a block; its words have the block's number in their place.
+/// A panel a block up to `end`; its words have the block's number in their place.
 std::vector<SlipPanel> read_panels(const std::vector<Run>& runs, std::vector<double> History::*rows,
-                                   int blocks, const std::function<std::string(int)>& words, double scale) {
+                                   int blocks, const std::function<std::string(int)>& words, double scale,
+                                   double end) {
   const std::size_t bins = bins_for(runs.size() * 2 * static_cast<std::size_t>(blocks));
   std::vector<SlipPanel> panels;
   for (int k = 0; k < blocks; ++k) {
@@ -28,15 +29,15 @@ std::vector<SlipPanel> read_panels(const std::vector<Run>& runs, std::vector<dou
       if (((*history).*rows).empty()) continue;
       std::vector<double> values = column_of(*history, rows, k);
       for (double& value : values) value *= scale;
-      curve = thin({history->times, std::move(values)}, bins);
+      curve = thin({history->times, std::move(values)}, end, bins);
     }
   }
   return panels;
 }
 
-std::vector<SlipPanel> read_slips(const std::vector<Run>& runs, int blocks) {
+std::vector<SlipPanel> read_slips(const std::vector<Run>& runs, int blocks, double end) {
   const auto words = [](int number) { return fmt::format("slip {} (mm)", number); };
-  return read_panels(runs, &History::slips, blocks, words, millimetres);
+  return read_panels(runs, &History::slips, blocks, words, millimetres, end);
 }
 
 /// One panel a quantity, all runs in each, or a panel each where they are many.
@@ -67,7 +68,8 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
 std::string flights_of(const Run& run, int blocks, double end) {
   constexpr std::size_t reported = 2;
   const double shortest = end / 1000;
-  const std::vector<PatternSpan> spans = pattern_spans(*history_of(run));
+  const auto history = history_of(run);
+  const std::vector<PatternSpan> spans = pattern_spans(*history);
   std::vector<std::string> times;
   for (int k = 0; k < blocks; ++k) {
     double from = -1;
@@ -81,7 +83,7 @@ std::string flights_of(const Run& run, int blocks, double end) {
       if (!apart) close(span.from);
       if (apart && from < 0) from = span.from;
     }
-    close(end);
+    if (!history->times.empty()) close(history->times.back());
   }
   if (times.empty()) return "nothing flies";
   const std::string more =
@@ -90,11 +92,14 @@ std::string flights_of(const Run& run, int blocks, double end) {
   return "apart: " + text_of_each(times, std::identity(), ", ") + more;
 }
 
-std::string slip_phrase(const std::vector<Run>& runs, std::size_t run, const std::vector<SlipPanel>& slips) {
-  const auto largest = [&](const SlipPanel& slip) { return slip.curves[run].largest(); };
-  const auto most = std::ranges::max_element(slips, {}, largest);
-  return fmt::format("{:.3g} mm at interface {} ({})", largest(*most), most - slips.begin() + 1,
-                     line_label(runs[run]));
+/// Of the whole motion.
+std::string slip_phrase(const Run& run, int blocks) {
+  const auto history = history_of(run);
+  std::vector<double> slips;
+  for (int k = 0; k < blocks; ++k)
+    slips.push_back(millimetres * largest_magnitude(column_of(*history, &History::slips, k)));
+  const auto most = std::ranges::max_element(slips);
+  return fmt::format("{:.3g} mm at interface {} ({})", *most, most - slips.begin() + 1, line_label(run));
 }
 
 }  // namespace
@@ -103,17 +108,14 @@ Drawing slip(const SceneSubject& subject) {
   const ComparedScene& scene = subject.scene;
   std::vector<Run> runs = all_runs(subject.shown());
   std::erase_if(runs, [](const Run& run) { return !run.tells_slips(); });
-  std::vector<SlipPanel> panels = read_slips(runs, scene.blocks());
+  const double end = time_axis(scene, runs).end;
+  std::vector<SlipPanel> panels = read_slips(runs, scene.blocks(), end);
   const bool exact = runs.front().exact();
-  std::string answer =
-      (exact ? "At most: " : "At most, without an exact motion: ") + slip_phrase(runs, 0, panels);
-  double end = 1e-9;
-  for (const SlipPanel& panel : panels)
-    for (const Curve& curve : panel.curves)
-      if (curve.size() > 0) end = std::max(end, curve.times.back());
+  std::string answer = (exact ? "At most: " : "At most, without an exact motion: ") +
+                       slip_phrase(runs.front(), scene.blocks());
   if (exact) answer += "; " + flights_of(runs.front(), scene.blocks(), end);
   const auto words = [](int number) { return fmt::format("gap {} (mm)", number); };
-  const auto gaps = read_panels(runs, &History::gaps, scene.blocks(), words, millimetres);
+  const auto gaps = read_panels(runs, &History::gaps, scene.blocks(), words, millimetres, end);
   panels.insert(panels.end(), gaps.begin(), gaps.end());
   const auto is_still = [&](const SlipPanel& panel) {
     return std::ranges::all_of(
@@ -129,12 +131,14 @@ Drawing friction(const SceneSubject& subject) {
   for (const Run& run : done_runs(subject.comparison, scene.name))
     if (run.exact() || run.has_own_friction()) runs.push_back(run);
   const auto words = [](int number) { return angle_name(number) + " (rad)"; };
-  std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.blocks(), words, 1);
-  const std::vector<SlipPanel> slips = read_slips(runs, scene.blocks());
+  const double end = time_axis(scene, runs).end;
+  std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.blocks(), words, 1, end);
+  const std::vector<SlipPanel> slips = read_slips(runs, scene.blocks(), end);
   panels.insert(panels.end(), slips.begin(), slips.end());
   std::string answer = "Largest slips: ";
   for (std::size_t i = 0; i < runs.size(); ++i)
-    if (runs[i].tells_slips()) answer += slip_phrase(runs, i, slips) + (i + 1 < runs.size() ? "; " : "");
+    if (runs[i].tells_slips())
+      answer += slip_phrase(runs[i], scene.blocks()) + (i + 1 < runs.size() ? "; " : "");
   return drawn(subject, runs, panels, answer);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "tests/plots/sample.hpp"
@@ -13,6 +14,29 @@ TEST(LinearTics, AreRoundAndHaveRoom) {
   EXPECT_EQ(linear_tics("y", 0, 1, 300), "set ytics 0.1\n");
   EXPECT_EQ(linear_tics("y", -3, 4, 110), "set ytics 2\n");
   EXPECT_EQ(linear_tics("x", 0, 0.3, 340), "set xtics 0.1\n");
+}
+
+// Else the words beside them leave the figure: six letters are as wide as -0.015.
+TEST(LinearTics, UpwardsAreShortHoweverLargeNumbersAre) {
+  for (int power = -12; power <= 12; ++power)
+    for (const double reach : {1.0, 1.6, 4.4, 9.9}) {
+      const double high = reach * std::pow(10, power);
+      const std::string tics = linear_tics("y", -high, high, 380);
+      if (tics.find('(') == std::string::npos) {
+        const double step = std::stod(tics.substr(tics.rfind(' ')));
+        EXPECT_TRUE(step >= 1e-4 && high < 1e6) << tics;  // gnuplot's numbers are as those of printf's %g
+        continue;
+      }
+      for (std::size_t at = tics.find('\''); at < tics.find(')'); at = tics.find('\'', at + 1)) {
+        const std::size_t end = tics.find('\'', at + 1);
+        EXPECT_LE(end - at - 1, 6u) << tics;
+        at = end;
+      }
+      EXPECT_NE(tics.find("'×10^{" + std::to_string(power) + "}'"), std::string::npos) << tics;
+    }
+  EXPECT_EQ(linear_tics("y", -1e-5, 2e-5, 120),
+            "set ytics ('-1' -1e-05, '0' 0, '1' 1e-05, '2' 2e-05)\n"
+            "set label '×10^{-5}' at graph 0, graph 1 right offset -0.8,0.75 font ',11'\n");
 }
 
 TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {

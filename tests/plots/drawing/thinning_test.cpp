@@ -11,6 +11,8 @@
 namespace rockstack::plots {
 namespace {
 
+constexpr double endless = std::numeric_limits<double>::infinity();
+
 Curve noise(std::size_t points) {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> value(-1, 1);
@@ -31,7 +33,7 @@ bool has_point(const Curve& curve, double time, double value) {
 // 1024 points at 0, 1, … 1023 and 16 bins: bin b holds the indices i with 16 i / 1023 in [b, b + 1).
 TEST(Thinning, KeepsTheSmallestAndTheLargestValueOfEveryBinAtTheirTimes) {
   const Curve curve = noise(1024);
-  const Curve thinned = thin(curve, 16);
+  const Curve thinned = thin(curve, endless, 16);
   EXPECT_LE(thinned.size(), 2u * 16u + 2u);
   for (std::size_t bin = 0; bin < 16; ++bin) {
     std::size_t low = curve.size(), high = curve.size();
@@ -47,7 +49,7 @@ TEST(Thinning, KeepsTheSmallestAndTheLargestValueOfEveryBinAtTheirTimes) {
 
 TEST(Thinning, KeepsTimesInOrderAndBothEnds) {
   const Curve curve = noise(5000);
-  const Curve thinned = thin(curve, 100);
+  const Curve thinned = thin(curve, endless, 100);
   EXPECT_TRUE(std::is_sorted(thinned.times.begin(), thinned.times.end()));
   EXPECT_EQ(thinned.times.front(), curve.times.front());
   EXPECT_EQ(thinned.times.back(), curve.times.back());
@@ -56,28 +58,38 @@ TEST(Thinning, KeepsTimesInOrderAndBothEnds) {
 
 TEST(Thinning, LeavesAShortCurveAsItIs) {
   const Curve curve = noise(40);
-  const Curve thinned = thin(curve, 20);
+  const Curve thinned = thin(curve, endless, 20);
   EXPECT_EQ(thinned.times, curve.times);
   EXPECT_EQ(thinned.values, curve.values);
 }
 
+// Of a hundred times as long a curve the part on the axis keeps as many points, and the next one.
+TEST(Thinning, LooksAtTheTimeThatIsShownAlone) {
+  const Curve curve = noise(100'000);
+  Curve part;
+  for (std::size_t i = 0; i <= 1000; ++i) part.add(curve.times[i], curve.values[i]);
+  const Curve thinned = thin(curve, 999.5, 50), expected = thin(part, endless, 50);
+  EXPECT_EQ(thinned.times, expected.times);
+  EXPECT_EQ(thinned.values, expected.values);
+  EXPECT_EQ(envelope(curve, 999.5, 50, 1e-6).values, envelope(part, endless, 50, 1e-6).values);
+}
+
 TEST(Thinning, DropsWhatIsNotFiniteAndTakesEmptyCurves) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Curve thinned = thin(Curve{{0, 1, 2}, {1, infinity, std::nan("")}}, 1);
+  const Curve thinned = thin(Curve{{0, 1, 2}, {1, endless, std::nan("")}}, endless, 1);
   EXPECT_EQ(thinned.values, std::vector<double>{1});
-  EXPECT_EQ(thin(Curve{}, 5).size(), 0u);
-  EXPECT_EQ(envelope(Curve{}, 5, 1e-6).size(), 0u);
+  EXPECT_EQ(thin(Curve{}, endless, 5).size(), 0u);
+  EXPECT_EQ(envelope(Curve{}, endless, 5, 1e-6).size(), 0u);
 }
 
 TEST(Thinning, TakesCurvesWhoseTimesAreAllTheSame) {
   const Curve curve{std::vector<double>(50, 2.0), std::vector<double>(50, 3.0)};
-  EXPECT_EQ(thin(curve, 4).values.back(), 3.0);
-  EXPECT_EQ(envelope(curve, 4, 1e-6).values, std::vector<double>{3.0});
+  EXPECT_EQ(thin(curve, endless, 4).values.back(), 3.0);
+  EXPECT_EQ(envelope(curve, endless, 4, 1e-6).values, std::vector<double>{3.0});
 }
 
 TEST(Envelope, HoldsTheLargestSizeOfEveryBinAndNeverLessThanTheFloor) {
   const Curve curve{{0, 1, 2, 3, 4, 5, 6, 7}, {1, -5, 2, 0, 0, 0, -3, 2}};
-  const Curve outer = envelope(curve, 4, 0.5);
+  const Curve outer = envelope(curve, endless, 4, 0.5);
   EXPECT_EQ(outer.times, (std::vector<double>{1, 2, 4, 6}));
   EXPECT_EQ(outer.values, (std::vector<double>{5, 2, 0.5, 3}));
 }

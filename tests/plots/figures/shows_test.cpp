@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "plots/data/run_files.hpp"
 #include "plots/data/selection.hpp"
@@ -68,6 +69,28 @@ TEST(Shown, CurvesHaveTheExtentOfTheirHistories) {
   EXPECT_NEAR(extent_of(taken.picture, colour_of(engine)) * slope, spread_of(history_of(engine)->angles),
               pixel);
   EXPECT_TRUE(taken.picture.says("Largest angles: exact 0.1"));
+}
+
+// All rest from 0.1 s on in a scene of 5 s: an axis of 0.108 s, with a sample each millisecond.
+TEST(Shown, CurvesOfPartOfTheTimeHaveAllOfItsSamples) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(
+      folder, {.steps = {1e-3}, .rests_from = 0.1, .tested = true, .readings = 1e-3, .slides = true});
+  const Comparison comparison = read_comparison(folder);
+  draw_figures(folder, comparison);
+  const ComparedScene& scene = comparison.scenes.front();
+  const std::string colour = colour_of(shown_runs(comparison, scene.name).engines.front());
+  std::set<std::string> over_time;
+  for (const Figure* figure : figures_of(scene)) {
+    const Picture picture = testing::read_picture(figure_stem(folder, scene, *figure).concat(".svg"));
+    if (std::ranges::find(picture.texts, "time (s)", &testing::ShownText::words) == picture.texts.end())
+      continue;
+    over_time.insert(figure->name);
+    std::size_t most = 0;
+    for (const testing::ShownLine& line : picture.lines_of(colour)) most = std::max(most, line.points.size());
+    EXPECT_GE(most, 100u) << figure->name;  // a logarithmic axis leaves out what is nearly zero
+  }
+  EXPECT_EQ(over_time, (std::set<std::string>{"histories", "differences", "energy", "readings", "slip"}));
 }
 
 // Twelve impacts are told of, the last at 6 s, and the axis ends at 5 s with the exact curve.
