@@ -116,7 +116,8 @@ int fit_command(const FitArguments& arguments, const Common& common) {
     for (const FittedParameter& one : found.parameters) {
       fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
                  one.upper);
-      changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
+      if (!one.parameter.is_clock())
+        changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
     }
     for (const std::string& sentence : meaning(found, measured)) fmt::print("{}\n", sentence);
     fmt::print("\nrockstack solve {}{}\n", shell_word(arguments.scene), changes);

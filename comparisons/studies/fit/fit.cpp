@@ -60,16 +60,19 @@ struct Place {
 std::vector<Place> best_places(const Shares& shares) {
   constexpr double most_places = 200;
   constexpr std::size_t kept = 3;
-  const double each = std::floor(std::pow(most_places, 1.0 / shares.inputs()) + 1e-9);
-  const auto parts = static_cast<std::size_t>(std::clamp(each, 3.0, 40.0));
+  const std::vector<FitParameter>& parameters = shares.fitted.parameters();
+  const auto along = std::ranges::count_if(parameters, std::not_fn(&FitParameter::is_clock));
+  const double each = std::floor(std::pow(most_places, 1.0 / static_cast<double>(along)) + 1e-9);
+  const auto most_parts = static_cast<std::size_t>(std::clamp(each, 3.0, 40.0));
   std::size_t places = 1;
-  for (int k = 0; k < shares.inputs(); ++k) places *= parts;
+  for (std::ptrdiff_t k = 0; k < along; ++k) places *= most_parts;
   std::vector<Place> best;
   for (std::size_t number = 0; number < places; ++number) {
     Place place{VectorXd(shares.inputs())};
     std::size_t left = number;
-    for (double& share : place.shares) {
-      share = (static_cast<double>(left % parts) + 0.5) / static_cast<double>(parts);
+    for (Index k = 0; k < shares.inputs(); ++k) {
+      const std::size_t parts = parameters[static_cast<std::size_t>(k)].is_clock() ? 1 : most_parts;
+      place.shares[k] = (static_cast<double>(left % parts) + 0.5) / static_cast<double>(parts);
       left /= parts;
     }
     place.sum = shares.fitted.residuals(shares.at(place.shares)).squaredNorm();
@@ -172,25 +175,40 @@ FittedScene::FittedScene(const SceneDocument& document, const Measurement& measu
 Scene FittedScene::scene(const std::vector<double>& values) const {
   SceneDocument document = document_;
   for (std::size_t k = 0; k < values.size(); ++k)
-    apply_override(document.root, fmt::format("{}={}", parameters_[k].key, values[k]));
+    if (!parameters_[k].is_clock())
+      apply_override(document.root, fmt::format("{}={}", parameters_[k].key, values[k]));
   return make_scene(document, library_);
+}
+
+Values FittedScene::motion(const std::vector<double>& values) const {
+  double late = 0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (parameters_[k].is_clock()) late = values[k];
+  const Scene asked = scene(values);
+  Values shifted{0};
+  for (const double time : times_)
+    if (time > late && time - late <= asked.duration) shifted.push_back(time - late);
+  const History history = solve(asked, {.sample_times = shifted});
+  const Values found = readings_of(measured_, asked, history, centres_of(asked, history));
+  const std::size_t width = measured_.columns.size();
+  Values list;
+  for (std::size_t i = 0, row = 0; i < times_.size(); ++i) {
+    if (times_[i] > late) row = std::min(row + 1, found.size() / width - 1);
+    for (std::size_t k = row * width; k < (row + 1) * width; ++k) list.push_back(found[k]);
+  }
+  return list;
 }
 
 VectorXd FittedScene::residuals(const std::vector<double>& values) const {
   VectorXd list = VectorXd::Constant(static_cast<Index>(size()), off);
-  Values motion;
+  Values found;
   try {
-    const Scene asked = scene(values);
-    const History history = solve(asked, {.sample_times = times_});
-    motion = readings_of(measured_, asked, history, centres_of(asked, history));
+    found = motion(values);
   } catch (const std::exception&) {
     return list;
   }
-  const std::size_t width = measured_.columns.size();
-  if (motion.empty()) return list;
-  while (motion.size() < times_.size() * width) motion.push_back(motion[motion.size() - width]);
   for (std::size_t i = 0; i < size(); ++i)
-    list[static_cast<Index>(i)] = motion[places_[i]] - measured_.values[places_[i]];
+    list[static_cast<Index>(i)] = found[places_[i]] - measured_.values[places_[i]];
   return list;
 }
 
@@ -212,9 +230,12 @@ bool FittedParameter::at_end() const {
   return value < parameter.low + margin || value > parameter.high - margin;
 }
 
-Fit fit(const SceneDocument& document, const Measurement& measured,
-        const std::vector<FitParameter>& parameters) {
+Fit fit(const SceneDocument& document, const Measurement& measured, std::vector<FitParameter> parameters) {
   constexpr double tolerance = 0.01;  // rad, as that of a suite
+  constexpr double latest = 0.1;      // of the clock, as a share of the test's time
+  const double most = latest * (measured.times.back() - measured.times.front());
+  if (most > 0 && std::ranges::none_of(parameters, &FitParameter::is_clock))
+    parameters.push_back({clock_key, -most, most});
   const FittedScene whole(document, measured, parameters, measured.times.back());
   const Shares over_all{whole};
   const Place guess = best_places(over_all).front();
@@ -236,15 +257,14 @@ Fit fit(const SceneDocument& document, const Measurement& measured,
   result.readings = fitted.size();
   result.residual = residuals.norm() / std::sqrt(static_cast<double>(free));
   if (best.sum > 0) result.correlation = residuals.head(count - 1).dot(residuals.tail(count - 1)) / best.sum;
-  const double reach = result.residual * reach_of_interval(static_cast<std::size_t>(free));
-  const double roundings = untold * untold * static_cast<double>(count);
+  result.rounding = result.residual < untold;
+  const double reach = std::hypot(result.residual * reach_of_interval(static_cast<std::size_t>(free)),
+                                  untold * std::sqrt(static_cast<double>(count)));
   for (const double half_width : half_widths(fitted, values, reach))
-    result.parameters.push_back(with_interval(fitted, values, result.parameters.size(), half_width,
-                                              best.sum + reach * reach + roundings));
-  const Scene scene = whole.scene(values);
-  const History history = solve(scene, {.sample_times = measured.times});
-  result.times = history.times;
-  result.motion = readings_of(measured, scene, history, centres_of(scene, history));
+    result.parameters.push_back(
+        with_interval(fitted, values, result.parameters.size(), half_width, best.sum + reach * reach));
+  result.times = measured.times;
+  result.motion = whole.motion(values);
   return result;
 }
 

@@ -8,10 +8,15 @@
 
 namespace rockstack {
 
-/// A number of a scene that a test does not tell, and where it is looked for.
+/// How late the test's clock is, s: by which its times are after those of the scene.
+inline constexpr const char* clock_key = "clock";
+
+/// A number that a test does not tell, and where it is looked for.
 struct FitParameter {
-  std::string key;  ///< of the scene, such as "restitution.1" or "blocks.1.width"
+  std::string key;  ///< of the scene, such as "restitution.1" or "blocks.1.width"; or clock_key
   double low = 0, high = 0;
+
+  bool is_clock() const { return key == clock_key; }
 };
 
 /// "KEY=LOW:HIGH". @throws InputError where a text is not of that form, or LOW < HIGH does not hold.
@@ -28,8 +33,10 @@ class FittedScene {
   std::size_t size() const { return places_.size(); }
   /// With which values of the parameters. @throws InputError where they are out of range.
   Scene scene(const std::vector<double>& values) const;
-  /// The motion less what was measured, rad or m; after a motion that ends early its last reading stays. What
-  /// has no motion is off by 10.
+  /// What the scene has in the place of readings, as Measurement::values: before its start its first, after a
+  /// motion that ends early its last. @throws as solve().
+  std::vector<double> motion(const std::vector<double>& values) const;
+  /// The motion less what was measured, rad or m. What has no motion is off by 10.
   Eigen::VectorXd residuals(const std::vector<double>& values) const;
   /// Of the residuals by each parameter, a column each: central differences of the exact motion over a
   /// hundred-thousandth of its range on either side, one-sided at its ends.
@@ -62,24 +69,25 @@ struct FittedParameter {
 
 /// What was found.
 struct Fit {
-  std::vector<FittedParameter> parameters;
-  double horizon = 0;  ///< up to which motion and test were compared, s
+  std::vector<FittedParameter> parameters;  ///< the clock last, unless it was asked for
+  double horizon = 0;                       ///< up to which motion and test were compared, s
   std::size_t readings = 0;
   double residual = 0;                ///< root of the mean square, over readings less parameters, rad or m
   double correlation = 0;             ///< of neighbouring residuals
+  bool rounding = false;              ///< whether the motion is the test's to rounding
   std::vector<double> times, motion;  ///< of the fitted scene at all measured times, as Measurement::values
 };
 
-/// Finds the parameters by least squares up to the horizon of predictability: a grid of their ranges, then
-/// Levenberg and Marquardt's method (Eigen's MINPACK) from its three best places. The horizon is that of the
+/// Finds the parameters, and how late the clock is within a tenth of the test's time, by least squares up to
+/// the horizon of predictability: a grid of their ranges, in the middle of the clock's, then Levenberg and
+/// Marquardt's method (Eigen's MINPACK) from its three best places. The horizon is that of the
 /// grid's best. Intervals are s² (JᵀJ)⁻¹ by Student's distribution, with s the residual and J the
 /// derivatives, which holds for readings with independent errors alike in size, small enough for the motion
 /// to be linear in the parameters. Where it is not, as with friction from which on nothing slips, values
 /// beyond them may come as near: of the range in forty parts, those whose sum of squares is no more than
 /// (ts)² above the least. Then the interval goes on to the first part on either side that does not.
 /// @throws InputError as FittedScene, or where no place of the grid has a motion, with the reason of one.
-Fit fit(const SceneDocument& document, const Measurement& measured,
-        const std::vector<FitParameter>& parameters);
+Fit fit(const SceneDocument& document, const Measurement& measured, std::vector<FitParameter> parameters);
 
 /// What the residual means, in sentences.
 std::vector<std::string> meaning(const Fit& fit, const Measurement& measured);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
@@ -18,9 +19,12 @@ Json parameter_json(const FittedParameter& one) {
           {"value", one.value},       {"lower", one.lower},       {"upper", one.upper}};
 }
 
-}  // namespace
-
-std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
+/// What is left between motion and test, in sentences.
+std::vector<std::string> residual_meaning(const Fit& fit, const Measurement& measured) {
+  if (fit.rounding)
+    return {fmt::format(
+        "The fitted motion is the test's to rounding, over {} readings up to {:.4g} s: bounds are of rounding.",
+        fit.readings, fit.horizon)};
   const auto count = static_cast<double>(fit.readings);
   std::vector<std::string> list{fmt::format(
       "The fitted motion is {:.3g} {} off in the root of the mean square, over {} readings up to {:.4g} s.",
@@ -41,6 +45,18 @@ std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
           : fmt::format("Neighbouring residuals have a correlation of {:.2f}, as independent noise has: the "
                         "intervals hold in 95 of 100 tests.",
                         fit.correlation));
+  return list;
+}
+
+}  // namespace
+
+std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
+  std::vector<std::string> list = residual_meaning(fit, measured);
+  for (const FittedParameter& one : fit.parameters)
+    if (one.parameter.is_clock() && std::isfinite(one.lower) && !one.holds(0))
+      list.push_back(
+          fmt::format("The clock of the test is {} {} than the scene's, which is one of what was fitted.",
+                      quantity_text(std::abs(one.value), "s"), one.value > 0 ? "later" : "earlier"));
   for (const FittedParameter& one : fit.parameters) {
     if (std::isinf(one.lower)) {
       list.push_back(

@@ -146,6 +146,46 @@ TEST(Fit, IntervalsHoldTheTruthInNinetyFiveOfAHundredTests) {
   EXPECT_GE(quiet, 95);
 }
 
+// The same block, seen by a clock that starts late: what it shows before the start is the block at rest.
+TEST(Fit, IntervalsHoldTheTruthWhateverTheClockShowsAtTheStart) {
+  constexpr int tests = 50;
+  constexpr double sigma = 2e-3;
+  const std::vector<double> times = every(0.02, 2);
+  for (const double late : {3e-3, 1e-2}) {
+    int hits[3] = {}, told = 0;
+    for (int i = 0; i < tests; ++i) {
+      std::vector<double> values;
+      for (std::size_t k = 0; k < times.size(); ++k)
+        values.push_back(housner(std::max(0.0, times[k] - late)) +
+                         draw({Distribution::Kind::normal, 0, sigma},
+                              {4, static_cast<std::uint64_t>(i), static_cast<std::uint32_t>(k)}));
+      const Tested test(measured_block, measured_csv(times, values));
+      const Fit found = fit(test.document, test.measured, unknown);
+      const double truth[] = {ratio, 2 * half_width, late};
+      for (std::size_t k = 0; k < 3; ++k) hits[k] += found.parameters[k].holds(truth[k]) ? 1 : 0;
+      for (const std::string& sentence : meaning(found, test.measured))
+        told += sentence.find("s later than") != std::string::npos ? 1 : 0;
+    }
+    for (const int count : hits) EXPECT_GE(count, least_hits(tests)) << late;
+    EXPECT_GE(told, late > 5e-3 ? tests : 0);  // by 10 ms it is off by many deviations
+  }
+}
+
+TEST(Fit, AMotionWithoutNoiseHasBoundsOfRounding) {
+  const Tested truth(measured_block, "time,angle\n0,0\n");
+  MotionLibrary library;
+  const History motion = solve(make_scene(truth.document, library), {.sample_times = every(0.01, 3)});
+  const Tested test(measured_block, measured_csv(motion.times, motion.angles));
+  const Fit found = fit(test.document, test.measured, {{"restitution.1", 0.8, 1}});
+  EXPECT_TRUE(found.parameters[0].holds(ratio));
+  EXPECT_LT(found.parameters[0].upper - found.parameters[0].lower, 1e-5);
+  EXPECT_TRUE(found.parameters[1].holds(0));
+  EXPECT_EQ(
+      meaning(found, test.measured),
+      std::vector<std::string>{"The fitted motion is the test's to rounding, over 301 readings up to 3 s: "
+                               "bounds are of rounding."});
+}
+
 /// How many intervals of 95 % hold the truth in a hundred tests: a motion with noise.
 int held(const std::string& scene, const std::vector<double>& times, const std::vector<double>& motion,
          double sigma, const FitParameter& parameter, double truth) {
