@@ -139,7 +139,7 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
-  json["left_out"] = engines_left_out();
+  json["left_out"] = engines_left_out(suites);
   json["environment"] = environment(engines_of(suites));
   json["command"] = command;
   json["statements"] = statements_json(suites);

@@ -6,6 +6,7 @@
 #include "analytic/scene/input/page_scene.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
@@ -14,9 +15,9 @@
 namespace rockstack {
 namespace {
 
-Json summary(const RunMetrics& row, const NamedScene& scene, const Json& parameters,
+/// `json`: the cells of a row.
+Json summary(Json json, const NamedScene& scene, const Json& parameters,
              const std::vector<const WorkerEngine*>& engines, const std::string& command) {
-  Json json = row;
   json["title"] = scene.scene.title;
   json["parameters"] = parameters;
   json["scene_file"] = scene.text;
@@ -81,6 +82,7 @@ void write_motion(const NamedScene& scene, const History& history, const Support
   add_history(history, files);
   if (!scene.scene.horizontal.empty() || !scene.scene.vertical.empty())
     files["ground.csv"] = ground_csv(scene.scene);
+  summary.update(outcome_json(run_outcome(scene.scene, history), summary.at("engine") != "exact"));
   if (summary.at("status") == name(RunStatus::done))
     summary["verdict"] = motion_verdict(scene.scene, history, support);
   summary["scene_as_run"] = scene_json(scene.scene);
@@ -100,9 +102,8 @@ void write_solved(const SolveJob& asked, const History& history, const std::stri
   row.solver = baseline ? "rk4" : "taylor";
   if (!failure.empty()) row.status = RunStatus::failed;
   row.reason = failure;
-  row.toppled = reported_toppling(history);
-  Json json = summary(row, asked.scene, baseline ? Parameters{{"step", asked.options.step}} : Parameters{},
-                      {}, asked.command);
+  Json json = summary(motion_cells(row), asked.scene,
+                      baseline ? Parameters{{"step", asked.options.step}} : Parameters{}, {}, asked.command);
   add_validity(asked.scene.scene, history, json);
   write_motion(asked.scene, history, {}, std::move(json),
                histories_csv(asked.scene.scene, history, asked.histories), folder);
@@ -281,12 +282,12 @@ std::pair<History, Support> simulate_into(const NamedScene& scene, const EngineS
   RunMetrics row = describe({{}, scene, dt, &series});
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);
-  row.toppled = observed_toppling(scene.scene, history);
   history.patterns = sampled_patterns(scene.scene, history);
   row.fallen = support.fallen;
-  write_motion(scene, history, support,
-               summary(row, scene, all_parameters(series, scene.scene), {series.engine}, command), {},
-               folder);
+  write_motion(
+      scene, history, support,
+      summary(motion_cells(row), scene, all_parameters(series, scene.scene), {series.engine}, command), {},
+      folder);
   return {std::move(history), support};
 }
 

@@ -77,13 +77,16 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
   return list;
 }
 
+/// The engine that a table names and this build leaves out.
+std::optional<std::string> left_out_engine(const Node& table) {
+  const Node* name = find(table, "name");
+  if (name == nullptr || find(table, "worker") != nullptr) return {};
+  const std::string engine = text(*name).substr(0, text(*name).find(':'));
+  const std::vector<std::string> left_out = engines_left_out();
+  return std::ranges::find(left_out, engine) == left_out.end() ? std::nullopt : std::optional(engine);
+}
+
 std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::path& folder) {
-  require_table(table, engine_keys);
-  if (const Node* name = find(table, "name"); name != nullptr && find(table, "worker") == nullptr) {
-    const std::string& asked = text(*name);
-    for (const std::string& left_out : engines_left_out())
-      if (asked == left_out || asked.starts_with(left_out + ":")) return {};
-  }
   const WorkerEngine& engine = read_engine(table, folder);
   std::vector<EngineSeries> list;
   for (const std::string& settings : read_settings(table))
@@ -129,21 +132,28 @@ Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEn
   return changes;
 }
 
-std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::path& folder) {
-  std::vector<EngineSeries> list;
+AskedEngines read_engines(const Node& root, const std::filesystem::path& folder) {
+  AskedEngines asked;
   const Node* engines = find(root, "engines");
-  if (engines == nullptr) return list;
+  if (engines == nullptr) return asked;
   std::set<std::tuple<std::string, std::string, std::string, double>> runs;
-  for (const Node& table : entries(*engines, "an array of tables"))
+  for (const Node& table : entries(*engines, "an array of tables")) {
+    require_table(table, engine_keys);
+    if (const auto name = left_out_engine(table)) {
+      found_or_added(
+          asked.left_out, [&](const std::string& known) { return known == *name; }, *name);
+      continue;
+    }
     for (EngineSeries& series : read_series(table, folder)) {
       for (const double dt : series.steps)
         if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
           throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,
                                        table.key, series.engine->name, series.engine->solver, series.settings,
                                        dt));
-      list.push_back(std::move(series));
+      asked.series.push_back(std::move(series));
     }
-  return list;
+  }
+  return asked;
 }
 
 }  // namespace rockstack

@@ -4,6 +4,7 @@
 
 #include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/measures/results/csv.hpp"
@@ -173,12 +174,18 @@ std::vector<std::string> names_of(const Wanted& wanted) {
 
 NamedScene read_named_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SceneDocument document = read_document(file, overrides);
+  Json as_run = page_scene(document.root);
+  if (document.measured) as_run["measured"] = page_scene(*document.measured);
   MotionLibrary library;
   Scene scene = make_scene(document, library);
   std::optional<Measurement> measured;
   if (document.measured) measured = read_measurement(*document.measured, document.folder, scene);
-  return {folder_name(file.stem().string()),        file_text(file),     std::move(scene),
-          nearest(document.root, "duration").place, std::move(measured), std::move(document.root)};
+  return {folder_name(file.stem().string()),
+          overrides.empty() ? file_text(file) : scene_text(as_run),
+          std::move(scene),
+          nearest(document.root, "duration").place,
+          std::move(measured),
+          std::move(document.root)};
 }
 
 InputKind kind_of(const std::filesystem::path& file) {
@@ -221,10 +228,18 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
   if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
   if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
-  suite.series = read_engines(root, file.parent_path());
+  AskedEngines engines = read_engines(root, file.parent_path());
+  suite.series = std::move(engines.series);
+  suite.left_out = std::move(engines.left_out);
   if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
   require_engines(root);
   return suite;
+}
+
+std::vector<std::string> engines_left_out(const std::vector<Suite>& suites) {
+  std::set<std::string> names;
+  for (const Suite& suite : suites) names.insert(suite.left_out.begin(), suite.left_out.end());
+  return {names.begin(), names.end()};
 }
 
 void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record) {
@@ -265,6 +280,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   for (const WorkerEngine* engine : engines_of_choice(choice.engines))
     for (const char* settings : {"default", "tuned"})
       suite.series.push_back(make_series(*engine, settings, steps));
+  if (choice.engines.empty()) suite.left_out = usual_engines_left_out();
   suite.replicates.runs = replicates_that_tell_apart(suite.series.size(), steps.size());
   return suite;
 }

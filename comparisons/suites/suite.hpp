@@ -26,9 +26,15 @@ Parameters read_parameters(const std::vector<std::string>& texts, const WorkerEn
 /// The time steps of a series that names none, s.
 inline constexpr std::initializer_list<double> default_steps{1e-2, 1e-3, 1e-4};
 
-/// The tables [[engines]] of a suite or study; paths of workers start from `folder`. @throws InputError with
-/// file:line, key, value and what is allowed.
-std::vector<EngineSeries> read_engines(const Node& root, const std::filesystem::path& folder);
+/// What the tables [[engines]] of a suite or study ask for.
+struct AskedEngines {
+  std::vector<EngineSeries> series;
+  std::vector<std::string> left_out;  ///< names that this build leaves out
+};
+
+/// Reads them; paths of workers start from `folder`. @throws InputError with file:line, key, value and what
+/// is allowed.
+AskedEngines read_engines(const Node& root, const std::filesystem::path& folder);
 
 /// Many scenes that hardly differ from a given one: where histories part by nature, only their distributions
 /// can be compared.
@@ -77,7 +83,7 @@ Replicates read_replicates(const Node& table);
 /// A scene with the name and text that its results go by.
 struct NamedScene {
   std::string name;  ///< of the file, without folder and ending, as folder_name()
-  std::string text;  ///< the file as it was read
+  std::string text;  ///< the file as it was read, or as overrides leave it
   Scene scene;
   std::string duration_place = {};           ///< where its duration is given: file and line, or the override
   std::optional<Measurement> measured = {};  ///< by a test
@@ -127,6 +133,7 @@ struct Suite {
   std::vector<NamedScene> scenes;
   std::vector<Variant> variants;
   std::vector<EngineSeries> series;
+  std::vector<std::string> left_out;      ///< engines that it asks for and this build leaves out
   std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
   double tolerance = 0.01;                ///< up to which histories agree, rad
   Wanted wanted;
@@ -154,9 +161,12 @@ enum class InputKind {
 InputKind kind_of(const std::filesystem::path& file);
 
 /// Reads a suite file; paths in it are relative to it, `overrides` go to each of its scenes. Engines that
-/// this build leaves out are passed over (engines_left_out() names them).
+/// this build leaves out are passed over, and named in `left_out`.
 /// @throws InputError with file:line, key, value and what is allowed.
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// Engines that any of some suites asks for and this build leaves out.
+std::vector<std::string> engines_left_out(const std::vector<Suite>& suites);
 
 /// Puts a record, scaled to the same peak, in the place of the horizontal motion of every scene of a suite
 /// that is shaken by samples: a record, or a synthetic motion. A scene lasts to the record's end at least.

@@ -143,6 +143,8 @@ std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
   }
 }
 
+constexpr const char* usual_names[] = {"bullet", "ode", "bullet-single"};
+
 }  // namespace
 
 void require_folders(const std::string& name, const std::string& given) {
@@ -169,8 +171,7 @@ EngineList engines_called(const std::string& name) {
 
 EngineList usual_engines() {
   EngineList list;
-  for (const char* name : {"bullet", "ode", "bullet-single"})
-    std::ranges::copy(engines_called(name), std::back_inserter(list));
+  for (const char* name : usual_names) std::ranges::copy(engines_called(name), std::back_inserter(list));
   return list;
 }
 
@@ -182,6 +183,14 @@ std::vector<std::string> engines_left_out() {
   std::vector<std::string> names = split(ROCKSTACK_KNOWN_ENGINES);
   std::erase_if(names,
                 [](const std::string& name) { return is_built(name) || !engines_called(name).empty(); });
+  return names;
+}
+
+std::vector<std::string> usual_engines_left_out() {
+  std::vector<std::string> names = engines_left_out();
+  std::erase_if(names, [](const std::string& name) {
+    return std::ranges::find(usual_names, name) == std::ranges::end(usual_names);
+  });
   return names;
 }
 

@@ -40,6 +40,8 @@ const WorkerEngine& find_engine_at(const std::filesystem::path& program, const s
 
 /// Names of engines that were left out when this program was built and that no worker in a folder provides.
 std::vector<std::string> engines_left_out();
+/// Those among the usual engines.
+std::vector<std::string> usual_engines_left_out();
 
 /// A program that should be a worker and does not answer as one: its interpreter is missing, say.
 struct BrokenWorker {

@@ -87,7 +87,7 @@ ComparedScene scene_of(const Json& summary, const Run& run) {
 
 Motion motion_of(const Json& summary, const fs::path& results) {
   Motion motion;
-  Run run{summary.get<RunMetrics>(), results, std::make_shared<KeptFiles>()};
+  Run run{motion_row(summary), results, std::make_shared<KeptFiles>()};
   run.status = RunStatus::done;  // a motion that was given up is shown up to there
   motion.comparison.runs = {run};
   motion.comparison.scenes = {scene_of(summary, run)};

@@ -12,7 +12,7 @@
 
 #include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/solve_batch.hpp"
-#include "comparisons/studies/sweep/run_outcome.hpp"
+#include "comparisons/measures/metrics/run_outcome.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "tests/benchmarks/ensemble_scenes.hpp"
 

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "analytic/scene/lists.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -29,7 +32,38 @@ void fill(Node& node, const Json& value) {
   }
 }
 
+bool is_tables(const Json& value) {
+  return value.is_array() && !value.empty() && value.front().is_object();
+}
+
+/// Values first, then tables, whose headers end those before.
+std::string table_text(const Json& table, const std::string& key) {
+  std::string text;
+  for (const auto& [name, value] : table.items())
+    if (!value.is_object() && !is_tables(value))
+      text +=
+          name + " = " + (name == "title" ? toml_text(value.get<std::string>()) : toml_value(value)) + "\n";
+  for (const auto& [name, value] : table.items()) {
+    const std::string inner = key.empty() ? name : key + "." + name;
+    for (const Json& entry : is_tables(value) ? value : Json::array({value}))
+      if (entry.is_object())
+        text +=
+            (is_tables(value) ? "\n[[" + inner + "]]\n" : "\n[" + inner + "]\n") + table_text(entry, inner);
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string toml_value(const Json& value) {
+  if (value.is_string()) return value == infinite ? infinite : toml_text(value.get<std::string>());
+  if (value.is_number()) return number_text(value.get<double>());
+  return "[" + text_of_each(value, toml_value, ", ") + "]";
+}
+
+std::string scene_text(const Json& scene) {
+  return table_text(scene, "");
+}
 
 Json page_scene(const Node& node) {
   if (node.kind == Node::Kind::number) return std::isfinite(node.number) ? Json(node.number) : Json(infinite);

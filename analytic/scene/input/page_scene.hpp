@@ -13,6 +13,12 @@ namespace rockstack {
 /// A scene file's document, or a part of it, as a page has it.
 Json page_scene(const Node& document);
 
+/// A text, a number or an array of them as TOML.
+std::string toml_value(const Json& value);
+
+/// The scene file that a scene on a page stands for.
+std::string scene_text(const Json& scene);
+
 /// And back; every value's place is "the page". @throws InputError for what is nested too deeply.
 Node scene_document(const Json& scene);
 

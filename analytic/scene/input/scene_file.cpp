@@ -3,6 +3,7 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {
 namespace {
@@ -72,6 +73,7 @@ void scale_to_peak(GroundMotion& motion, const Node& node) {
   if (largest == 0) throw wrong_value(node, "left out where every sample is zero");
   // Divided first, so that the largest sample comes out as the peak to the last bit.
   for (double& sample : motion.samples) sample = sample / largest * wanted;
+  motion.source += ", scaled to a peak of " + number_text(wanted) + " m/s²";
 }
 
 double read_mass(const Node& table, const Block& block) {
@@ -228,11 +230,13 @@ GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& 
   if (scale != nullptr) {
     require_between(scale->key, number(*scale), -largest_number);
     for (double& sample : motion.samples) sample *= scale->number;
+    motion.source += ", times " + number_text(scale->number);
   }
   if (wanted_peak != nullptr) scale_to_peak(motion, *wanted_peak);
   const double time_scale = number_or(table, "time_scale", 1);
   require_positive(table.key + ".time_scale", time_scale);
   motion.interval *= time_scale;
+  if (time_scale != 1) motion.source += ", time times " + number_text(time_scale);
   return motion;
 }
 

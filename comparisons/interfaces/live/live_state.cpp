@@ -10,34 +10,6 @@
 namespace rockstack::live {
 namespace {
 
-/// A text, a number or an array of them as TOML.
-std::string toml_value(const Json& value) {
-  if (value.is_string()) return value == "inf" ? "inf" : toml_text(value.get<std::string>());
-  if (value.is_number()) return number_text(value.get<double>());
-  return "[" + text_of_each(value, toml_value, ", ") + "]";
-}
-
-bool is_tables(const Json& value) {
-  return value.is_array() && !value.empty() && value.front().is_object();
-}
-
-/// Values first, then tables, whose headers end those before.
-void add_table(const Json& table, const std::string& key, std::string& text) {
-  for (const auto& [name, value] : table.items())
-    if (!value.is_object() && !is_tables(value))
-      text += fmt::format("{} = {}\n", name,
-                          name == "title" ? toml_text(value.get<std::string>()) : toml_value(value));
-  for (const auto& [name, value] : table.items()) {
-    const std::string inner = fmt::format("{}{}{}", key, key.empty() ? "" : ".", name);
-    const Json tables = is_tables(value) ? value : Json::array({value});
-    for (const Json& entry : tables) {
-      if (!entry.is_object()) continue;
-      text += is_tables(value) ? fmt::format("\n[[{}]]\n", inner) : fmt::format("\n[{}]\n", inner);
-      add_table(entry, inner, text);
-    }
-  }
-}
-
 constexpr KeyTable state_keys{
     "",
     "what a page shows",
@@ -115,9 +87,8 @@ std::size_t kept_stride(const LiveState& state) {
 }
 
 std::string state_scene_text(const Json& json) {
-  std::string text = "# Saved by `rockstack live`. SI units; `rockstack keys scene` explains every key.\n";
-  add_table(json.at("scene"), "", text);
-  return text;
+  return "# Saved by `rockstack live`. SI units; `rockstack keys scene` explains every key.\n" +
+         scene_text(json.at("scene"));
 }
 
 std::string state_suite_text(const Json& json, const LiveState& state, const std::string& name, int runs) {

@@ -4,6 +4,7 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -86,13 +87,13 @@ void draw_few(const std::vector<Suite>& suites, const std::filesystem::path& res
 }
 #endif
 
-void print_left_out() {
-  for (const std::string& name : engines_left_out()) fmt::print("left out of this build: {}\n", name);
+void print_left_out(const std::vector<std::string>& names) {
+  if (!names.empty()) fmt::print("left out of this build: {}\n", joined(names));
 }
 
 /// Shares by kind of impact, and what the engines follow.
-void print_impact_laws(const ImpactLawResults& results, const std::filesystem::path& folder,
-                       const Common& common) {
+void print_impact_laws(const ImpactLawResults& results, const std::vector<std::string>& left_out,
+                       const std::filesystem::path& folder, const Common& common) {
   const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
   const Json list = each_of(kinds, [](const ImpactShare& kind) {
     return Json{
@@ -111,7 +112,7 @@ void print_impact_laws(const ImpactLawResults& results, const std::filesystem::p
   fmt::print(
       "\ndiffer: the laws choose different patterns; none: no pattern is consistent; below: whose "
       "pattern the\nengines show where the laws differ\n");
-  print_left_out();
+  print_left_out(left_out);
   fmt::print("results: {}\n", folder.string());
 }
 
@@ -121,7 +122,7 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   const ResultsFolder folder(out, Results::impact_laws);
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
-  print_impact_laws(results, out, common);
+  print_impact_laws(results, study.engines.left_out, out, common);
   show_report(out, common);
   const bool failed = std::ranges::any_of(results.cases, [](const ImpactCase& asked) {
     return std::ranges::any_of(asked.verdicts,
@@ -155,8 +156,8 @@ int stability_command(const std::filesystem::path& file, const CompareArguments&
 }
 
 /// The verdict, what was left out, and where the results are; or all of it as JSON.
-void print_comparison(const CompareResult& result, const std::filesystem::path& folder,
-                      const Common& common) {
+void print_comparison(const CompareResult& result, const std::vector<std::string>& left_out,
+                      const std::filesystem::path& folder, const Common& common) {
   if (!in_words({{"headline", result.verdict.headline}, {"rows", result.rows}, {"folder", folder.string()}},
                 common))
     return;
@@ -165,7 +166,7 @@ void print_comparison(const CompareResult& result, const std::filesystem::path& 
                           [](const RunMetrics& row) { return row.runs_at_a_time.value_or(1) > 1; }))
     fmt::print("times are those of runs that shared the machine\n");
   if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, result.rows.size());
-  print_left_out();
+  print_left_out(left_out);
   fmt::print("results: {}\n\n", folder.string());
   for (const std::string& sentence : result.verdict.headline) fmt::print("{}\n", sentence);
 }
@@ -208,7 +209,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   draw_few(suites, arguments.out, common);
 #endif
   print_report(arguments.out, common);
-  print_comparison(result, arguments.out, common);
+  print_comparison(result, engines_left_out(suites), arguments.out, common);
   return end_of_rows(result.rows, "comparison.csv");
 }
 

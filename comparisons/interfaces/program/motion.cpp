@@ -3,6 +3,7 @@
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -14,9 +15,9 @@ namespace rockstack {
 namespace {
 
 /// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are; in between
-/// what is said of other motions that obey.
+/// what is said of other motions that obey. `sampled`: an engine's, which tells no events.
 void print_history(const Scene& scene, const History& history, const Support& support,
-                   const std::filesystem::path& folder, const Common& common,
+                   const std::filesystem::path& folder, const Common& common, bool sampled,
                    const std::vector<std::string>& lines_of_others = {},
                    const Json& others = Json::object()) {
   std::map<std::string, int> events;
@@ -24,11 +25,12 @@ void print_history(const Scene& scene, const History& history, const Support& su
   const std::string verdict = motion_verdict(scene, history, support);
   const std::vector<double> peaks = peak_angles(history);
   const std::vector<std::string> warnings = validity_warnings(scene, history);
-  Json json{{"verdict", verdict},
-            {"events", events},
-            {"peak_angles", peaks},
-            {"warnings", warnings},
-            {"folder", folder.string()}};
+  Json json = outcome_json(run_outcome(scene, history), sampled);
+  json.update({{"verdict", verdict},
+               {"events", events},
+               {"peak_angles", peaks},
+               {"warnings", warnings},
+               {"folder", folder.string()}});
   json.update(others);
   if (!in_words(json, common)) return;
   fmt::print("{}\n", verdict);
@@ -45,7 +47,8 @@ void print_history(const Scene& scene, const History& history, const Support& su
 int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
   const BranchTree tree = solve_branches_into(job, most);
   const Scene& scene = job.scene.scene;
-  print_history(scene, tree.branches.front().history, {}, job.folder, common, branch_lines(scene, tree, most),
+  print_history(scene, tree.branches.front().history, {}, job.folder, common, false,
+                branch_lines(scene, tree, most),
                 {{"branches", branches_json(scene, tree)}, {"branches_left_out", tree.left_out}});
   const auto given_up = [](const Branch& branch) { return !branch.unfinished.empty(); };
   return std::ranges::any_of(tree.branches, given_up) ? 1 : 0;
@@ -75,7 +78,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
   if (arguments.branches)
     code = solve_all(job, arguments.most_branches, common);
   else
-    print_history(scene.scene, solve_into(job), {}, arguments.out, common);
+    print_history(scene.scene, solve_into(job), {}, arguments.out, common, false);
   if (arguments.plots) show_report(arguments.out, common);
   return code;
 }
@@ -93,7 +96,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   if (named.size() > 1 && common.talks())
     fmt::print("engine: {}, the first of {}\n", engine.full_name(),
                fmt::join(each_of(named, &WorkerEngine::solver), ", "));
-  print_history(scene.scene, history, support, arguments.out, common);
+  print_history(scene.scene, history, support, arguments.out, common, true);
   if (arguments.plots) show_report(arguments.out, common);
   return 0;
 }

@@ -4,6 +4,7 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {
@@ -185,6 +186,10 @@ void add_motion(py::module_& core) {
                                           ? std::string()
                                           : motion_verdict(motion.scene->scene, motion.history,
                                                            motion.support);
+                             })
+      .def_property_readonly("outcome",
+                             [](const HeldMotion& motion) {
+                               return outcome_json(run_outcome(motion.scene->scene, motion.history)).dump();
                              })
       .def_property_readonly("warnings", [](const HeldMotion& motion) {
         return validity_warnings(motion.scene->scene, motion.history);

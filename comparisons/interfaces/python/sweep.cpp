@@ -19,7 +19,7 @@ class SweepTable {
  public:
   explicit SweepTable(const Ensemble& ensemble) : runs_(static_cast<py::ssize_t>(run_count(ensemble))) {
     for (std::size_t v = 0; v < ensemble.variations.size(); ++v) add_variation(ensemble.variations[v], v);
-    std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
+    std::vector<OutcomeColumn> columns = outcome_columns(block_count(ensemble));
     std::ranges::stable_sort(columns, {}, [](const OutcomeColumn& column) { return column.value.index(); });
     for (const OutcomeColumn& column : columns) add_outcome(column);
     for (const Axis& axis : ensemble.axes)

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <span>
+
+#include "analytic/scene/lists.hpp"
 
 namespace rockstack {
 namespace {
@@ -129,6 +132,20 @@ class Oscillator {
   double omega_, damping_, step_, cosine_ = 0, sine_ = 0;
 };
 
+/// The largest acceleration from a time on, m/s²; of pulses at the ends of a thousand parts of what is left.
+double largest_after(const GroundMotion& motion, double time) {
+  if (!motion.pulse) {
+    const auto first = static_cast<std::size_t>(std::ceil(time / motion.interval));
+    return largest_magnitude(std::span(motion.samples).subspan(std::min(first, motion.samples.size())));
+  }
+  constexpr int parts = 1000;
+  double largest = 0;
+  for (int i = 0; i <= parts; ++i)
+    largest = std::max(largest, std::abs(acceleration(
+                                    motion, std::lerp(time, motion.end(), static_cast<double>(i) / parts))));
+  return largest;
+}
+
 }  // namespace
 
 GroundMeasures measure_ground(const GroundMotion& motion) {
@@ -222,6 +239,18 @@ std::vector<Response> response_spectrum(const GroundMotion& motion, double dampi
     spectrum.push_back(response(motion, period, damping));
   }
   return spectrum;
+}
+
+double ground_left(const Scene& scene) {
+  constexpr double told = 1e-3, rounding = 1e-9;
+  double left = 0;
+  for (const GroundMotion* motion : {&scene.horizontal, &scene.vertical}) {
+    const double end = motion->end();
+    if (!(end > scene.duration * (1 + rounding)) || std::isinf(end)) continue;
+    const double largest = motion->pulse ? std::abs(motion->pulse->amplitude) : peak(*motion);
+    if (largest_after(*motion, scene.duration) > told * largest) left = std::max(left, end - scene.duration);
+  }
+  return left;
 }
 
 }  // namespace rockstack

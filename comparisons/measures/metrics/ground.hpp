@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "analytic/scene/ground/ground_motion.hpp"
+#include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 
@@ -80,5 +80,9 @@ Response response(const GroundMotion& motion, double period, double damping);
 /// Responses at 201 periods from 0.02 s to 10 s, equally far apart on a logarithmic axis; of samples more
 /// than 0.02 s apart, from their interval to 500 times that.
 std::vector<Response> response_spectrum(const GroundMotion& motion, double damping);
+
+/// How long the ground moves on after a scene has ended, s: by more than a thousandth of the largest
+/// acceleration, to where the motion has an end; else 0.
+double ground_left(const Scene& scene);
 
 }  // namespace rockstack

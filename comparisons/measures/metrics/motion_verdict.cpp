@@ -5,6 +5,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/metrics/ground.hpp"
 
 namespace rockstack {
 namespace {
@@ -203,6 +204,14 @@ std::string fallen_block(const std::vector<double>& unsupported_since) {
   return fmt::format("block {} at {} s", first - unsupported_since.begin() + 1, *first);
 }
 
+/// What a scene leaves out of its ground's motion, in brackets.
+std::string cut_short(const Scene& scene) {
+  const double left = ground_left(scene);
+  return left > 0 ? fmt::format(" (the scene ends at {:.4g} s, its ground at {:.4g} s)", scene.duration,
+                                scene.duration + left)
+                  : "";
+}
+
 /// How it ends, how far it comes, and what for.
 std::string outcome_of(const Scene& scene, const History& history, const Support& support) {
   const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
@@ -219,8 +228,8 @@ std::string outcome_of(const Scene& scene, const History& history, const Support
   const std::string sunk = sinking(scene, history, support.sinking);
   const std::string going_on = unsettled(scene, history);
   if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
-    return sunk.empty() ? "rests throughout" + freedom(scene, history)
-                        : "rests, but " + sunk + freedom(scene, history);
+    return (sunk.empty() ? "rests throughout" : "rests, but " + sunk) + cut_short(scene) +
+           freedom(scene, history);
   const std::string lean = most.ratio < 1e-3 && !history.slips.empty()
                                ? "; nothing rocks"
                                : leaning(scene, most, largest_common_lean(scene, history));
@@ -231,7 +240,7 @@ std::string outcome_of(const Scene& scene, const History& history, const Support
                                 ? fmt::format("stands, at rest from {:.4g} s", history.events.back().time)
                             : rocks ? "stands so far, still rocking at " + end
                                     : "stands";
-  return state + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(scene, history);
+  return state + cut_short(scene) + lean + (sunk.empty() ? "" : "; " + sunk) + freedom(scene, history);
 }
 
 }  // namespace

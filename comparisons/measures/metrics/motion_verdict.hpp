@@ -26,9 +26,10 @@ Support support_of(const std::vector<double>& penetration, const std::vector<dou
 std::string doubt_of(const Scene& scene, const History& history);
 
 /// A motion in one line: what doubt_of() tells; whether it stands, rests, topples, or what goes on at its
-/// end; how near it comes to balance; and, of a history that was solved with SolveOptions::validity, the
-/// friction that it needs. Motion within a thousandth of the slenderness angles and without events counts as
-/// rest. Blocks that have sunk in or fallen off are told. Precondition: samples.
+/// end, and whether its ground moves on then; how near it comes to balance; and, of a history that was solved
+/// with SolveOptions::validity, the friction that it needs. Motion within a thousandth of the slenderness
+/// angles and without events counts as rest. Blocks that have sunk in or fallen off are told. Precondition:
+/// samples.
 std::string motion_verdict(const Scene& scene, const History& history, const Support& support = {});
 
 }  // namespace rockstack

@@ -8,19 +8,37 @@ namespace {
 /// In the order of TopplingVerdict.
 constexpr std::array<const char*, 5> verdict_names{"", "neither", "both", "exact alone", "engine alone"};
 
+std::optional<Toppling> reported(const History& history) {
+  if (history.events.empty() || !ends_motion(history.events.back().kind)) return {};
+  return Toppling{history.events.back().interface, history.events.back().time};
+}
+
+std::optional<Toppling> observed(const Scene& scene, const History& history) {
+  if (history.times.empty()) return {};
+  const auto last = history.angles_at(history.size() - 1);
+  for (int k = 0; k < history.blocks; ++k)
+    if (std::abs(last[static_cast<std::size_t>(k)]) > toppling_angle(scene, k))
+      return Toppling{k + 1, history.times.back()};
+  return {};
+}
+
+std::string text_of(const std::optional<Toppling>& toppling) {
+  return toppling ? fmt::format("block {} at {} s", toppling->block, toppling->time) : "";
+}
+
 }  // namespace
 
+std::optional<Toppling> toppling_of(const Scene& scene, const History& history) {
+  const std::optional<Toppling> told = reported(history);
+  return told ? told : observed(scene, history);
+}
+
 std::string reported_toppling(const History& history) {
-  if (history.events.empty() || !ends_motion(history.events.back().kind)) return "";
-  return fmt::format("block {} at {} s", history.events.back().interface, history.events.back().time);
+  return text_of(reported(history));
 }
 
 std::string observed_toppling(const Scene& scene, const History& history) {
-  const auto last = history.angles_at(history.size() - 1);
-  for (std::size_t k = 0; k < last.size(); ++k)
-    if (std::abs(last[k]) > toppling_angle(scene, static_cast<int>(k)))
-      return fmt::format("block {} at {} s", k + 1, history.times.back());
-  return "";
+  return text_of(observed(scene, history));
 }
 
 TopplingVerdict toppling_verdict(bool exact, bool engine) {

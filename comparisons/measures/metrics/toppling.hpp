@@ -1,9 +1,20 @@
 #pragma once
 
+#include <optional>
+
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
+
+/// A block, from 1, that topples or falls off, and when, s.
+struct Toppling {
+  int block = 0;
+  double time = 0;
+};
+
+/// The end of a motion, as its last event or else its last sample tells it.
+std::optional<Toppling> toppling_of(const Scene& scene, const History& history);
 
 /// "block 2 at 1.5 s" where a solver's history ends so, or nothing.
 std::string reported_toppling(const History& history);

@@ -50,7 +50,8 @@ std::vector<Column> all_columns() {
   std::vector<Column> all;
   for (const auto& [name, kind, meaning] : paragraphs(columns_txt)) {
     const auto is = [&kind = kind](const char* word) { return kind.find(word) != std::string::npos; };
-    all.push_back({name, meaning, fields.at(name), is("measured"), is("median"), is("quartiles")});
+    all.push_back(
+        {name, meaning, fields.at(name), is("measured"), is("median"), is("quartiles"), is("any motion")});
     if (!is("quartiles")) continue;
     all.push_back(
         {name + "_lower", "lower quartile of the same over replicates", fields.at(name + "_lower")});
@@ -97,6 +98,20 @@ void to_json(Json& cells, const RunMetrics& row) {
 void from_json(const Json& cells, RunMetrics& row) {
   for (const Column& one : columns())
     if (cells.contains(one.name)) one.set(row, cells.at(one.name));
+}
+
+Json motion_cells(const RunMetrics& row) {
+  Json cells = Json::object();
+  for (const Column& one : columns())
+    if (one.any_motion) cells[one.name] = one.cell(row);
+  return cells;
+}
+
+RunMetrics motion_row(const Json& cells) {
+  RunMetrics row;
+  for (const Column& one : columns())
+    if (one.any_motion && cells.contains(one.name)) one.set(row, cells.at(one.name));
+  return row;
 }
 
 }  // namespace rockstack

@@ -35,6 +35,7 @@ struct Column {
   bool measured = false;    ///< time or memory that the machine took: another run gives another value
   bool replicated = false;  ///< a median over replicates, where there are some
   bool quartiles = false;   ///< which NAME_lower and NAME_upper behind it are
+  bool any_motion = false;  ///< whether a motion by itself has it too
 
   Json cell(const RunMetrics& row) const;
   void set(RunMetrics& row, const Json& cell) const;
@@ -48,5 +49,9 @@ const Column& column_named(const std::string& name);
 /// All metrics by the names of their columns, and back; a cell that is not there stays empty.
 void to_json(Json& cells, const RunMetrics& row);
 void from_json(const Json& cells, RunMetrics& row);
+
+/// The part of them that a motion by itself has, and back.
+Json motion_cells(const RunMetrics& row);
+RunMetrics motion_row(const Json& cells);
 
 }  // namespace rockstack

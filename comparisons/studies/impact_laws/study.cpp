@@ -118,13 +118,13 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
                                      {"clearness", found.clearness}});
   json["cases"] = each_of(results.cases, case_json);
   json["engines"] = Json::array();
-  for (const EngineSeries& series : study.series)
+  for (const EngineSeries& series : study.engines.series)
     json["engines"].push_back({{"engine", series.engine->name},
                                {"solver", series.engine->solver},
                                {"settings", series.settings},
                                {"parameters", series.parameters}});
-  json["left_out"] = engines_left_out();
-  json["environment"] = environment(each_of(study.series, &EngineSeries::engine));
+  json["left_out"] = study.engines.left_out;
+  json["environment"] = environment(each_of(study.engines.series, &EngineSeries::engine));
   json["command"] = command;
   return json;
 }
@@ -139,7 +139,7 @@ ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
   ImpactLawStudy study{.title = text(required(root, "title", "text")),
                        .text = file_text(file),
                        .draws = read_impact_draws(root),
-                       .series = read_engines(root, file.parent_path())};
+                       .engines = read_engines(root, file.parent_path())};
   if (const Node* node = find(root, "least_clearness")) {
     study.least_clearness = number_above_zero(*node);
     if (find(root, "engines") == nullptr)
@@ -152,7 +152,7 @@ ImpactLawResults run_study(const ImpactLawStudy& study) {
   ImpactLawResults results{study_impact_laws(study.draws), {}};
   results.cases = clear_cases(results.laws.disagreements, study.least_clearness);
   for (ImpactCase& question : results.cases)
-    for (const EngineSeries& series : study.series)
+    for (const EngineSeries& series : study.engines.series)
       for (const double dt : series.steps) question.verdicts.push_back(ask_engine(question, series, dt));
   return results;
 }

@@ -47,7 +47,7 @@ struct ImpactLawStudy {
   std::string text;  ///< the file as it was read
   ImpactDraws draws;
   double least_clearness = 0.1;  ///< of the disagreements that engines are asked about
-  std::vector<EngineSeries> series;
+  AskedEngines engines;
 };
 
 /// @throws InputError with file:line, key, value and what is allowed.

@@ -225,7 +225,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.suite.scenes = scenes_along(
       axis, study.axis, named_file(required(root, "scene", "a scene file"), "scenes", file.parent_path()),
       changes);
-  study.suite.series = read_engines(root, file.parent_path());
+  study.suite.series = read_engines(root, file.parent_path()).series;
   if (const Node* steps = find(root, "rk4")) {
     if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");
     for (const double step : numbers(*steps)) {

@@ -108,6 +108,10 @@ std::size_t run_count(const Ensemble& ensemble) {
   return count;
 }
 
+std::size_t block_count(const Ensemble& ensemble) {
+  return find(ensemble.base.root, "blocks")->children.size();
+}
+
 std::vector<Value> values_of(const Ensemble& ensemble, std::size_t run) {
   std::vector<Value> values(ensemble.variations.size());
   std::size_t point = run / ensemble.samples;

@@ -54,6 +54,9 @@ struct Ensemble {
 
 std::size_t run_count(const Ensemble& ensemble);
 
+/// How many blocks its scenes have.
+std::size_t block_count(const Ensemble& ensemble);
+
 /// The value of each variation in a run; it depends on the ensemble and the run's number alone.
 std::vector<Value> values_of(const Ensemble& ensemble, std::size_t run);
 

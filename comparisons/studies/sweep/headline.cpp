@@ -13,7 +13,8 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-void add_fit(const std::filesystem::path& file, const std::string& axis, Sentences& sentences) {
+/// `open`: whether runs count as standing that a longer duration may topple.
+void add_fit(const std::filesystem::path& file, const std::string& axis, bool open, Sentences& sentences) {
   if (!std::filesystem::exists(file)) return;
   const auto fit = read_columns(file, {"median", "beta"});
   sentences.push_back(
@@ -21,22 +22,27 @@ void add_fit(const std::filesystem::path& file, const std::string& axis, Sentenc
           ? "No lognormal curve fits: one intensity parts the runs that topple from those that do not, or toppling "
             "does not grow with intensity."
           : fmt::format(
-                "Half of the runs topple at {}, by the fitted lognormal curve; its logarithmic spread β is "
+                "Half of the runs topple at {}{}, by the fitted lognormal curve; its logarithmic spread β is "
                 "{:.3g}.",
-                value_on(axis, fit[0][0]), fit[1][0]));
+                value_on(axis, fit[0][0]), open ? " or less" : "", fit[1][0]));
 }
 
-void add_counts(const std::filesystem::path& runs, Sentences& sentences) {
+void add_counts(const std::filesystem::path& runs, const CutShort& cut, Sentences& sentences) {
   std::size_t done = 0, fell = 0, failed = 0, falling = 0;
   for (CsvLine row(runs); row.next();) {
     const bool is_done = row.text("status") == "done";
     ++(is_done ? done : failed);
     if (!is_done) continue;
     fell += row.text("toppled") != "0";
-    falling += row.text("falling") != "0";
+    falling += row.text("falling") != "0" && !(row.value("ground_left") > 0);
   }
   if (done > 0)
     sentences.push_back(fmt::format("Of {} {} topple{}.", counted(done, "run"), fell, fell == 1 ? "s" : ""));
+  if (cut.runs > 0)
+    sentences.push_back(
+        fmt::format("{} more {} while the ground moves on, for up to {:.3g} s, and {} as standing: a longer "
+                    "duration decides.",
+                    cut.runs, cut.runs == 1 ? "ends" : "end", cut.most, cut.runs == 1 ? "counts" : "count"));
   if (falling > 0)
     sentences.push_back(
         fmt::format("{} more {} past balance at the end, and count as standing: a longer duration decides.",
@@ -69,10 +75,22 @@ void add_maps(const std::filesystem::path& folder, Sentences& sentences) {
 
 }  // namespace
 
+CutShort cut_short(const std::filesystem::path& folder) {
+  CutShort cut;
+  const std::vector<double> lengths = read_columns(folder / "runs.csv", {"ground_left"}).front();
+  for (const double left : lengths)
+    if (left > 0) {
+      ++cut.runs;
+      cut.most = std::max(cut.most, left);
+    }
+  return cut;
+}
+
 std::vector<std::string> sweep_headline(const std::filesystem::path& folder, const SummaryKeys& keys) {
   Sentences sentences;
-  add_fit(folder / "fragility-fit.csv", axis_title(keys.intensity), sentences);
-  add_counts(folder / "runs.csv", sentences);
+  const CutShort cut = cut_short(folder);
+  add_fit(folder / "fragility-fit.csv", axis_title(keys.intensity), cut.runs > 0, sentences);
+  add_counts(folder / "runs.csv", cut, sentences);
   add_maps(folder, sentences);
   return sentences;
 }

@@ -8,8 +8,6 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
-#include "comparisons/measures/results/sentences.hpp"
-#include "rockstack_comparisons_texts.hpp"
 
 namespace rockstack {
 namespace {
@@ -25,14 +23,6 @@ std::string failure_of(const Part& part) {
   } catch (const std::exception& error) {
     return error.what();
   }
-}
-
-OutcomeColumn::Measure demand(Demand RunOutcome::*of, double Demand::*value) {
-  return [of, value](const RunOutcome& outcome) -> std::optional<double> {
-    const Demand& demand = outcome.*of;
-    if (!std::isfinite(demand.least_normal)) return {};
-    return demand.*value;
-  };
 }
 
 void add_cell(CsvWriter& line, const OutcomeColumn& column, const RunResult& result) {
@@ -60,15 +50,16 @@ std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ens
     for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
     columns.emplace_back(variation.name(), meaning);
   }
-  for (const OutcomeColumn& column : outcome_columns(ensemble))
+  for (const OutcomeColumn& column : outcome_columns(block_count(ensemble)))
     columns.emplace_back(column.name, column.meaning);
   return columns;
 }
 
 /// All that is needed to make the runs again, and what the columns mean.
-Json description(const Ensemble& ensemble, const std::vector<std::string>& headline) {
+Json description(const Ensemble& ensemble, const std::vector<std::string>& headline, const CutShort& cut) {
   Json json{{"title", ensemble.title},
             {"headline", headline},
+            {"cut_short", cut.runs},
             {"runs", run_count(ensemble)},
             {"tolerance", ensemble.tolerance},
             {"demands", ensemble.demands},
@@ -97,7 +88,7 @@ std::vector<std::string> write_results(const Ensemble& ensemble, const Journal& 
   });
   write_summaries(folder, ensemble.summary);
   std::vector<std::string> headline = sweep_headline(folder, ensemble.summary);
-  write_file(folder / "sweep.json", description(ensemble, headline).dump(2) + "\n");
+  write_file(folder / "sweep.json", description(ensemble, headline, cut_short(folder)).dump(2) + "\n");
   return headline;
 }
 
@@ -145,43 +136,10 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
   });
 }
 
-std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble) {
-  using Measure = OutcomeColumn::Measure;
-  using Count = OutcomeColumn::Count;
-  const std::map<std::string, OutcomeColumn::Value> values{
-      {"peak_ratio", Measure(&RunOutcome::peak_ratio)},
-      {"toppled", Count(&RunOutcome::toppled)},
-      {"topple_time", Measure(&RunOutcome::topple_time)},
-      {"falling", Count(&RunOutcome::falling)},
-      {"impacts", Count(&RunOutcome::impacts)},
-      {"events", Count(&RunOutcome::events)},
-      {"last_event_time", Measure(&RunOutcome::last_event_time)},
-      {"least_normal_force", demand(&RunOutcome::force, &Demand::least_normal)},
-      {"force_friction", demand(&RunOutcome::force, &Demand::friction)},
-      {"least_normal_impulse", demand(&RunOutcome::impulse, &Demand::least_normal)},
-      {"impulse_friction", demand(&RunOutcome::impulse, &Demand::friction)},
-      {"onset", &RunOutcome::onset},
-      {"motion", &RunOutcome::motion},
-      {"status", {}},
-      {"reason", {}},
-      {"slip", Measure(&RunOutcome::slip)},
-      {"lift", Measure(&RunOutcome::lift)}};
-  std::vector<OutcomeColumn> columns;
-  const std::size_t blocks = find(ensemble.base.root, "blocks")->children.size();
-  for (std::size_t k = 0; k < blocks; ++k) {
-    const std::string number = std::to_string(k + 1);
-    columns.push_back({"peak_" + number, "largest absolute angle of block " + number + ", rad",
-                       Measure([k](const RunOutcome& outcome) { return outcome.peaks[k]; })});
-  }
-  for (const Paragraph& column : paragraphs(run_columns_txt))
-    columns.push_back({column.name, column.words, values.at(column.name)});
-  return columns;
-}
-
 std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
   const std::size_t runs = run_count(ensemble), first = block * block_size(runs);
   std::vector<CsvWriter> lines(length_of(block, runs));
-  const std::vector<OutcomeColumn> columns = outcome_columns(ensemble);
+  const std::vector<OutcomeColumn> columns = outcome_columns(block_count(ensemble));
   make_runs(ensemble, first, first + lines.size(), library, [&](const RunResult& result) {
     CsvWriter& line = lines[result.run - first];
     line.add(result.run);

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <variant>
-
+#include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
-#include "comparisons/studies/sweep/run_outcome.hpp"
 
 namespace rockstack {
 
@@ -22,20 +20,6 @@ struct RunResult {
 void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
                const std::function<void(const RunResult&)>& take,
                const std::function<bool()>* unwanted = nullptr);
-
-/// A column of what came out of runs.
-struct OutcomeColumn {
-  using Measure = std::function<std::optional<double>(const RunOutcome&)>;
-  using Count = std::function<std::size_t(const RunOutcome&)>;
-  using Mode = MotionMode RunOutcome::*;
-  using Value = std::variant<std::monostate, Measure, Count, Mode>;
-
-  std::string name, meaning;
-  Value value;  ///< of a run that did not fail; none of the columns that say whether and why it did
-};
-
-/// In the order of runs.csv.
-std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble);
 
 /// Writes the summaries that an ensemble asks for, from DIR/runs.csv alone. Runs that failed are counted and
 /// left out.
@@ -55,6 +39,14 @@ std::vector<OutcomeColumn> outcome_columns(const Ensemble& ensemble);
 /// Files of summaries that are not asked for are removed. @throws std::runtime_error where a file cannot be
 /// written.
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys);
+
+/// The runs of a folder's runs.csv that stand as they end and whose ground moves on.
+struct CutShort {
+  std::size_t runs = 0;
+  double most = 0;  ///< s that it does
+};
+
+CutShort cut_short(const std::filesystem::path& folder);
 
 /// What the results in a folder come to, from runs.csv and its summaries, in sentences.
 std::vector<std::string> sweep_headline(const std::filesystem::path& folder, const SummaryKeys& keys);

@@ -128,7 +128,8 @@ Drawings fragility(const FolderSubject& subject) {
     if (groups.size() > 1)
       legend.emplace_back(bounds_style,
                           fmt::format("95 % bounds of the fit, from {}", counted(groups.size(), "motion")));
-    answer = fmt::format("Half of the runs topple at {}", value_on(facts.intensity, fitted.median));
+    answer = fmt::format("Half of the runs topple at {}{}", value_on(facts.intensity, fitted.median),
+                         facts.cut_short > 0 ? " or less" : "");
     if (facts.least_acceleration > 0)
       answer += fmt::format(", {:.3g} times g tan α", fitted.median / facts.least_acceleration);
     curve = fitted_curve(fitted, bounds, end);
@@ -147,6 +148,7 @@ Drawings fragility(const FolderSubject& subject) {
                   plain(end), in_quotes(facts.intensity)) +
           grid_lines + dimensionless_axis("x", 0, end, facts.least_acceleration),
       plots.list());
+  if (subject.width == full_width) sheet.note(facts.caution());
   return {{"", sheet.finish()}};
 }
 
@@ -183,6 +185,7 @@ Drawings incremental(const FolderSubject& subject) {
                           last_ratio, plain(top), edge, in_quotes(facts.intensity)) +
                   grid_lines + dimensionless_axis("y", 0, top, facts.least_acceleration),
               plots.list());
+  sheet.note(facts.caution());
   return {{"", sheet.finish()}};
 }
 

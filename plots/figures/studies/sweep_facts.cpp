@@ -103,6 +103,7 @@ SweepFacts sweep_facts(const fs::path& results) {
     SweepFacts facts{json.at("title"), axis_title(intensity), 0, 0, {}};
     if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
       add_scales(facts, json.value("scene", Json::object()));
+    facts.cut_short = json.value("cut_short", std::size_t{0});
     if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
       facts.struck = struck_block(json);
     return facts;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fmt/core.h>
+
+#include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/results.hpp"
 
 namespace rockstack::plots {
@@ -33,6 +36,14 @@ struct SweepFacts {
   /// Of a scene of one block, whose intensity is an acceleration: g tan α, m/s², and p, rad/s; else 0.
   double least_acceleration = 0, frequency_parameter = 0;
   std::optional<StruckBlock> struck = {};  ///< where a map over friction is of one under such pulses
+  std::size_t cut_short = 0;               ///< runs that count as standing and whose ground moves on
+
+  /// What that means, or nothing.
+  std::string caution() const {
+    return cut_short == 0 ? ""
+                          : fmt::format("{} end while the ground moves on, and count as standing",
+                                        counted(cut_short, "run"));
+  }
 };
 
 /// From sweep.json. @throws InputError naming the file that is missing or malformed.

@@ -135,6 +135,7 @@ Drawings overturning(const FolderSubject& subject) {
                                      facts.frequency_parameter / (2 * std::numbers::pi), "ω/p") +
                   dimensionless_axis("y", map.bounds.low, map.bounds.high, facts.least_acceleration),
               map.elements);
+  sheet.note(facts.caution());
   return {{"", sheet.finish()}};
 }
 
@@ -166,6 +167,7 @@ Drawings modes(const FolderSubject& subject) {
       {{axes + "set title 'onset' offset 0,-0.7\nset ylabel 'friction coefficient'\n", onset.elements},
        {axes + "set title 'whole motion' offset 0,-0.7\nset ylabel ''\nset format y ''\n", whole.elements}},
       2, left_edge);
+  sheet.note(facts.caution());
   return {{"", sheet.finish()}};
 }
 

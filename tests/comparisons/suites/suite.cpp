@@ -93,6 +93,26 @@ TEST(Suites, VariantsOfFrictionAreOfLawUnilateral) {
   EXPECT_NE(suite_error(head + "variants = [\"friction=0.5\", \"friction=0.50\"]\n"), "");
 }
 
+// Of two tables of one engine its name is told once; what nobody asks for is not.
+TEST(Suites, NameTheEnginesTheyAskForThatThisBuildLeavesOut) {
+  const std::vector<std::string> left_out = engines_left_out();
+  const TemporaryFolder folder;
+  folder.write("block.toml", block_text);
+  std::string text = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  for (const std::string& name : left_out)
+    for (const char* step : {"1e-2", "1e-3"})
+      text += "[[engines]]\nname = \"" + name + "\"\ndt = [" + step + "]\n";
+  const Suite asked = read_suite(folder.write("suite.toml", text), {});
+  EXPECT_EQ(asked.left_out, left_out);
+  EXPECT_TRUE(asked.series.empty());
+  const Suite other =
+      read_suite(folder.write("other.toml", "title = \"a\"\nscenes = [\"block.toml\"]\n"), {});
+  EXPECT_TRUE(other.left_out.empty());
+  std::vector<std::string> sorted = left_out;
+  std::ranges::sort(sorted);
+  EXPECT_EQ(engines_left_out({asked, other, asked}), sorted);
+}
+
 TEST(Suites, OverridesReachEveryScene) {
   const TemporaryFolder folder;
   folder.write("block.toml", block_text);

@@ -1,6 +1,7 @@
 """The exact answer: motions, and how they are solved."""
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
@@ -109,9 +110,24 @@ class Motion:
 
 
 class Solution(Motion):
-    """An exact motion, with its events and what it demands of the interfaces."""
+    """An exact motion, with its events and what it demands of the interfaces. What it comes to are attributes too: toppled,
+    topple_time, peak_ratio, force_friction and all other names of `outcome`."""
 
     __slots__ = ()
+
+    @property
+    def outcome(self) -> dict[str, Any]:
+        """What the motion comes to: the columns that a sweep has of it, by name, as in summary.json of `rockstack solve`; None
+        where there is no such thing, or it is infinite."""
+        return json.loads(self._core.outcome)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in (outcome := self.outcome):
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}", name=name, obj=self)
+        return outcome[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.outcome]
 
     @property
     def events(self) -> np.ndarray:

@@ -1,5 +1,7 @@
 """Solutions are those of the program, and their arrays look at them in place."""
 import gc
+import json
+import pickle
 import shutil
 import subprocess
 import sys
@@ -35,6 +37,13 @@ class SolveTest(unittest.TestCase):
                 for column in ("time", "kind", "interface", "consistency"):
                     np.testing.assert_array_equal(solution.events[column], events[column])
                 np.testing.assert_array_equal(solution.events["after"][:, 0], events["omega_after_1"])
+                summary = json.loads((folder / "summary.json").read_text())
+                self.assertEqual(solution.outcome, {name: summary[name] for name in solution.outcome})
+                for name in ("toppled", "topple_time", "peak_ratio", "force_friction", "ground_left"):
+                    self.assertEqual(getattr(solution, name), summary[name])
+                self.assertEqual(pickle.loads(pickle.dumps(solution)).peak_ratio, solution.peak_ratio)
+                with self.assertRaisesRegex(AttributeError, "no attribute 'peak_ration'"):
+                    solution.peak_ration
 
     def test_shapes(self):
         solution = rockstack.solve(rockstack.Scene.read("thrown-stack", ["duration=0.5"]), interval=0.01)

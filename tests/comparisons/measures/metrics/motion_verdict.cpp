@@ -29,6 +29,17 @@ TEST(MotionVerdict, ABlockThatIsCarriedAlongRests) {
   EXPECT_EQ(verdict_of(one_block(0, 2.0)), "rests throughout; needs friction 0.21");  // 2/9.81, up
 }
 
+// Five samples of 0.5 s each, of which the scene has two.
+TEST(MotionVerdict, ASceneThatEndsBeforeItsRecordSaysSo) {
+  Scene scene = one_block(0, 0);
+  scene.horizontal = {0.5, {0, 0.1, -0.1, 0.1, 0}};
+  EXPECT_NE(verdict_of(scene).find("rests throughout (the scene ends at 1 s, its ground at 2 s); needs"),
+            std::string::npos)
+      << verdict_of(scene);
+  scene.horizontal.interval = 0.25;
+  EXPECT_EQ(verdict_of(scene).find("its ground at"), std::string::npos);
+}
+
 // A squat block that leans right on another that leans left: its interface pulls from the start, most later.
 TEST(MotionVerdict, APullIsToldWithItsFirstTime) {
   Scene scene;

@@ -1,4 +1,4 @@
-#include "comparisons/studies/sweep/run_outcome.hpp"
+#include "comparisons/measures/metrics/run_outcome.hpp"
 
 #include <gtest/gtest.h>
 

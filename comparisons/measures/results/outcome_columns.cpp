@@ -1,0 +1,69 @@
+#include "comparisons/measures/results/outcome_columns.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/measures/results/sentences.hpp"
+#include "rockstack_measures_texts.hpp"
+
+namespace rockstack {
+namespace {
+
+OutcomeColumn::Measure demand(Demand RunOutcome::*of, double Demand::*value) {
+  return [of, value](const RunOutcome& outcome) -> std::optional<double> {
+    const Demand& demand = outcome.*of;
+    if (!std::isfinite(demand.least_normal)) return {};
+    return demand.*value;
+  };
+}
+
+Json field_of(const OutcomeColumn& column, const RunOutcome& outcome) {
+  if (const auto* count = std::get_if<OutcomeColumn::Count>(&column.value)) return (*count)(outcome);
+  if (const auto* mode = std::get_if<OutcomeColumn::Mode>(&column.value)) return name(outcome.*(*mode));
+  const std::optional<double> value = std::get<OutcomeColumn::Measure>(column.value)(outcome);
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+}  // namespace
+
+std::vector<OutcomeColumn> outcome_columns(std::size_t blocks) {
+  using Measure = OutcomeColumn::Measure;
+  using Count = OutcomeColumn::Count;
+  const std::map<std::string, OutcomeColumn::Value> values{
+      {"peak_ratio", Measure(&RunOutcome::peak_ratio)},
+      {"toppled", Count(&RunOutcome::toppled)},
+      {"topple_time", Measure(&RunOutcome::topple_time)},
+      {"falling", Count(&RunOutcome::falling)},
+      {"ground_left", Measure(&RunOutcome::ground_left)},
+      {"impacts", Count(&RunOutcome::impacts)},
+      {"events", Count(&RunOutcome::events)},
+      {"last_event_time", Measure(&RunOutcome::last_event_time)},
+      {"least_normal_force", demand(&RunOutcome::force, &Demand::least_normal)},
+      {"force_friction", demand(&RunOutcome::force, &Demand::friction)},
+      {"least_normal_impulse", demand(&RunOutcome::impulse, &Demand::least_normal)},
+      {"impulse_friction", demand(&RunOutcome::impulse, &Demand::friction)},
+      {"onset", &RunOutcome::onset},
+      {"motion", &RunOutcome::motion},
+      {"status", {}},
+      {"reason", {}},
+      {"slip", Measure(&RunOutcome::slip)},
+      {"lift", Measure(&RunOutcome::lift)}};
+  std::vector<OutcomeColumn> columns;
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const std::string number = std::to_string(k + 1);
+    columns.push_back({"peak_" + number, "largest absolute angle of block " + number + ", rad",
+                       Measure([k](const RunOutcome& outcome) { return outcome.peaks[k]; }), true});
+  }
+  for (const Paragraph& column : paragraphs(outcome_columns_txt))
+    columns.push_back({column.name, column.words, values.at(column.name), column.kind == "sampled"});
+  return columns;
+}
+
+Json outcome_json(const RunOutcome& outcome, bool sampled) {
+  Json json = Json::object();
+  for (const OutcomeColumn& column : outcome_columns(outcome.peaks.size()))
+    if (column.value.index() > 0 && (column.sampled || !sampled))
+      json[column.name] = field_of(column, outcome);
+  return json;
+}
+
+}  // namespace rockstack
