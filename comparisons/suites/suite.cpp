@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/page_scene.hpp"

@@ -172,17 +172,29 @@ TEST(Fit, IntervalsHoldTheTruthWhateverTheClockShowsAtTheStart) {
 }
 
 TEST(Fit, AMotionWithoutNoiseHasBoundsOfRounding) {
-  const Tested truth(measured_block, "time,angle\n0,0\n");
+  constexpr const char* rocking = R"(duration = 2
+restitution = [0.9]
+[[blocks]]
+width = 0.4
+height = 1.2
+density = 2500
+[initial]
+angles = [0.2]
+[measured]
+file = "test.csv"
+column = "angle"
+)";
+  const Tested truth(rocking, "time,angle\n0,0\n");
   MotionLibrary library;
-  const History motion = solve(make_scene(truth.document, library), {.sample_times = every(0.01, 3)});
-  const Tested test(measured_block, measured_csv(motion.times, motion.angles));
+  const History motion = solve(make_scene(truth.document, library), {.sample_times = every(0.01, 2)});
+  const Tested test(rocking, measured_csv(motion.times, motion.angles));
   const Fit found = fit(test.document, test.measured, {{"restitution.1", 0.8, 1}});
   EXPECT_TRUE(found.parameters[0].holds(ratio));
   EXPECT_LT(found.parameters[0].upper - found.parameters[0].lower, 1e-5);
   EXPECT_TRUE(found.parameters[1].holds(0));
   EXPECT_EQ(
       meaning(found, test.measured),
-      std::vector<std::string>{"The fitted motion is the test's to rounding, over 301 readings up to 3 s: "
+      std::vector<std::string>{"The fitted motion is the test's to rounding, over 201 readings up to 2 s: "
                                "bounds are of rounding."});
 }
 
@@ -320,7 +332,9 @@ TEST(Fit, SaysWhatATestDoesNotTell) {
   EXPECT_LT(found.parameters[1].upper - found.parameters[1].lower, 2e-5);
   const Fit beside = fit(test.document, test.measured, {{"restitution.1", 0.5, 0.85}});
   EXPECT_TRUE(beside.parameters[0].at_end());
-  EXPECT_NE(meaning(beside, test.measured).back().find("stands at an end"), std::string::npos);
+  const std::vector<std::string> said = meaning(beside, test.measured);
+  EXPECT_TRUE(std::ranges::any_of(
+      said, [](const std::string& one) { return one.starts_with("restitution.1 stands at an end"); }));
 }
 
 TEST(Fit, TakesParametersOfOneForm) {
