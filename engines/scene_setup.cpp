@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "analytic/scene/solve_options.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -39,6 +41,12 @@ double moment(const GroundMotion& motion, double from, double to) {
   return sum;
 }
 
+/// @throws Stopped at one step in many, where cancelled.
+void look_at(std::size_t step, const std::function<bool()>* cancelled) {
+  constexpr std::size_t steps_between_looks = 65536;  // some milliseconds
+  if ((step + 1) % steps_between_looks == 0) stop_if_cancelled(cancelled);
+}
+
 /// Along one axis: displacement and velocity of the ground at the start of the next step.
 struct GroundAxis {
   double displacement = 0, velocity = 0;
@@ -56,10 +64,13 @@ struct GroundAxis {
 
 }  // namespace
 
-std::vector<GroundStep> ground_path(const Scene& scene, double dt, std::size_t steps) {
+std::vector<GroundStep> ground_path(const Scene& scene, double dt, std::size_t steps,
+                                    const std::function<bool()>* cancelled) {
   std::vector<GroundStep> path;
+  path.reserve(steps);
   GroundAxis x, y;
   for (std::size_t step = 0; step < steps; ++step) {
+    look_at(step, cancelled);
     const double from = static_cast<double>(step) * dt, to = static_cast<double>(step + 1) * dt;
     GroundStep& now = path.emplace_back(GroundStep{x.displacement, y.displacement});
     now.velocity_x = x.advance(scene.horizontal, from, to);
@@ -95,7 +106,18 @@ void require_restitution(const EngineDescription& engine, const Scene& scene) {
         fmt::format("contact.restitution: {} has no coefficient of restitution", engine.full_name()));
 }
 
-Setup set_up(const Scene& scene, double dt, const Parameters& parameters) {
+double step_count(double duration, double dt) {
+  return std::floor(duration / dt + 1e-9);
+}
+
+bool moves_ground(const Parameters& parameters) {
+  // All engines that can move the ground name the parameter so.
+  const auto shaking = parameters.find("shaking");
+  return shaking != parameters.end() && shaking->second != 0;
+}
+
+Setup set_up(const Scene& scene, double dt, const Parameters& parameters,
+             const std::function<bool()>* cancelled) {
   check_step(dt, scene.duration);
   Setup setup;
   setup.blocks = place(scene);
@@ -104,17 +126,18 @@ Setup set_up(const Scene& scene, double dt, const Parameters& parameters) {
   for (int k = 0; k < static_cast<int>(scene.blocks.size()); ++k)
     setup.toppling_angles.push_back(toppling_angle(scene, k));
   setup.dt = dt;
-  // A duration that is a whole number of steps up to rounding counts as one.
-  setup.steps = static_cast<std::size_t>(std::floor(scene.duration / dt + 1e-9));
+  setup.steps = static_cast<std::size_t>(step_count(scene.duration, dt));
   if (!is_shaken(scene)) return setup;
-  // All engines that can move the ground name the parameter so.
-  if (const auto shaking = parameters.find("shaking"); shaking != parameters.end() && shaking->second != 0) {
-    setup.ground = ground_path(scene, dt, setup.steps);
+  if (moves_ground(parameters)) {
+    setup.ground = ground_path(scene, dt, setup.steps, cancelled);
     return setup;
   }
-  for (std::size_t step = 0; step < setup.steps; ++step)
+  setup.accelerations.reserve(setup.steps);
+  for (std::size_t step = 0; step < setup.steps; ++step) {
+    look_at(step, cancelled);
     setup.accelerations.push_back(
         body_acceleration(scene, static_cast<double>(step) * dt, static_cast<double>(step + 1) * dt));
+  }
   return setup;
 }
 

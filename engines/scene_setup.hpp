@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "analytic/scene/scene.hpp"
 #include "engines/engine.hpp"
 
@@ -11,8 +13,9 @@ std::vector<Placement> place(const Scene& scene);
 
 /// How the ground moves under a scene's accelerations, from rest at t = 0: displacements are their double
 /// integral, exact for straight lines between samples and by Gauss's rule with five points for pulses: to
-/// rounding for steps of up to a fifth of their period. Precondition: dt > 0, in s.
-std::vector<GroundStep> ground_path(const Scene& scene, double dt, std::size_t steps);
+/// rounding for steps of up to a fifth of their period. Precondition: dt > 0, in s. @throws as set_up().
+std::vector<GroundStep> ground_path(const Scene& scene, double dt, std::size_t steps,
+                                    const std::function<bool()>* cancelled = nullptr);
 
 /// Gravity alone, in the axes of the ground.
 BodyAcceleration body_acceleration(const Scene& scene);
@@ -32,9 +35,17 @@ Parameters with_restitution(const EngineDescription& engine, const Scene& scene,
 /// @throws std::runtime_error where points bounce and the engine has no coefficient for it.
 void require_restitution(const EngineDescription& engine, const Scene& scene);
 
+/// Steps of dt in a duration, both in s; one that is whole up to rounding counts.
+double step_count(double duration, double dt);
+
+/// True where the setting `shaking` asks for a ground that really moves.
+bool moves_ground(const Parameters& parameters);
+
 /// A scene, shaken in the way that the setting `shaking` asks for, as an engine is told it; dt in s.
-/// @throws std::invalid_argument as check_step(); std::runtime_error as place().
-Setup set_up(const Scene& scene, double dt, const Parameters& parameters);
+/// `cancelled` is asked now and then where steps are many.
+/// @throws std::invalid_argument as check_step(); std::runtime_error as place(); Stopped where cancelled.
+Setup set_up(const Scene& scene, double dt, const Parameters& parameters,
+             const std::function<bool()>* cancelled = nullptr);
 
 /// @throws std::invalid_argument for a step that a duration holds less than once, or over 10⁹ times. In s.
 void check_step(double dt, double duration);

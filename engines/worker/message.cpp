@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/solve_options.hpp"
+#include "engines/worker/question.hpp"
 
 namespace rockstack {
 namespace {
@@ -42,14 +44,40 @@ std::optional<double> number_of(const json& value) {
   return {};
 }
 
+/// Bytes as they are written, as long as they are wanted.
+class Output : public nlohmann::detail::output_adapter_protocol<char> {
+ public:
+  explicit Output(const std::function<bool()>* cancelled) : cancelled_(cancelled) {}
+
+  std::string bytes;
+
+  void write_character(char letter) override { write_characters(&letter, 1); }
+  void write_characters(const char* letters, std::size_t count) override {
+    constexpr std::size_t between_looks = std::size_t{1} << 20U;
+    const std::size_t before = bytes.size() / between_looks;
+    bytes.append(letters, count);
+    if (bytes.size() / between_looks != before) stop_if_cancelled(cancelled_);
+  }
+
+ private:
+  const std::function<bool()>* cancelled_;
+};
+
 }  // namespace
 
 std::string to_bytes(Message message) {
+  return to_bytes(std::move(message), nullptr);
+}
+
+std::string to_bytes(Message message, const std::function<bool()>* cancelled) {
   message.fields[version_field] = version;
-  if (message.form == Form::json) return message.fields.dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string bytes;
-  json::to_msgpack(message.fields, bytes);
-  return bytes;
+  const auto output = std::make_shared<Output>(cancelled);
+  if (message.form == Form::json)
+    nlohmann::detail::serializer<json>(output, ' ', json::error_handler_t::replace)
+        .dump(message.fields, false, false, 0);
+  else
+    nlohmann::detail::binary_writer<json, char>(output).write_msgpack(message.fields);
+  return std::move(output->bytes);
 }
 
 Message read_message(std::string_view bytes) {
@@ -83,7 +111,8 @@ json to_field(const std::vector<double>& values, Form form) {
     if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
     return bytes;
   }
-  json list = json::array();
+  json::array_t list;
+  list.reserve(values.size());
   for (const double value : values) list.push_back(to_field(value));
   return list;
 }

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "engines/worker/question.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -246,9 +248,15 @@ RunReply read_run_reply(const json& object) {
 
 }  // namespace
 
+std::string to_bytes(const RunRequest& run, Form form, const std::function<bool()>* cancelled) {
+  Message message{json::object(), form};
+  message.fields["run"] = fields_of(run, form);
+  return to_bytes(std::move(message), cancelled);
+}
+
 std::string to_bytes(const Request& request, Form form) {
-  json object = request.run ? json{{"run", fields_of(*request.run, form)}} : json{{"describe", true}};
-  return to_bytes(Message{std::move(object), form});
+  if (request.run) return to_bytes(*request.run, form, nullptr);
+  return to_bytes(Message{{{"describe", true}}, form});
 }
 
 std::string to_bytes(const Reply& reply, Form form) {

@@ -6,8 +6,10 @@
 #include <cstring>
 
 #include "analytic/scene/messages/one_line.hpp"
+#include "analytic/scene/solve_options.hpp"
 #include "engines/scene_setup.hpp"
 #include "engines/worker/answer_check.hpp"
+#include "engines/worker/question.hpp"
 
 namespace rockstack {
 namespace {
@@ -21,9 +23,14 @@ std::string with_last_words(const std::string& reason, const ProcessEnd& end) {
   return end.last_words.empty() ? reason : reason + ": " + heard(end.last_words);
 }
 
+/// What becomes of a run that is cancelled.
+RunReply stopped() {
+  return {"stopped", "nobody wants it any more"};
+}
+
 /// Why there is no reply.
 RunReply explain(const ProcessEnd& end, const Limits& limits) {
-  if (end.unwanted) return {"stopped", "nobody wants it any more"};
+  if (end.unwanted) return stopped();
   if (end.signal == SIGXFSZ && !end.timed_out)
     return {"failed", fmt::format("its reply is longer than {} bytes", limits.reply)};
   const char* status = end.timed_out ? "time limit" : end.signal != 0 ? "signal" : "failed";
@@ -33,6 +40,16 @@ RunReply explain(const ProcessEnd& end, const Limits& limits) {
                                  ? fmt::format("ended by signal {} ({})", end.signal, strsignal(end.signal))
                                  : fmt::format("ended with exit code {} and no result", end.exit_code);
   return {status, with_last_words(reason, end)};
+}
+
+/// The memory in which a worker can read a question, bytes: the numbers of a shaken ground as they are
+/// written, as fields, as the list that it takes, and as a list that grows.
+double question_memory(const WorkerEngine& engine, const Scene& scene, double dt,
+                       const Parameters& parameters) {
+  if (!is_shaken(scene)) return 0;
+  const double numbers = moves_ground(parameters) ? 4 : 2;
+  const double bytes = engine.form == Form::messagepack ? 8 : 20;
+  return 4 * bytes * numbers * step_count(scene.duration, dt);
 }
 
 /// The most bytes of a reply: numbers of up to 25 characters; no more impacts than steps of each interface.
@@ -122,7 +139,7 @@ bool may_share(const WorkerEngine& engine, const RunRequest& asked, const Limits
 
 RunReply ask_kept(const WorkerEngine& engine, RunRequest& asked, const Limits& limits) {
   asked.question = ++kept.runs;
-  const std::string question = to_bytes(Request{asked}, engine.form);
+  const std::string question = to_bytes(asked, engine.form, nullptr);
   const Questions questions{asked, kept.runs > 1 ? &kept.before : nullptr};
   RunReply answer = answer_of(kept.process->ask(question, limits), engine, questions, limits);
   if (answer.status != "done" || kept.runs >= engine.runs_per_process) {
@@ -137,9 +154,10 @@ RunReply ask_kept(const WorkerEngine& engine, RunRequest& asked, const Limits& l
 
 RunReply ask(const WorkerEngine& engine, RunRequest& asked, Limits limits) {
   limits.reply = reply_limit(asked);
-  if (!may_share(engine, asked, limits))
-    return answer_of(run_process(engine.program, to_bytes(Request{asked}, engine.form), limits), engine,
-                     {asked}, limits);
+  if (!may_share(engine, asked, limits)) {
+    const std::string question = to_bytes(asked, engine.form, limits.unwanted);
+    return answer_of(run_process(engine.program, question, limits), engine, {asked}, limits);
+  }
   double spent = 0;
   const bool there = kept.process && kept.program == engine.program && kept.memory == limits.memory;
   if (there && kept.process->waits()) {
@@ -154,6 +172,26 @@ RunReply ask(const WorkerEngine& engine, RunRequest& asked, Limits limits) {
   RunReply answer = ask_kept(engine, asked, limits);
   answer.processor_time += spent;
   return answer;
+}
+
+/// Tells the worker the scene first. What cannot be asked fails with its reason.
+RunReply ask(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
+             const Limits& limits, RunRequest& asked) {
+  try {
+    require_restitution(engine, scene);
+    check_step(dt, scene.duration);
+    const double memory = question_memory(engine, scene, dt, parameters);
+    if (const auto most = static_cast<double>(limits.memory); memory > most)
+      return {"memory limit",
+              fmt::format("{:.4g} steps of a shaken ground: a worker takes {:.3g} GB to read them, of {:.3g}",
+                          step_count(scene.duration, dt), memory * 1e-9, most * 1e-9)};
+    asked.setup = set_up(scene, dt, parameters, limits.unwanted);
+    return ask(engine, asked, limits);
+  } catch (const Stopped&) {
+    return stopped();
+  } catch (const std::exception& error) {
+    return {"failed", error.what()};
+  }
 }
 
 }  // namespace
@@ -183,15 +221,7 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
   WorkerRun result;
   RunRequest asked = request(engine, with_restitution(engine, scene, parameters),
                              static_cast<std::size_t>(repeats), needs_bodies(scene, bodies));
-  try {
-    require_restitution(engine, scene);
-    asked.setup = set_up(scene, dt, parameters);
-  } catch (const std::exception& error) {
-    result.status = "failed";
-    result.reason = error.what();
-    return result;
-  }
-  RunReply run = ask(engine, asked, limits);
+  RunReply run = ask(engine, scene, dt, parameters, limits, asked);
   result.status = std::move(run.status);
   result.reason = std::move(run.reason);
   result.processor_time = run.processor_time;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analytic/scene/solve_options.hpp"
 #include "analytic/unilateral/contact/initial_contacts.hpp"
 #include "engines/simulation.hpp"
 #include "tests/analytic/solver/stacks.hpp"
@@ -226,6 +227,17 @@ TEST(GroundPath, VelocityOfAStepCarriesToTheNextDisplacement) {
     ASSERT_NEAR(next.x, last.x + 0.01 * last.velocity_x, 1e-14);
     ASSERT_NEAR(next.y, last.y + 0.01 * last.velocity_y, 1e-14);
     last = next;
+  }
+}
+
+TEST(SetUp, OfManyStepsEndsWhereItIsCancelled) {
+  Scene scene = leaning_stack();
+  scene.horizontal = pulse(PulseShape::ricker);
+  const std::function<bool()> cancelled = [] { return true; };
+  for (const double moving : {0, 1}) {
+    const Parameters shaking{{"shaking", moving}};
+    EXPECT_THROW(set_up(scene, 1e-5, shaking, &cancelled), Stopped);
+    EXPECT_EQ(set_up(scene, 1e-3, shaking, &cancelled).steps, 1000U);
   }
 }
 

@@ -10,7 +10,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "engines/worker/request.hpp"
+#include "analytic/scene/solve_options.hpp"
+#include "engines/worker/question.hpp"
 #include "tests/analytic/scene/ground/records/mutations.hpp"
 
 namespace rockstack {
@@ -251,6 +252,17 @@ TEST(MessageBytes, WhyTheyCannotBeReadIsSaid) {
   EXPECT_EQ(complaint(R"({"rockstack": 1, 'run': 2})"), "the message is no JSON from byte 18 on");
   EXPECT_EQ(complaint("words"), "the message is no JSON, which begins with '{', and no MessagePack");
   EXPECT_EQ(complaint("{\"a\":" + std::string(40, '[')), "the message has more than 32 levels");
+}
+
+TEST_P(Messages, LongQuestionEndsWhereItIsCancelled) {
+  RunRequest run = *full_request().run;
+  int asked = 0;
+  const std::function<bool()> cancelled = [&] { return ++asked > 0; };
+  EXPECT_EQ(to_bytes(run, GetParam(), &cancelled), to_bytes(Request{run}, GetParam()));
+  EXPECT_EQ(asked, 0);
+  run.setup.accelerations.resize(1'000'000);
+  EXPECT_THROW(to_bytes(run, GetParam(), &cancelled), Stopped);
+  EXPECT_EQ(asked, 1);
 }
 
 TEST(MessageBytes, FieldThatIsWrongIsNamedWithTheObjectsThatHaveIt) {

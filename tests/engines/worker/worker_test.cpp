@@ -148,6 +148,17 @@ TEST(Workers, RunThatNobodyWantsAnyMoreIsStopped) {
   EXPECT_EQ(asked, 3);
 }
 
+TEST(Workers, QuestionThatNoWorkerCanHoldIsNotMade) {
+  Scene scene = one_block(1);
+  scene.horizontal.pulse = Pulse{.amplitude = 1, .period = 1};
+  Limits limits;
+  limits.memory = std::size_t{64} << 20U;
+  const WorkerEngine& engine = faulty("fine");
+  const WorkerRun made = run_in_worker(engine, scene, 5e-7, engine.tuned_parameters(), 0, limits);
+  EXPECT_EQ(made.status, "memory limit");
+  EXPECT_EQ(made.reason, "2e+06 steps of a shaken ground: a worker takes 0.128 GB to read them, of 0.0671");
+}
+
 // Where processors are scarce it is killed before it has a session of its own.
 TEST(Workers, RunThatNobodyWantsFromTheStartIsStopped) {
   const std::function<bool()> unwanted = [] { return true; };
