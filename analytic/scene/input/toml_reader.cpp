@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analytic/scene/files/file_text.hpp"
+#include "analytic/scene/input/whole_number.hpp"
 
 // The library's only use: compiled in whole here, so that nobody who links this library needs it.
 #define TOML_HEADER_ONLY 1
@@ -43,7 +44,10 @@ Node converted(const toml::node& value, Node target, const Place& place_of) {
       for (const toml::node& entry : typed) add(std::to_string(target.children.size() + 1), entry);
     } else if constexpr (toml::is_number<Typed>) {
       target.kind = Node::Kind::number;
-      target.number = static_cast<double>(typed.get());
+      if constexpr (toml::is_integer<Typed>)
+        target.number = double_of_whole(typed.get());
+      else
+        target.number = typed.get();
     } else if constexpr (toml::is_string<Typed>) {
       target.kind = Node::Kind::text;
       target.text = typed.get();

@@ -78,9 +78,9 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
 }  // namespace
 
 int advise_command(const AdviseArguments& arguments, const Common& common) {
-  require_positive_option("--error", arguments.error);
-  require_positive_option("--within", arguments.within);
-  require_positive_option("--time-limit", arguments.time_limit);
+  require_above_zero("--error", arguments.error);
+  require_above_zero("--within", arguments.within);
+  require_above_zero("--time-limit", arguments.time_limit);
   const NamedScene scene = read_one_scene(arguments.scene, common);
   const ResultsFolder folder(arguments.out, Results::advice);
   AdviceRequest request{.error = arguments.error,

@@ -57,11 +57,6 @@ NamedScene read_one_scene(const std::string& input, const Common& common) {
   return read_named_scene(file, common.overrides);
 }
 
-void require_positive_option(const char* option, double value) {
-  if (!(value > 0) || !std::isfinite(value))
-    throw InputError(fmt::format("{} = {}: must be a finite number > 0", option, value));
-}
-
 void refuse_overrides(const Common& common, const char* reason) {
   if (!common.overrides.empty())
     throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));

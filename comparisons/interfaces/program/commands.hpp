@@ -2,6 +2,7 @@
 
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/studies/diff/changes.hpp"
+#include "comparisons/suites/compare_choice.hpp"
 
 namespace CLI {
 class App;
@@ -53,10 +54,8 @@ struct CompareArguments {
   std::vector<std::string> inputs;    ///< scenes or suites
   std::optional<std::string> record;  ///< in the place of made-up motions
   std::filesystem::path out;
-  std::size_t jobs = 1;                    ///< runs at a time; without effect under mpirun
-  int replicates = 0;                      ///< behind each number of an engine; 0: as many as the suites say
-  SceneChoice choice;                      ///< of scenes; suites say their own
-  std::optional<double> history_interval;  ///< in the place of that of the suites, s
+  std::size_t jobs = 1;  ///< runs at a time; without effect under mpirun
+  CompareChoice choice;
 };
 int compare_command(const CompareArguments& arguments, const Common& common);
 
@@ -164,9 +163,6 @@ void require_kind(const std::string& input, const std::filesystem::path& file, c
 
 /// @throws InputError also where the input names a suite or an ensemble.
 NamedScene read_one_scene(const std::string& input, const Common& common);
-
-/// @throws InputError where the value is not finite and > 0.
-void require_positive_option(const char* option, double value);
 
 /// @throws InputError with the reason where there are overrides.
 void refuse_overrides(const Common& common, const char* reason);

@@ -38,19 +38,17 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
   const auto file = compared_file(input);
   const InputKind kind = kind_of(file);
-  if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), arguments.choice);
-  refuse_choice(input, arguments.choice);
+  const SceneChoice& of_scenes = arguments.choice.scenes;
+  if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), of_scenes);
+  refuse_choice(input, of_scenes);
   return kind == InputKind::stability_study ? read_stability_study(file, common.overrides).suite
                                             : read_suite(file, common.overrides);
 }
 
 std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
   std::vector<Suite> suites;
-  for (const std::string& input : arguments.inputs) {
-    Suite& suite = suites.emplace_back(read_input(input, arguments, common));
-    if (arguments.replicates > 0) set_runs(suite.replicates, arguments.replicates);
-    if (arguments.history_interval) suite.history_interval = *arguments.history_interval;
-  }
+  for (const std::string& input : arguments.inputs)
+    apply(arguments.choice, suites.emplace_back(read_input(input, arguments, common)));
   if (arguments.record) replace_motion(suites, *arguments.record);
   return suites;
 }
@@ -145,7 +143,7 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
 int stability_command(const std::filesystem::path& file, const CompareArguments& arguments,
                       Executor& executor, const Common& common) {
   StabilityStudy study = read_stability_study(file, common.overrides);
-  if (arguments.replicates > 0) set_runs(study.suite.replicates, arguments.replicates);
+  apply(arguments.choice, study.suite);
   require_comparable({study.suite});
   const ResultsFolder folder(arguments.out, Results::stability);
   const std::vector<StabilityRun> rows = run_stability(
@@ -174,8 +172,7 @@ void print_comparison(const CompareResult& result, const std::vector<std::string
 }  // namespace
 
 int compare_command(const CompareArguments& arguments, const Common& common) {
-  for (const double step : arguments.choice.steps) require_positive_option("--dt", step);
-  if (arguments.history_interval) require_positive_option("--history-interval", *arguments.history_interval);
+  require_valid(arguments.choice, {"--dt", "--draws", "--history-interval"});
   const auto executor = make_executor(arguments.jobs);
   if (!executor->leads()) {
     serve_comparison(
@@ -186,11 +183,11 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
     const auto file = compared_file(input);
     const InputKind kind = kind_of(file);
     if (kind == InputKind::scene || kind == InputKind::suite) continue;
-    refuse_choice(input, arguments.choice);
-    if (arguments.history_interval)
+    refuse_choice(input, arguments.choice.scenes);
+    if (arguments.choice.history_interval)
       throw InputError(
           fmt::format("--history-interval {}: must be left out of a study, which keeps no histories",
-                      *arguments.history_interval));
+                      *arguments.choice.history_interval));
     if (arguments.inputs.size() > 1) throw InputError(input + ": a study must be the only input");
     if (arguments.record)
       throw InputError(fmt::format("--record {}: must be left out of a study", *arguments.record));

@@ -57,8 +57,8 @@ int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
 }  // namespace
 
 int solve_command(const SolveArguments& arguments, const Common& common) {
-  require_positive_option("--step", arguments.step);
-  require_positive_option("--interval", arguments.interval);
+  require_above_zero("--step", arguments.step);
+  require_above_zero("--interval", arguments.interval);
   if (arguments.integrator == "rk4" && arguments.tolerance > 0)
     throw InputError(
         fmt::format("--tolerance = {}: must be left out beside --integrator rk4, which takes --step",
@@ -84,7 +84,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
 }
 
 int simulate_command(const SimulateArguments& arguments, const Common& common) {
-  require_positive_option("--dt", arguments.dt);
+  require_above_zero("--dt", arguments.dt);
   const std::vector<const WorkerEngine*> named = engines_named(arguments.engine);
   const WorkerEngine& engine = *named.front();
   const Parameters changes = read_parameters(arguments.parameters, engine);

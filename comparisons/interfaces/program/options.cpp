@@ -86,31 +86,29 @@ void add_compare(CLI::App& command, CompareArguments& arguments) {
                   "runs at a time; with more than one, times are those of runs that share the machine")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command
-      .add_option("--draws", arguments.replicates,
-                  "replicates behind each number of an engine: runs at nearby steps of nearly the same "
-                  "scene; left out: "
-                  "as the suite says, for a scene the least that can tell its sets apart, 5 or more")
-      ->check(CLI::Range(1, most_replicates));
+  command.add_option("--draws", arguments.choice.replicates,
+                     "replicates behind each number of an engine: runs at nearby steps of nearly the same "
+                     "scene; left out: "
+                     "as the suite says, for a scene the least that can tell its sets apart, 5 or more");
   command
       .add_option(
-          "--engine", arguments.choice.engines,
+          "--engine", arguments.choice.scenes.engines,
           "of scenes: engine, or engine:solver; may be repeated or a list, ode:step,bullet; left out: "
           "the first solver of Bullet, in both precisions, and of ODE")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      .add_option("--dt", arguments.choice.steps,
+      .add_option("--dt", arguments.choice.scenes.steps,
                   "of scenes: time step, s; may be repeated or a list, 1e-2,1e-3; left out: 1e-2,1e-3,1e-4")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_flag("--quick", arguments.choice.quick,
+  command.add_flag("--quick", arguments.choice.scenes.quick,
                    "of scenes: steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
   command.add_flag(
-      "--softness", arguments.choice.softness,
+      "--softness", arguments.choice.scenes.softness,
       "of scenes: split each engine's difference into contact model, contact softness and time step");
   command.add_option(
-      "--history-interval", arguments.history_interval,
+      "--history-interval", arguments.choice.history_interval,
       "least time between the samples that files keep, s; numbers are of all samples; left out: 1e-3");
   add_results(
       command, arguments.out, [&] { return arguments.inputs.front(); },
