@@ -1,5 +1,9 @@
 #include "comparisons/interfaces/python/convert.hpp"
 
+#include <bit>
+
+#include "analytic/scene/input/whole_number.hpp"
+
 namespace rockstack::python {
 namespace {
 
@@ -44,11 +48,18 @@ void read_numbers(const py::array_t<double>& numbers, Node& target) {
 
 void read_number(const py::handle& value, Node& target) {
   target.kind = Node::Kind::number;
-  target.number = PyFloat_AsDouble(value.ptr());
+  int beyond = PyLong_Check(value.ptr()) ? 0 : 1;
+  const long long whole = beyond == 0 ? PyLong_AsLongLongAndOverflow(value.ptr(), &beyond) : 0;
+  target.number = beyond == 0 ? double_of_whole(whole) : PyFloat_AsDouble(value.ptr());
   if (PyErr_Occurred() == nullptr) return;
   if (!PyErr_ExceptionMatches(PyExc_OverflowError)) throw py::error_already_set();
   PyErr_Clear();  // a whole number beyond all doubles
   target.number = std::numeric_limits<double>::infinity();
+}
+
+void read_other(const py::handle& value, Node& target) {
+  target.kind = Node::Kind::other;
+  target.text = shown(value);
 }
 
 /// Of numpy's arrays and numbers, and of what is like them.
@@ -57,9 +68,10 @@ void read_array(const py::handle& value, Node& target, int depth) {
     throw InputError(target.place + ": " + one_line(target.key) +
                      ": has masked entries: must be filled first");
   const py::array array(py::reinterpret_borrow<py::object>(value));
+  const char kind = array.dtype().kind();
+  if (kind == 'm' || kind == 'M') return read_other(value, target);  // dates, which may be counts to Python
   if (array.ndim() == 0) return read_value(array.attr("item")(), target, depth + 1);
-  const bool numbers = std::string_view("fiu").find(array.dtype().kind()) != std::string_view::npos;
-  if (array.ndim() == 1 && numbers)
+  if (array.ndim() == 1 && kind == 'f')
     return read_numbers(py::array_t<double, py::array::forcecast>(array), target);
   read_sequence(array, target, depth);
 }
@@ -90,12 +102,50 @@ void read_value(const py::handle& value, Node& target, int depth) {
     read_array(value, target, depth);
   } else if (py::hasattr(type, "items")) {
     read_table(value.attr("items")(), target, depth);
-  } else if (py::hasattr(type, "__len__") && py::hasattr(type, "__iter__")) {
+  } else if (py::hasattr(type, "__len__") && py::hasattr(type, "__iter__") && !PyBytes_Check(value.ptr())) {
     read_sequence(value, target, depth);
   } else {
-    target.kind = Node::Kind::other;
-    target.text = shown(value);
+    read_other(value, target);
   }
+}
+
+bool is_known(const bool& value) {
+  return std::bit_cast<unsigned char>(value) <= 1;
+}
+
+bool is_known(EventKind kind) {
+  return kind >= EventKind::opening && kind <= EventKind::strike;
+}
+
+bool is_known(Consistency consistency) {
+  return consistency >= Consistency::consistent && consistency <= Consistency::gains;
+}
+
+bool is_known(const Pattern& pattern) {
+  const auto is_contact = [](Contact contact) {
+    return contact >= Contact::left && contact <= Contact::apart;
+  };
+  const auto is_sign = [](int slide) { return std::abs(slide) <= 1; };
+  return pattern.size >= 0 && pattern.size <= max_blocks &&
+         std::ranges::all_of(pattern.contacts, is_contact) && std::ranges::all_of(pattern.slides, is_sign);
+}
+
+bool is_known(const BasicGraze<double>& graze) {
+  return is_known(graze.kind);
+}
+
+bool is_known(const Pulse& pulse) {
+  return pulse.shape >= PulseShape::sine && pulse.shape <= PulseShape::mavroeidis_papageorgiou;
+}
+
+void require_packed(bool whole) {
+  if (!whole) throw InputError("packed numbers: must be whole, of this build and of their scene");
+}
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  return sum;
 }
 
 Node read_document(const py::handle& mapping, const std::string& place) {

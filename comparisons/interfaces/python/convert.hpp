@@ -75,8 +75,27 @@ constexpr bool is_list = requires(List list) {
 };
 
 template <class Value>
+constexpr bool is_optional = requires(Value value) {
+  value.has_value();
+};
+
+// Whether a value is one that its type has.
+bool is_known(const bool& value);
+bool is_known(EventKind kind);
+bool is_known(Consistency consistency);
+bool is_known(const Pattern& pattern);
+bool is_known(const BasicGraze<double>& graze);
+bool is_known(const Pulse& pulse);
+
+/// @throws InputError where bytes are not those of packed().
+void require_packed(bool whole);
+
+template <class Value>
 void pack(const Value& value, std::string& bytes) {
-  if constexpr (std::is_trivially_copyable_v<Value>) {
+  if constexpr (is_optional<Value>) {
+    pack(value.has_value(), bytes);
+    if (value) pack(*value, bytes);
+  } else if constexpr (std::is_trivially_copyable_v<Value>) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   } else if constexpr (is_list<Value>) {
     pack(value.size(), bytes);
@@ -86,31 +105,38 @@ void pack(const Value& value, std::string& bytes) {
   }
 }
 
-/// Takes a value off the front of some bytes. @throws InputError where they end in it.
+/// Takes a value off the front of some bytes. @throws InputError where they end in it, or are none.
 template <class Value>
 void unpack(Value& value, std::string_view& bytes) {
-  const auto require = [&](bool whole) {
-    if (!whole) throw InputError("packed numbers: must be whole, and of this build");
-  };
-  if constexpr (std::is_trivially_copyable_v<Value>) {
-    require(bytes.size() >= sizeof value);
+  if constexpr (is_optional<Value>) {
+    bool there = false;
+    unpack(there, bytes);
+    if (there) unpack(value.emplace(), bytes);
+  } else if constexpr (std::is_trivially_copyable_v<Value>) {
+    require_packed(bytes.size() >= sizeof value);
     std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof value);
     bytes.remove_prefix(sizeof value);
+    if constexpr (requires { is_known(value); }) require_packed(is_known(value));
   } else if constexpr (is_list<Value>) {
     std::size_t size = 0;
     unpack(size, bytes);
-    require(size <= bytes.size());
-    value.resize(size);
-    for (auto& element : value) unpack(element, bytes);
+    while (value.size() < size) {  // which may be anything: bytes end first
+      value.resize(value.size() + 1);
+      unpack(value.back(), bytes);
+    }
   } else {
     std::apply([&](auto&... fields) { (unpack(fields, bytes), ...); }, fields_of(value));
   }
 }
 
+/// A number that other bytes hardly share, and none that differ by one (FNV-1a).
+std::uint64_t checksum(std::string_view bytes);
+
 template <class Value>
 py::bytes packed(const Value& value) {
   std::string bytes;
   pack(value, bytes);
+  pack(checksum(bytes), bytes);
   return bytes;
 }
 
@@ -118,8 +144,15 @@ py::bytes packed(const Value& value) {
 template <class Value>
 Value unpacked(const py::bytes& packed) {
   auto bytes = packed.cast<std::string_view>();
+  std::uint64_t sum = 0;
+  require_packed(bytes.size() >= sizeof sum);
+  std::string_view last = bytes.substr(bytes.size() - sizeof sum);
+  unpack(sum, last);
+  bytes.remove_suffix(sizeof sum);
+  require_packed(sum == checksum(bytes));
   Value value;
   unpack(value, bytes);
+  require_packed(bytes.empty());
   return value;
 }
 

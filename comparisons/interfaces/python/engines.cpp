@@ -9,8 +9,10 @@
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/canon/canon.hpp"
+#include "comparisons/suites/compare_choice.hpp"
 #include "comparisons/suites/shipped.hpp"
 #include "engines/scene_setup.hpp"
+#include "engines/worker/answer_check.hpp"
 
 namespace rockstack::python {
 namespace {
@@ -52,7 +54,7 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
   require_settings(settings);
   if (!(time_limit > 0))
     throw InputError("time_limit = " + number_text(time_limit) + ": must be a number > 0");
-  if (!(dt > 0)) throw InputError("dt = " + number_text(dt) + ": must be a finite number > 0");
+  require_above_zero("dt", dt);
   const WorkerEngine& engine = engine_named(engine_name);
   const EngineSeries series = make_series(engine, settings, {dt}, read_parameters(changes, engine));
   check_step(dt, scene->scene.duration);
@@ -78,7 +80,7 @@ std::vector<py::dict> canon(const std::string& engine_name, const std::string& s
   require_settings(settings);
   const WorkerEngine& engine = engine_named(engine_name);
   Suite suite = read_suite(find_file("canon", "suites"), {});
-  if (draws < 1) throw InputError("draws = " + std::to_string(draws) + ": must be at least 1");
+  require_valid({.replicates = draws});
   suite.replicates.runs = draws;
   if (scenes) {
     std::vector<NamedScene> chosen;
@@ -134,14 +136,12 @@ Suite suite_of(const Input& input, const SceneChoice& choice) {
 }
 
 std::string compare_all(const std::vector<Input>& inputs, const std::filesystem::path& out,
-                        const SceneChoice& choice, int draws, std::optional<double> history_interval,
-                        std::size_t jobs, const py::object& tell) {
+                        const CompareChoice& choice, std::size_t jobs, const py::object& tell) {
+  require_valid(choice);
   std::vector<Suite> suites;
   for (const Input& input : inputs) {
     const py::gil_scoped_release free;  // as in engine_named()
-    Suite& suite = suites.emplace_back(suite_of(input, choice));
-    if (draws > 0) set_runs(suite.replicates, draws);
-    if (history_interval) suite.history_interval = *history_interval;
+    apply(choice, suites.emplace_back(suite_of(input, choice.scenes)));
   }
   require_comparable(suites);
   const ResultsFolder folder(out, Results::comparison);
@@ -167,9 +167,19 @@ void add_engines(py::module_& core) {
   core.def("engines", [] { return each_of(engines(), engine_dict); });
   core.def("simulate", &simulate_one);
   core.def("canon", &canon);
-  py::class_<SceneChoice>(core, "SceneChoice")
-      .def(py::init<std::vector<std::string>, std::vector<double>, bool, bool>());
+  py::class_<CompareChoice>(core, "CompareChoice")
+      .def(py::init([](const std::vector<std::string>& engines, const std::vector<double>& steps, bool quick,
+                       bool softness, std::optional<int> replicates, std::optional<double> history_interval) {
+        return CompareChoice{{engines, steps, quick, softness}, replicates, history_interval};
+      }));
   core.def("compare", &compare_all);
+  core.def("check_description", [](const std::string& answer) {
+    try {
+      check_descriptions(read_reply(read_message(answer)).engines);
+    } catch (const std::runtime_error& error) {
+      throw InputError(one_line(error.what()));
+    }
+  });
   core.def("column_meanings", [] {
     py::dict list;
     for (const Column& column : columns()) list[py::str(column.name)] = column.definition;

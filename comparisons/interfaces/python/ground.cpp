@@ -95,7 +95,12 @@ void add_ground(py::module_& core) {
   py::class_<GroundMotion, std::shared_ptr<GroundMotion>>(core, "GroundMotion")
       .def_static("made", &make_ground)
       .def("packed", &packed<GroundMotion>)
-      .def_static("unpacked", &unpacked<GroundMotion>)
+      .def_static("unpacked",
+                  [](const py::bytes& bytes) {
+                    auto motion = unpacked<GroundMotion>(bytes);
+                    validate(motion, motion_key);
+                    return motion;
+                  })
       .def_static("of_scene",
                   [](const GivenScene& scene, const std::string& axis) {
                     return axis == "vertical" ? scene.scene.vertical : scene.scene.horizontal;

@@ -112,6 +112,32 @@ py::object reactions(const HeldMotion& motion) {
   return array;
 }
 
+/// Whether all lists of a history have the lengths that so many blocks give, and what is numbered is there.
+bool is_of(const History& history, std::size_t blocks) {
+  const std::size_t samples = history.size();
+  const auto has = [](const auto& list, std::size_t entries) {
+    return list.empty() || list.size() == entries;
+  };
+  const auto each = [&](const auto& list) { return has(list, blocks); };
+  const auto rows = [&](const auto& list) { return has(list, samples * blocks); };
+  const auto numbered = [&](const auto& one) {
+    return one.interface >= 1 && static_cast<std::size_t>(one.interface) <= blocks;
+  };
+  const auto fits = [&](const Pattern& pattern) { return static_cast<std::size_t>(pattern.size) == blocks; };
+  const auto whole = [&](const Event& event) {
+    return numbered(event) && fits(event.from) && fits(event.to) && event.angles.size() == blocks &&
+           event.before.size() == blocks && event.after.size() == blocks;
+  };
+  return static_cast<std::size_t>(history.blocks) == blocks && history.angles.size() == samples * blocks &&
+         history.velocities.size() == samples * blocks && has(history.patterns, samples) &&
+         std::ranges::all_of(history.patterns, fits) && std::ranges::all_of(history.events, whole) &&
+         std::ranges::all_of(history.grazes, numbered) && std::ranges::all_of(history.choices, numbered) &&
+         rows(history.slips) && rows(history.gaps) && has(history.centres, 2 * samples * blocks) &&
+         has(history.centre_velocities, 2 * samples * blocks) && rows(history.reactions) &&
+         rows(history.spring_energies) && each(history.peaks) && each(history.slips_left) &&
+         each(history.lifts) && each(history.forces) && each(history.impulses);
+}
+
 /// Times and interfaces of what the numbers could not tell.
 std::vector<py::tuple> doubts(const std::vector<BasicGraze<double>>& list) {
   return each_of(
@@ -158,6 +184,7 @@ void add_motion(py::module_& core) {
       .def_static("unpacked",
                   [](const ScenePointer& scene, const py::bytes& bytes) {
                     auto motion = unpacked<HeldMotion>(bytes);
+                    require_packed(is_of(motion.history, scene->scene.blocks.size()));
                     motion.scene = scene;
                     return motion;
                   })

@@ -7,6 +7,7 @@
 #include "analytic/solve_batch.hpp"
 #include "comparisons/interfaces/python/module.hpp"
 #include "comparisons/runs/execution/executor.hpp"
+#include "comparisons/suites/compare_choice.hpp"
 
 namespace rockstack::python {
 namespace {
@@ -29,11 +30,6 @@ struct SolveRequest {
 /// A motion, whole or up to where it could not be followed, and then why.
 using Outcome = std::pair<std::shared_ptr<HeldMotion>, std::optional<std::string>>;
 
-void require_positive_number(const char* name, double value) {
-  if (!(value > 0) || !std::isfinite(value))
-    throw InputError(std::string(name) + " = " + number_text(value) + ": must be a finite number > 0");
-}
-
 std::vector<double> sample_times(const Times& times) {
   if (times.ndim() != 1)
     throw InputError("times = an array of " + std::to_string(times.ndim()) + " dimensions: must have one");
@@ -54,13 +50,13 @@ SolveRequest make_request(const std::optional<double>& interval, const std::opti
   if (integrator != "taylor" && integrator != "rk4")
     throw InputError("integrator = " + integrator + ": must be taylor or rk4");
   request.options.integrator = integrator == "rk4" ? Integrator::rk4 : Integrator::taylor;
-  require_positive_number("step", step);
+  require_above_zero("step", step);
   request.options.step = step;
   request.options.tolerance = request.options.resolution = tolerance;
   if (times) {
     request.options.sample_times = sample_times(*times);
   } else if (interval) {
-    require_positive_number("interval", *interval);
+    require_above_zero("interval", *interval);
     request.interval = interval;
   }
   validate(request.options);

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from rockstack import _core
+from rockstack.arguments import checked
 from rockstack.engines import programs_of
 from rockstack.notebook import progress_bar
 from rockstack.scene import Scene
@@ -37,11 +38,13 @@ class Comparison(Table):
         self.folder = folder
         self._kept = kept
 
+    @checked
     def history(self, run: str) -> np.ndarray:
         """The samples of a run, a value of the column `run`: a structured array with time (s), theta_1, … (rad), omega_1, …
         (rad/s) and pattern; shape (samples,)."""
         return self.file(run, "history.csv")
 
+    @checked
     def file(self, run: str, name: str) -> np.ndarray:
         """A table of a run's folder, such as "difference.csv", "events.csv" or "impacts.csv", as a structured array."""
         path = self.folder / "runs" / run / name
@@ -49,6 +52,7 @@ class Comparison(Table):
             raise _core.InputError(f"{path}: must be a file of a run")
         return np.genfromtxt(path, delimiter=",", names=True, dtype=None, encoding="utf-8")
 
+    @checked
     def plot(self, column: str = "largest_angle_difference", axes: Any = None) -> Any:
         """Draws a column over the time step by matplotlib, a line for each scene, engine and settings. Gives the axes, which
         may be given."""
@@ -56,6 +60,7 @@ class Comparison(Table):
 
         return draw_errors(self, column, axes)
 
+    @checked
     def plot_differences(self, scene: str | None = None, axes: Any = None) -> Any:
         """Draws the largest |angle difference| (rad) of each engine's run of a scene over time by matplotlib, wider for
         coarser steps, with a tick at each exact impact. scene: a value of the column; None: the first. Gives the axes, which may be given."""
@@ -84,6 +89,7 @@ def _column(cells: list[Any]) -> np.ndarray:
     return np.array([np.nan if cell is None else cell for cell in cells], dtype=float)
 
 
+@checked
 def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.PathLike[str]],
             out: str | os.PathLike[str] | None = None, *, engines: Sequence[str | os.PathLike[str] | type[Worker]] = (),
             dt: Sequence[float] = (), quick: bool = False, softness: bool = False, draws: int = 0,
@@ -100,13 +106,12 @@ def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.P
     Raises InputError as the program does; a run that fails says why in its row. Ctrl-C ends it after the run under way.
     """
     given = [inputs] if isinstance(inputs, (Scene, str, os.PathLike)) else list(inputs)
-    asked = [(scene._core, _name(scene), scene.to_toml()) if isinstance(scene, Scene) else os.fspath(scene)
-             for scene in given]
+    asked = [(scene._core, _name(scene), scene.to_toml()) if isinstance(scene, Scene) else scene for scene in given]
     folder = Path(out) if out is not None else Path(tempfile.mkdtemp(prefix="rockstack-"))
     kept = _Kept(folder) if out is None else None
     with programs_of(engines) as names, progress_bar(progress, "compare") as tell:
-        choice = _core.SceneChoice(names, list(dt), quick, softness)
-        rows = _core.compare(asked, str(folder), choice, draws, history_interval, thread_count(jobs, "jobs"), tell)
+        choice = _core.CompareChoice(names, list(dt), quick, softness, draws or None, history_interval)
+        rows = _core.compare(asked, str(folder), choice, thread_count(jobs, "jobs"), tell)
     return Comparison(json.loads(rows), folder, kept)
 
 

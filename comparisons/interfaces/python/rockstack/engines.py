@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 
 from rockstack import _core
+from rockstack.arguments import checked
 from rockstack.errors import EngineError
 from rockstack.notebook import progress_bar
 from rockstack.numbers import same
-from rockstack.scene import Scene, core_of
+from rockstack.scene import Scene, scene_of
 from rockstack.solution import Motion, solve
 from rockstack.tables import Table
 from rockstack.worker import Worker
@@ -74,25 +75,26 @@ def programs_of(engines: Iterable[str | os.PathLike[str] | type[Worker]]) -> Ite
                for engine in engines]
 
 
-def simulate(scene: Scene, engine: str | os.PathLike[str] | type[Worker] = "bullet", dt: float = 1e-3, *, settings: str = "tuned",
-             parameters: Mapping[str, float | str] | None = None, time_limit: float = 600.0,
+@checked
+def simulate(scene: Scene | str | os.PathLike[str], engine: str | os.PathLike[str] | type[Worker] = "bullet", dt: float = 1e-3, *,
+             settings: str = "tuned", parameters: Mapping[str, float | str] | None = None, time_limit: float = 600.0,
              bodies: bool = False) -> Simulation:
     """One engine alone, in a worker process at time steps of dt (s).
 
-    engine: "bullet", "ode:quickstep", …, the path of a worker program, "./my_engine.py" (rockstack.Worker), or a class
+    scene: as of solve(). engine: "bullet", "ode:quickstep", …, the path of a worker program, "./my_engine.py" (rockstack.Worker), or a class
     derived from Worker, which answers in this process. settings: "tuned" or "default", with `parameters` changed.
     time_limit: wall time, s. bodies: also energies and depths.
 
     Raises EngineError where the run is not done, InputError for an engine, setting or value that is not there. The
     interpreter is free meanwhile, and Ctrl-C ends the worker.
     """
-    changes = [f"{name}={value if isinstance(value, str) else repr(float(value))}"
-               for name, value in (parameters or {}).items()]
+    asked = scene_of(scene)
+    changes = [f"{name}={value if isinstance(value, str) else repr(value)}" for name, value in (parameters or {}).items()]
     with programs_of([engine]) as (program,):
-        motion, warnings, record, failure = _core.simulate(core_of(scene), program, settings, changes, dt, time_limit, bodies)
+        motion, warnings, record, failure = _core.simulate(asked._core, program, settings, changes, dt, time_limit, bodies)
     if failure is not None:
         raise EngineError(failure)
-    return Simulation(scene, motion, engine.name if isinstance(engine, type) else program, warnings, record)
+    return Simulation(asked, motion, engine.name if isinstance(engine, type) else program, warnings, record)
 
 
 class Canon(Table):
@@ -106,6 +108,7 @@ class Canon(Table):
         return draw_canon(self, axes)
 
 
+@checked
 def canon(engine: str | os.PathLike[str] | type[Worker], *, settings: str = "tuned", scenes: Sequence[str] | None = None,
           draws: int = 5, progress: bool | None = None) -> Canon:
     """Which law an engine's contacts follow: small scenes, most with a closed form, at steps of 8, 4, 2, 1 and 0.5 ms.
@@ -116,5 +119,5 @@ def canon(engine: str | os.PathLike[str] | type[Worker], *, settings: str = "tun
     "rocking-impact"; None: all. engine and settings as of simulate(), progress as of solve_many().
     """
     with programs_of([engine]) as (program,), progress_bar(progress, "canon") as tell:
-        answers = _core.canon(program, settings, None if scenes is None else list(scenes), draws, tell)
+        answers = _core.canon(program, settings, scenes, draws, tell)
     return Canon({name: np.array([answer[name] for answer in answers]) for name in answers[0]} if answers else {})

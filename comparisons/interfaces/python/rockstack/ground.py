@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
-from rockstack.numbers import call, numbers
+from rockstack.arguments import checked, numbers
+from rockstack.numbers import call
 
 
 class GroundMotion(Mapping):
@@ -28,6 +29,7 @@ class GroundMotion(Mapping):
 
     __slots__ = ("_table", "_core")
 
+    @checked
     def __init__(self, given: Mapping[str, Any] | str | os.PathLike[str] | Any = None, /, *, units: str | None = None,
                  **keys: Any):
         if isinstance(given, (str, os.PathLike)):
@@ -102,10 +104,12 @@ class GroundMotion(Mapping):
         """After which the ground is still, s."""
         return self._core.end
 
+    @checked
     def acceleration(self, times: ArrayLike) -> np.ndarray:
         """At times ≥ 0 (s) of any shape, m/s²; the same shape."""
-        return self._core.acceleration(numbers("times", times))
+        return self._core.acceleration(times)
 
+    @checked
     def sampled(self, interval: float) -> GroundMotion:
         """The motion by its values at 0, interval, … (s) up to its end."""
         count = int(np.floor(self.end / interval + 1e-6)) + 1 if interval > 0 and np.isfinite(self.end) else 0
@@ -129,10 +133,11 @@ class GroundMotion(Mapping):
         significant_5_95 and significant_5_75 with begin, end and length (s)."""
         return self._core.measures()
 
+    @checked
     def spectrum(self, periods: ArrayLike | None = None, damping: float = 0.05) -> tuple[np.ndarray, np.ndarray]:
         """Periods (s) and the pseudo-accelerations (m/s²) of oscillators with them, shape (periods,); without `periods`
         201 from 0.02 to 10 s. `damping` is a fraction of critical."""
-        return self._core.spectrum(None if periods is None else numbers("periods", periods), damping)
+        return self._core.spectrum(periods, damping)
 
     def without_base_line(self) -> GroundMotion:
         """The motion less the straight line whose removal leaves the least mean square of the velocity."""

@@ -2,8 +2,10 @@
 from __future__ import annotations
 
 from rockstack import _core
+from rockstack.arguments import checked
 
 
+@checked
 def keys(kind: str = "scene") -> list[dict[str, str]]:
     """Every key of a "scene", "suite" or "ensemble": table, key, unit, range, default, meaning and an example, as texts.
 
@@ -15,6 +17,7 @@ def keys(kind: str = "scene") -> list[dict[str, str]]:
     return tables[kind]
 
 
+@checked
 def shipped(kind: str = "scenes") -> list[str]:
     """The names of the "scenes", "suites" or "ensembles" that come with rockstack, in order."""
     if kind not in ("scenes", "suites", "ensembles"):

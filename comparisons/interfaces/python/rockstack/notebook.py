@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rockstack import _core
+from rockstack.arguments import checked
 
 if TYPE_CHECKING:
     from rockstack.solution import Motion
@@ -53,6 +54,7 @@ class Player:
     def __init__(self, page: str):
         self.page = page
 
+    @checked
     def write(self, file: str | os.PathLike[str]) -> None:
         """As a page that needs nothing beside itself."""
         Path(file).write_text(self.page, encoding="utf-8")
@@ -61,6 +63,7 @@ class Player:
         return f'<iframe srcdoc="{html.escape(self.page)}" style="width: 100%; height: 46rem; border: 0"></iframe>'
 
 
+@checked
 def player(*motions: Motion) -> Player | None:
     """Motions with samples side by side, on the scene of the first; None of a build without figures."""
     from rockstack.solution import Solution

@@ -1,4 +1,4 @@
-"""Values as they are given, compared and written."""
+"""Values as they are compared and written."""
 from __future__ import annotations
 
 import math
@@ -6,16 +6,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
-
-from rockstack import _core
-
-
-def numbers(name: str, values: ArrayLike) -> np.ndarray:
-    """As an array. Raises InputError where a mask hides some, as the gaps of a record."""
-    if np.ma.is_masked(values):
-        raise _core.InputError(f"{name}: {np.ma.count_masked(values)} of {np.size(values)} masked: must be filled first")
-    return np.asarray(values, dtype=float)
 
 
 def same(one: Any, other: Any) -> bool:

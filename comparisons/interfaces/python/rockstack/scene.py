@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from rockstack import _core
+from rockstack.arguments import checked
 from rockstack.ground import GroundMotion
 from rockstack.numbers import call
 
@@ -50,6 +51,7 @@ class Scene:
 
     __slots__ = ("_core", "__weakref__")
 
+    @checked
     def __init__(self, table: Mapping[str, Any] | None = None, /, *, folder: str | os.PathLike[str] = "",
                  **keys: Any):
         self._core = _core.Scene.made({**(table or {}), **keys}, os.path.abspath(folder), "scene")
@@ -61,11 +63,13 @@ class Scene:
         return scene
 
     @classmethod
+    @checked
     def read(cls, file: str | os.PathLike[str], overrides: Sequence[str] = ()) -> Scene:
         """A scene file, or a scene that comes with rockstack by its name; `overrides` as the program's --set has them,
         "blocks.2.height=1.4". Raises InputError as the program does."""
         return cls._of(_core.Scene.read(os.fspath(file), list(overrides)))
 
+    @checked
     def replace(self, values: Mapping[str, Any] | None = None, /, **keys: Any) -> Scene:
         """Another scene with some keys changed: `scene.replace({"blocks.2.height": 1.4}, law="paper")`. In keys blocks and
         interfaces count from 1. Raises InputError as Scene()."""
@@ -162,11 +166,9 @@ class Scene:
         return f"{self.title}: {count}, {self.duration:g} s, law {self.law}"
 
 
-def core_of(scene: Scene) -> _core.Scene:
-    """Raises TypeError for anything else than a scene."""
-    if not isinstance(scene, Scene):
-        raise TypeError(f"a scene must be a rockstack.Scene, not {type(scene).__name__}")
-    return scene._core
+def scene_of(scene: Scene | str | os.PathLike[str]) -> Scene:
+    """The scene, or that of a file or a name."""
+    return scene if isinstance(scene, Scene) else Scene.read(scene)
 
 
 def _made(table: dict[str, Any], folder: Path) -> Scene:

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
+from rockstack.arguments import checked
 from rockstack.errors import Unfinished
 from rockstack.notebook import player, progress_bar
-from rockstack.numbers import numbers
-from rockstack.scene import Scene, core_of
+from rockstack.scene import Scene, scene_of
 
 if TYPE_CHECKING:
     from rockstack.engines import Simulation
@@ -155,6 +155,7 @@ class Solution(Motion):
             columns |= {f"{stem}_{k + 1}": events[name][:, k] for k in range(events[name].shape[1])}
         return pandas.DataFrame(columns)
 
+    @checked
     def plot(self, *runs: Simulation, axes: Any = None) -> Any:
         """Draws the angles over time by matplotlib, with a tick at each impact; with runs of engines (Simulation) also
         theirs, and beside it how far they are off. Gives the axes drawn in: one, or with runs two, which `axes` may be."""
@@ -220,12 +221,8 @@ class Solution(Motion):
 
 def _unpacked(kind: type[Motion], scene: Scene, packed: bytes) -> Motion:
     motion = kind.__new__(kind)
-    Motion.__init__(motion, scene, _core.Motion.unpacked(core_of(scene), packed))
+    Motion.__init__(motion, scene, _core.Motion.unpacked(scene._core, packed))
     return motion
-
-
-def _request(interval: float | None, times: ArrayLike | None, tolerance: float, integrator: str, step: float) -> _core.SolveRequest:
-    return _core.SolveRequest(interval, None if times is None else numbers("times", times), integrator, tolerance, step)
 
 
 def _outcome(scene: Scene, core: _core.Motion | None, failure: str | None) -> Solution | Unfinished:
@@ -233,9 +230,10 @@ def _outcome(scene: Scene, core: _core.Motion | None, failure: str | None) -> So
     return solution if failure is None and solution is not None else Unfinished(str(failure), solution)
 
 
-def solve(scene: Scene, *, interval: float | None = 1e-3, times: ArrayLike | None = None, tolerance: float = 0,
+@checked
+def solve(scene: Scene | str | os.PathLike[str], *, interval: float | None = 1e-3, times: ArrayLike | None = None, tolerance: float = 0,
           integrator: str = "taylor", step: float = 2e-4) -> Solution:
-    """The exact motion of a scene, to rounding: the bits that `rockstack solve` writes.
+    """The exact motion of a scene, or of the file or name of one, to rounding: the bits that `rockstack solve` writes.
 
     interval: between samples, s; None: events alone. times: when to sample instead, s, ascending, shape (samples,).
     tolerance: share of the velocity that a step may leave out; 0: rounding. integrator: "taylor", or "rk4" with the longest
@@ -243,13 +241,15 @@ def solve(scene: Scene, *, interval: float | None = 1e-3, times: ArrayLike | Non
 
     Raises Unfinished, with the motion up to there, where it cannot be followed; InputError for what is out of range.
     """
-    outcome = _outcome(scene, *_core.solve(core_of(scene), _request(interval, times, tolerance, integrator, step)))
+    asked = scene_of(scene)
+    outcome = _outcome(asked, *_core.solve(asked._core, _core.SolveRequest(interval, times, integrator, tolerance, step)))
     if isinstance(outcome, Unfinished):
         raise outcome
     return outcome
 
 
-def solve_many(scenes: Iterable[Scene], *, interval: float | None = 1e-3, times: ArrayLike | None = None,
+@checked
+def solve_many(scenes: Iterable[Scene | str | os.PathLike[str]], *, interval: float | None = 1e-3, times: ArrayLike | None = None,
                tolerance: float = 0, integrator: str = "taylor", step: float = 2e-4, threads: int | None = None,
                failures: str = "raise", progress: bool | None = None) -> list[Solution | Unfinished]:
     """The motions of many scenes, each as solve() gives it to the bit, in their order; other arguments are those of solve().
@@ -260,10 +260,10 @@ def solve_many(scenes: Iterable[Scene], *, interval: float | None = 1e-3, times:
     """
     if failures not in ("raise", "keep"):
         raise _core.InputError(f"failures = {failures}: must be raise or keep")
-    given = list(scenes)
+    given = [scene_of(scene) for scene in scenes]
+    request = _core.SolveRequest(interval, times, integrator, tolerance, step)
     with progress_bar(progress, "solve") as tell:
-        outcomes = _core.solve_many([core_of(scene) for scene in given],
-                                    _request(interval, times, tolerance, integrator, step), thread_count(threads), tell)
+        outcomes = _core.solve_many([scene._core for scene in given], request, thread_count(threads), tell)
     results = [_outcome(scene, *outcome) for scene, outcome in zip(given, outcomes)]
     for result in results if failures == "raise" else ():
         if isinstance(result, Unfinished):

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
+from rockstack.arguments import Truths, checked
 from rockstack.notebook import progress_bar
-from rockstack.numbers import numbers, same
+from rockstack.numbers import same
 from rockstack.scene import Scene
 from rockstack.solution import thread_count
 from rockstack.tables import Table
@@ -46,10 +47,12 @@ class SweepTable(Table):
         """The names of the directions of the grid."""
         return tuple(self.coordinates)
 
+    @checked
     def grid(self, name: str) -> np.ndarray:
         """A column by the grid's directions; of `shape`."""
         return self[name].reshape(self.shape)
 
+    @checked
     def along(self, name: str, direction: int) -> np.ndarray:
         """A column by one direction of the grid, at the beginning of the others; shape (shape[direction],)."""
         return np.moveaxis(self.grid(name), direction, 0).reshape(self.shape[direction], -1)[:, 0]
@@ -62,6 +65,7 @@ class SweepTable(Table):
         values = {name: (along[name], self.along(name, self.dimensions.index(along[name]))) for name in along}
         return xarray.Dataset({name: (self.dimensions, self.grid(name)) for name in self if name not in along}, values)
 
+    @checked
     def plot(self, column: str = "peak_ratio", kind: str = "lines", axes: Any = None) -> Any:
         """Draws a column over the first direction of the grid by matplotlib: "lines", one for each choice of the others in
         grey, and the median over them; or a "map" over the first two, its colours medians over the others. Runs that
@@ -77,6 +81,7 @@ class SweepTable(Table):
             return column
         return np.array([*self._words[name], ""])[column]
 
+    @checked
     def codes(self, name: str) -> tuple[np.ndarray, list[str]]:
         """Of a column of texts, the number of each run's in a list (-1: none), and the list."""
         return super().__getitem__(name), self._words[name]
@@ -90,6 +95,7 @@ class SweepTable(Table):
         return pandas.DataFrame(columns, copy=False)
 
 
+@checked
 def sweep(ensemble: str | os.PathLike[str] | Mapping[str, Any] | None = None, /, *, overrides: Sequence[str] = (),
           threads: int | None = None, folder: str | os.PathLike[str] = "", progress: bool | None = None,
           **keys: Any) -> SweepTable:
@@ -146,16 +152,18 @@ class Fragility:
 
         return draw_fragility(self, axes)
 
+    @checked
     def probability(self, intensities: ArrayLike) -> np.ndarray:
         """Of toppling, by the curve; the shape of the intensities."""
         erf = np.vectorize(math.erf, otypes=[float])
-        return 0.5 * (1 + erf(np.log(numbers("intensities", intensities) / self.median) / self.beta / np.sqrt(2)))
+        return 0.5 * (1 + erf(np.log(intensities / self.median) / self.beta / np.sqrt(2)))
 
 
-def fragility(intensities: ArrayLike, toppled: ArrayLike) -> Fragility:
+@checked
+def fragility(intensities: ArrayLike, toppled: Truths) -> Fragility:
     """Of runs with intensities > 0 and whether (or which block) each toppled; both of shape (runs,). Raises InputError for
     arrays of different lengths."""
-    at, hit = numbers("intensities", intensities), numbers("toppled", toppled).astype(bool)
+    at, hit = np.asarray(intensities), np.asarray(toppled, dtype=bool)
     if at.shape != hit.shape or at.ndim != 1 or at.size == 0:
         raise _core.InputError(f"intensities and toppled: shapes {at.shape} and {hit.shape}: must be one length > 0")
     if not np.all((at > 0) & np.isfinite(at)):

@@ -19,7 +19,11 @@ from typing import Any, ClassVar, NoReturn
 
 import numpy as np
 
+from rockstack import _core
+from rockstack.arguments import checked
 
+
+@checked
 @dataclass(frozen=True)
 class Setting:
     """A number that shapes a run: its value for who sets nothing, what suits rocking blocks (`tuned`, the default unless
@@ -145,6 +149,7 @@ class Worker:
         ground's, m/s², shape (2,)."""
         raise NotImplementedError("step() must be written")
 
+    @checked
     def contacts(self, margin: float = 0.0) -> Contacts:
         """Corners no further than `margin` (m) from the face they meet: of each block's lower corners the one below, and of
         the upper corners of that, its own."""
@@ -190,7 +195,9 @@ class Worker:
     @contextmanager
     def program(cls) -> Iterator[Path]:
         """A worker program for as long as the context lasts, which passes what it is asked on to this process. There a
-        thread and an object of its own answer each run."""
+        thread and an object of its own answer each run. Raises InputError where the engine's name or settings are wrong."""
+        _core.check_description(cls()._reply('{"describe": true}'))
+
         class Handler(socketserver.StreamRequestHandler):
             def handle(self) -> None:
                 engine, line = cls(), select.poll()
@@ -239,7 +246,7 @@ class Worker:
                       "seconds": [self._seconds(run, len(places) - 1) for _ in range(run["repeats"])]}
         except MemoryError:
             return {"status": "memory limit", "reason": "there is no more memory"}
-        except Exception as error:  # what an engine raises is its answer
+        except (Exception, SystemExit) as error:  # what an engine raises is its answer
             return {"status": "failed", "reason": " ".join(f"{type(error).__name__}: {error}".split())}
         if run["bodies"]:
             answer["bodies"] = {name: values[:, :, i].ravel().tolist() for name, values, i in

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import rockstack
-from scenes import PROGRAM, SOURCE, interrupted, rocking
+from scenes import LONG, PROGRAM, SOURCE, interrupted, message_of_program, rocking
 
 WORKER = f"""#!{sys.executable}
 import rockstack
@@ -78,6 +78,9 @@ class WorkerTest(unittest.TestCase):
                                       (4, 600, "signal")):
             with self.subTest(fault=fault), self.assertRaisesRegex(rockstack.EngineError, message):
                 rockstack.simulate(rocking(), self.worker, 0.01, parameters={"fault": fault}, time_limit=limit)
+        quits = self.write("quits.py", WORKER.replace('raise ValueError("thin\\nice")', 'raise SystemExit("licence expired")'))
+        with self.assertRaisesRegex(rockstack.EngineError, "failed: SystemExit: licence expired"):
+            rockstack.simulate(rocking(), quits, 0.01, parameters={"fault": 1})
         broken = self.write("broken.py", f"#!{sys.executable}\nraise SystemExit('no engine')\n")
         with self.assertRaisesRegex(rockstack.InputError, "no engine"):
             rockstack.simulate(rocking(), broken)
@@ -100,6 +103,13 @@ class WorkerTest(unittest.TestCase):
             with self.assertRaisesRegex(rockstack.EngineError, message):
                 rockstack.simulate(rocking(), Ice, 0.01, parameters={"fault": fault})
 
+        class Quits(module.Ice):
+            def step(self, dt, pull):
+                raise SystemExit("licence expired")
+
+        with self.assertRaisesRegex(rockstack.EngineError, "failed: SystemExit: licence expired"):
+            rockstack.simulate(rocking(), Quits, 0.01)
+
         class Slow(module.Ice):
             def step(self, dt, pull):
                 time.sleep(0.05)
@@ -115,6 +125,28 @@ class WorkerTest(unittest.TestCase):
         rows = rockstack.compare(scene, engines=[Ice], dt=[0.01], quick=True, draws=2, jobs=2)
         self.assertEqual(set(rows["engine"]), {"exact", "ice"})
         self.assertEqual(set(rows["status"]), {"done"})
+
+    def test_a_class_is_checked_before_anything_is_written(self):
+        file = self.write("kept", "as it was")
+
+        class Ice(rockstack.Worker):
+            name, solver = "ice", "free"
+
+        for wrong, message in (({"name": str(file)}, f"name = {file}: must be small letters"), ({"name": "../ice"}, "name = ../ice"),
+                               ({"solver": "A"}, "solver = A"), ({"name": 3}, "name` must be a text"), ({"lead": 2.0}, "lead = 2"),
+                               ({"settings": [rockstack.Setting("wind", 3.0, most=2.0)]}, "wind = 3: must be within its own range")):
+            with self.subTest(message), self.assertRaisesRegex(rockstack.InputError, message):
+                with type("Wrong", (Ice,), wrong).program():
+                    pass
+        self.assertEqual(file.read_text(), "as it was")
+        with Ice.program() as program:
+            self.assertEqual(program.name, "ice")
+
+    def test_a_question_that_no_worker_can_hold_is_not_made(self):
+        """5000 s of a shaken ground in steps of 10 µs are 8 GB."""
+        scene = rocking(duration=5000.0, ground={"horizontal": {"pulse": "sine", "amplitude": 1.0, "period": 1.0}})
+        with self.assertRaisesRegex(rockstack.EngineError, r"memory limit: 5e\+08 steps of a shaken ground"):
+            rockstack.simulate(scene, self.worker, 1e-5)
 
     def test_the_program_takes_it(self):
         run = subprocess.run([PROGRAM, "list", "engines"], capture_output=True, text=True, check=True,
@@ -191,6 +223,8 @@ class EngineTest(unittest.TestCase):
     def test_keyboard_interrupts_end_the_worker(self):
         scene = "rockstack.Scene(duration=1e3, blocks=[dict(width=0.5, height=1.5, density=2500)])"
         self.assertEqual(interrupted(f"rockstack.simulate({scene}, {self.engine!r}, 1e-5)"), "ended")
+        shaken = f"{LONG}.replace(duration=600.0)"  # whose question takes longer than half a second to make
+        self.assertEqual(interrupted(f"rockstack.simulate({shaken}, {self.engine!r}, 1e-5)"), "ended")
 
     def test_a_comparison_is_a_table_of_its_runs(self):
         scene = rocking(title="One block", duration=0.5)
@@ -210,6 +244,12 @@ class EngineTest(unittest.TestCase):
         del copied
         self.assertFalse(folder.exists())
         self.assertEqual(sent["status"].tolist(), ["done"] * 3)
+        for name, value in (("history_interval", -1.0), ("history_interval", np.nan), ("history_interval", 1e308), ("draws", -5),
+                            ("draws", 10001), ("dt", np.nan), ("dt", 0.0), ("dt", np.inf)):
+            with self.subTest(name=name, value=value), self.assertRaises(rockstack.InputError) as raised:
+                rockstack.compare(scene, engines=[self.engine], **{name: [value] if name == "dt" else value})
+            told = message_of_program("compare", SOURCE / "comparisons/scenes/housner-block.toml", f"--{name.replace('_', '-')}={value}")
+            self.assertEqual(told, f"rockstack: --{str(raised.exception).replace('_', '-')}")
         for wrong in (lambda: rockstack.compare("no-scene"), lambda: rockstack.compare(scene, engines=["no-engine"]),
                       lambda: rockstack.compare("paper", quick=True)):
             with self.assertRaises(rockstack.InputError):

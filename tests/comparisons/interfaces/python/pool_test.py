@@ -2,6 +2,8 @@
 import copy
 import multiprocessing
 import pickle
+import subprocess
+import sys
 import unittest
 
 import numpy as np
@@ -9,6 +11,34 @@ import rockstack
 from scenes import TWO, rocking
 
 MOTIONS = {"paper": "spanos-free-rocking", "unilateral": "thrown-block", "compliant": "flexible-foundation"}
+
+
+#: Takes in a motion's pickle with each of its bits turned over, and asks it for everything.
+FLIPS = """
+import pickle, resource
+import rockstack
+resource.setrlimit(resource.RLIMIT_AS, (2 ** 31, 2 ** 31))
+scene = rockstack.Scene(duration=0.1, blocks=[dict(width=0.5, height=1.5, density=2500.0)], initial=dict(angles=[0.1]))
+whole = pickle.dumps(rockstack.solve(scene, interval=0.1))
+for bit in range(8 * len(whole)):
+    flipped = bytearray(whole)
+    flipped[bit // 8] ^= 1 << bit % 8
+    try:
+        motion = pickle.loads(bytes(flipped))
+        if isinstance(motion, rockstack.Motion):
+            [getattr(motion, name) for name in dir(motion)]
+    except Exception:
+        continue
+print("all")
+"""
+
+
+def checksum(data: bytes) -> bytes:
+    """FNV-1a, which packed() ends with."""
+    total = 0xcbf29ce484222325
+    for byte in data:
+        total = (total ^ byte) * 0x100000001b3 % 2 ** 64
+    return total.to_bytes(8, "little")
 
 
 def solved(name: str) -> rockstack.Solution:
@@ -71,12 +101,51 @@ class PoolTest(unittest.TestCase):
         self.assertEqual(str(other), str(failure))
         self.same(failure.solution, other.solution)
 
-    def test_cut_bytes_are_refused(self):
+    def test_bytes_of_no_motion_are_refused(self):
+        """Cut ones, ones with a bit turned over, longer ones, and those of a motion of other blocks."""
         scene = rocking()
-        whole = rockstack.solve(scene)._core.packed()
-        for length in range(0, len(whole), 1 + len(whole) // 50):
+        unpacked = rockstack._core.Motion.unpacked
+        whole = rockstack.solve(scene, interval=0.5)._core.packed()
+        self.assertEqual(unpacked(scene._core, whole).packed(), whole)
+        damaged = [whole[:length] for length in range(0, len(whole), 1 + len(whole) // 50)] + [whole + whole[-8:], b""]
+        for bit in range(8 * len(whole)):
+            flipped = bytearray(whole)
+            flipped[bit // 8] ^= 1 << bit % 8
+            damaged.append(bytes(flipped))
+        for wrong in damaged:
             with self.assertRaises(rockstack.InputError):
-                rockstack._core.Motion.unpacked(scene._core, whole[:length])
+                unpacked(scene._core, wrong)
+        with self.assertRaises(rockstack.InputError):
+            unpacked(rockstack.Scene(duration=1.0, blocks=TWO)._core, whole)
+        for motion in ({"pulse": "sine", "amplitude": 3.0, "period": 1.0}, {"samples": [0.0, 1.0], "interval": 0.5}):
+            whole = rockstack.GroundMotion(motion)._core.packed()
+            for bit in range(8 * len(whole)):
+                flipped = bytearray(whole)
+                flipped[bit // 8] ^= 1 << bit % 8
+                with self.assertRaises(rockstack.InputError):
+                    rockstack._core.GroundMotion.unpacked(bytes(flipped))
+
+    def test_lists_are_of_the_lengths_that_their_blocks_give(self):
+        """Under a right checksum, as of another build: counts, kinds, interfaces and patterns, each a number of four or eight
+        bytes, are what they may be, or refused; and what is taken can be asked for everything."""
+        scene = rocking()
+        whole = rockstack.solve(scene, interval=0.5)._core.packed()[:-8]
+        taken = 0
+        for place in range(0, len(whole) - 3, 4):
+            for number in (-1, 2, 7, 1000, 2 ** 31 - 1):
+                changed = whole[:place] + number.to_bytes(4, "little", signed=True) + whole[place + 4:]
+                try:
+                    motion = rockstack._core.Motion.unpacked(scene._core, changed + checksum(changed))
+                except rockstack.InputError:
+                    continue
+                taken += 1
+                for name in dir(motion):
+                    getattr(motion, name)
+        self.assertGreater(taken, 0)
+
+    def test_no_single_bit_of_a_pickle_ends_the_interpreter(self):
+        answer = subprocess.run([sys.executable, "-c", FLIPS], capture_output=True, text=True, timeout=600)
+        self.assertEqual((answer.returncode, answer.stdout.strip()), (0, "all"), answer.stderr[-300:])
 
 
 if __name__ == "__main__":

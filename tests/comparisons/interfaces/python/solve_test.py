@@ -75,13 +75,24 @@ class SolveTest(unittest.TestCase):
         self.assertEqual(len(rockstack.solve(rocking(), interval=None).times), 0)
         self.assertEqual(rockstack.solve(rocking(), interval=None).verdict, "")
 
+    def test_a_name_or_a_file_stands_for_its_scene(self):
+        name, file = "housner-block", SOURCE / "comparisons/scenes/housner-block.toml"
+        wanted = rockstack.solve(rockstack.Scene.read(name), interval=0.1)
+        self.assertEqual([rockstack.solve(name, interval=0.1), *rockstack.solve_many([file, str(file), wanted.scene], interval=0.1)],
+                         [wanted] * 4)
+        self.assertEqual(wanted.scene, rockstack.Scene.read(name))
+        with self.assertRaisesRegex(rockstack.InputError, "no-such-scene"):
+            rockstack.solve("no-such-scene")
+        if engine := next((engine["name"] for engine in rockstack.engines()), None):
+            self.assertEqual(rockstack.simulate(name, engine, 0.01), rockstack.simulate(wanted.scene, engine, 0.01))
+
     def test_wrong_options_are_refused(self):
         for options in ({"times": [0.2, 0.1]}, {"times": [np.nan]}, {"times": [[0.1]]}, {"times": [-1.0]},
                         {"interval": 0.0}, {"interval": 1e-9}, {"interval": np.nan}, {"tolerance": -1.0}, {"step": 0.0},
                         {"integrator": "euler"}, {"times": [np.inf]}):
             with self.subTest(options=options), self.assertRaises(rockstack.InputError):
                 rockstack.solve(rocking(), **options)
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(TypeError, "^scene = {'duration': 1.0}: must be a rockstack.Scene or a text or a path$"):
             rockstack.solve({"duration": 1.0})
         vary = [{"key": "gravity", "values": [9.0]}]
         for wrong in (0, -1, 1025, 10 ** 6):
