@@ -110,6 +110,10 @@ TEST(GroundReading, ASyntheticMotionHasItsOwnKeysAndRanges) {
   EXPECT_EQ(
       error_in("synthetic = 1.5\npeak = 1\n"),
       "scene.toml:14: ground.horizontal.synthetic = 1.5: must be a whole number from 0 to 9007199254740992");
+  // A whole number that no double is.
+  EXPECT_EQ(error_in("synthetic = 9007199254740993\npeak = 1\n"),
+            "scene.toml:14: ground.horizontal.synthetic = 9007199254740994: must be a whole number from 0 to "
+            "9007199254740992");
   EXPECT_EQ(error_in("synthetic = 1\npeak = 1\nscale = 2\n"),
             "scene.toml:16: ground.horizontal.scale: unknown key, must be one of synthetic, peak, duration, "
             "interval, frequency, damping");

@@ -34,7 +34,7 @@ WRONG = {
     "ArrayLike": ["x", ["1.0"], b"1", [1j], np.ones(2, complex), [DATE], [[1.0], [1.0, 2.0]], [None], True, [True]],
     "Motion": [*NUMBERS, 1, "x", [], {}],
 }
-WRONG["Truths"] = [values for values in WRONG["ArrayLike"] if values not in (True, [True])]
+WRONG["Truths"] = WRONG["ArrayLike"][:-2]
 WRONG.update(Iterable=WRONG["Sequence"], Simulation=WRONG["Motion"])
 
 
@@ -72,7 +72,7 @@ class ArgumentsTest(unittest.TestCase):
             places = [parameter for parameter in inspect.signature(function).parameters.values()]
             for number, parameter in enumerate(places):
                 types = [] if parameter.annotation is parameter.empty else stated(parameter.annotation)
-                if not types or "Any" in types or name == "Fragility.__init__":
+                if not types or "Any" in types:
                     continue
                 known = [kind for kind in types if kind not in ("None", "os.PathLike[str]")]
                 allowed = [value for kind in known for value in WRONG[kind]]
@@ -103,8 +103,9 @@ class ArgumentsTest(unittest.TestCase):
             self.assertEqual(rockstack.solve(scene, times=times), wanted)
 
     def test_functions_keep_what_they_state(self):
-        def function(scene: Scene, *, many: Sequence[float] = ()) -> None:  # noqa: F821, by its text
+        def function(scene, *, many=()):
             """Says so."""
+
         function.__annotations__ = {"scene": "Scene", "many": "Sequence[float]"}
         self.assertEqual(inspect.signature(checked(function)), inspect.signature(function))
         self.assertEqual(inspect.getdoc(checked(function)), "Says so.")
@@ -119,7 +120,7 @@ class ArgumentsTest(unittest.TestCase):
             with self.assertRaisesRegex(rockstack.InputError, "seed = .*: must be a whole number from 0 to 9007199254740992"):
                 seeded(seed)
         self.assertEqual(seeded(2 ** 53), seeded(float(2 ** 53)))
-        with self.assertRaisesRegex(rockstack.InputError, "seed"):
+        with self.assertRaisesRegex(rockstack.InputError, "synthetic = 9007199254740994: must be"):
             rockstack.Scene.read("three-drums", ["ground.horizontal.synthetic=9007199254740993", "ground.horizontal.peak=1"])
 
     def test_dates_are_no_numbers_of_a_scene(self):
