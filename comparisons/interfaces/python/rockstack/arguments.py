@@ -129,6 +129,10 @@ def _is_truth(value: Any) -> bool:
     return isinstance(value, (bool, np.bool_)) or (isinstance(value, int) and value in (0, 1))
 
 
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str) and value == value.encode(errors="ignore").decode()  # no half of a pair
+
+
 def _is_path(value: Any) -> bool:
     return hasattr(type(value), "__fspath__") and isinstance(os.fspath(value), str)
 
@@ -174,7 +178,7 @@ _TYPES = {
     "bool": Type("True or False", _is_truth, lambda name, value: bool(value)),
     "float": Type("a number", _is_number, _number),
     "int": Type("a whole number", _is_whole, _whole),
-    "str": Type("a text", lambda value: isinstance(value, str)),
+    "str": Type("a text", _is_text),
     "os.PathLike[str]": Type("a path", _is_path, lambda name, value: os.fspath(value)),
     "ArrayLike": Type("an array of numbers", lambda value: value is not None, numbers),
     "Truths": Type("an array of numbers or truth values", lambda value: value is not None,

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockstack import _core
-from rockstack.arguments import checked, numbers
+from rockstack.arguments import checked, numbers, wrong
 from rockstack.numbers import call
 
 
@@ -38,7 +38,9 @@ class GroundMotion(Mapping):
             given, units = _of_trace(given, units), None
         if units is not None:
             raise _core.InputError("units: must be left out but of a trace, files have their own")
-        self._table = {**(given or {}), **keys}
+        if given is not None and not hasattr(type(given), "keys"):
+            raise wrong("motion", given, "a mapping, a file or a trace of obspy")
+        self._table = {**({} if given is None else given), **keys}
         self._core = _core.GroundMotion.made(self._table)
 
     @classmethod
@@ -137,6 +139,8 @@ class GroundMotion(Mapping):
     def spectrum(self, periods: ArrayLike | None = None, damping: float = 0.05) -> tuple[np.ndarray, np.ndarray]:
         """Periods (s) and the pseudo-accelerations (m/s²) of oscillators with them, shape (periods,); without `periods`
         201 from 0.02 to 10 s. `damping` is a fraction of critical."""
+        if periods is not None and np.ndim(periods) != 1:
+            raise wrong("periods", periods, "an array of one dimension")
         return self._core.spectrum(periods, damping)
 
     def without_base_line(self) -> GroundMotion:

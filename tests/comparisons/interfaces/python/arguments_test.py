@@ -87,6 +87,14 @@ class ArgumentsTest(unittest.TestCase):
                             self.refused(parameter.name, lambda: function(**{parameter.name: value}))
         self.assertGreater(told, 500)
 
+    def test_a_motion_is_of_a_mapping_a_file_or_a_trace(self):
+        motion = rockstack.GroundMotion(samples=[0.0, 1.0], interval=0.1)
+        for wrong in (1, [1.0], np.ones(2), DATE, dict):
+            with self.subTest(wrong=str(type(wrong))), self.assertRaisesRegex(rockstack.InputError, "must be"):
+                rockstack.GroundMotion(wrong)
+        self.refused("periods", lambda: motion.spectrum(0.5))
+        self.refused("folder", lambda: rockstack.Scene(folder="\udc80"))
+
     def test_entries_are_named_by_their_places(self):
         scene = rocking()
         self.refused("dt", lambda: rockstack.compare(scene, dt=[0.01, "x"]))
