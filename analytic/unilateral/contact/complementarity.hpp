@@ -85,7 +85,9 @@ struct Tableau {
   }
 };
 
-/// Lemke's method from one covering vector, of a problem whose entries are of the size of one.
+/// Lemke's method from one covering vector, of a problem whose entries are of the size of one. The artificial
+/// variable keeps its row. Zero to rounding, it ties with all that may leave, and does: so even where no
+/// other row has a pivot, as next to a ray of slips where nothing pushes, along which A is zero.
 template <class Real>
 std::optional<ComplementarySolution<Real>> lemke(const NumberTable<Real>& matrix,
                                                  const ShortNumbers<Real>& vector,
@@ -95,11 +97,12 @@ std::optional<ComplementarySolution<Real>> lemke(const NumberTable<Real>& matrix
   std::size_t row = 0;
   for (std::size_t i = 1; i < size; ++i)
     if (vector[i] / covering[i] < vector[row] / covering[row]) row = i;
+  const Real& artificial = tableau.table(row, tableau.right_side());
   std::size_t entering = tableau.artificial();
   for (std::size_t pivots = 0; pivots < 64 * (size + 4); ++pivots) {
     const std::size_t leaving = tableau.basis[row];
     tableau.pivot(row, entering);
-    if (leaving == tableau.artificial()) return tableau.solution();
+    if (leaving == tableau.artificial() || artificial <= tolerance<Real>(1e-13)) return tableau.solution();
     entering = leaving < size ? leaving + size : leaving - size;
     row = size;
     for (std::size_t i = 0; i < size; ++i) {

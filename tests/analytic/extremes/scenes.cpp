@@ -147,6 +147,37 @@ Scene slippery_extreme_scene(std::uint64_t seed) {
   return scene;
 }
 
+Scene unequal_column(std::uint64_t seed) {
+  Draw draw(seed);
+  Scene scene;
+  const auto size = 2 + static_cast<std::size_t>(draw.below(19));
+  const int widths = draw.below(3);
+  double width = draw.between(0.8, 1.2), height = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    if (widths == 0 && draw.coin()) width *= draw.between(0.92, 1);
+    if (widths == 1) width = draw.between(0.6, 1.2);
+    if (widths == 2 && draw.coin()) width *= draw.between(0.95, 1.05);
+    scene.blocks.push_back(make_block(width, draw.between(0.4, 1.2), 2500));
+    height += 2 * scene.blocks.back().half_height;
+  }
+  scene.duration = draw.between(1, 4);
+  scene = with_friction(std::move(scene), draw.between(0.1, 1.5));
+  if (draw.below(3) == 0)
+    for (double& friction : scene.friction) friction = draw.between(0.1, 1.5);
+  const double balance = 2 * scene.blocks.front().half_width / height;
+  const double angle = (draw.coin() ? 1 : -1) * draw.between(0.1, 0.9) * balance;
+  const int lean = draw.below(4);
+  scene.initial = {std::vector<double>(size, angle), std::vector<double>(size, 0)};
+  const std::size_t upright = lean == 1 ? static_cast<std::size_t>(draw.below(static_cast<int>(size))) : 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    double& own = scene.initial.angles[k];
+    if (k < upright) own = 0;
+    if (lean == 2) own = angle * draw.between(-1, 1);
+    if (lean == 3 && k > 0) own = draw.coin() ? scene.initial.angles[k - 1] : angle * draw.between(-1, 1);
+  }
+  return scene;
+}
+
 std::string features(const Scene& scene) {
   const auto range = [&](auto value) {
     double least = value(scene.blocks.front());

@@ -17,6 +17,10 @@ Scene extreme_scene(std::uint64_t seed);
 /// The same under law `unilateral` with friction of 0 … 10 at each interface.
 Scene slippery_extreme_scene(std::uint64_t seed);
 
+/// The column of a seed under law `unilateral`: 2 to 20 unequal blocks of friction 0.1 … 1.5, which lean as
+/// one, from some block on, or each by itself.
+Scene unequal_column(std::uint64_t seed);
+
 /// What is extreme about a scene, in a few words.
 std::string features(const Scene& scene);
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/analytic/unilateral/equal_widths.hpp"
+#include "tests/analytic/unilateral/momentum_laws.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
 #include "tests/stride.hpp"
 
@@ -200,67 +201,6 @@ TEST(Branches, HaveTheLimitsOfWiderAndOfNarrowerBlocksAmongThem) {
   EXPECT_GT(testing::stride * limits, 60);
 }
 
-/// A change of velocities, by impulses or by forces over a short time, and what there would be of it without
-/// contact, of each block alike.
-struct Change {
-  Poses<> at;          ///< where
-  Poses<> rate;        ///< of what slides, after it
-  Poses<> of_rates;    ///< the change
-  Point<double> free;  ///< m/s
-  double scale;        ///< of impulses, N·s
-};
-
-/// Coulomb's and Signorini's laws of one interface on one face: its angle, the middle of it, half its width.
-bool obeys_on_face(const Change& change, int k, double friction, const Point<double>& impulse, double torque,
-                   double angle, const Point<double>& middle, double half_width) {
-  const double rounding = 1e-6 * change.scale;
-  const Point<double> along(std::cos(angle), -std::sin(angle)), across(std::sin(angle), std::cos(angle));
-  const double normal = impulse.dot(across), tangential = impulse.dot(along);
-  if (normal < -rounding || std::abs(tangential) > friction * normal + rounding) return false;
-  if (normal < 100 * rounding) return true;
-  // The torque about the origin tells the line that the impulse acts along.
-  const double place = -(torque - (middle.y() * impulse.x() - middle.x() * impulse.y())) / normal;
-  if (std::abs(place) > half_width + 1e-4) return false;
-  const Point<double> point = middle + place * along;
-  const auto speed = [&](int body) -> Point<double> {
-    if (body < 0) return {0, 0};
-    const Pose<>&at = change.at[body], &rate = change.rate[body];
-    return {rate.x + rate.angle * (point.y() - at.y), rate.y - rate.angle * (point.x() - at.x)};
-  };
-  const double slip = (speed(k) - speed(k - 1)).dot(along);
-  if (std::abs(slip) < 1e-4) return true;
-  return std::abs(tangential + std::copysign(friction * normal, slip)) <= 10 * rounding;
-}
-
-/// Whether all interfaces obey, as blocks' momenta alone tell; which face a pair of corners is on may be
-/// either.
-bool obeys_laws(const Scene& scene, const Change& change) {
-  Point<double> impulse(0, 0);
-  double torque = 0;
-  for (int k = static_cast<int>(scene.blocks.size()) - 1; k >= 0; --k) {
-    const Block& block = scene.blocks[k];
-    const Pose<>&at = change.at[k], &turn = change.of_rates[k];
-    const Point<double> momentum = block.mass * (Point<double>(turn.x, turn.y) - change.free);
-    impulse += momentum;
-    torque += block.inertia * turn.angle + at.y * momentum.x() - at.x * momentum.y();
-    const auto face = [&](int body, double height) {
-      const Pose<> pose = pose_of(change.at, body);
-      const Point<double> middle(pose.x + height * std::sin(pose.angle),
-                                 pose.y + height * std::cos(pose.angle));
-      const double half_width =
-          body < 0 ? std::numeric_limits<double>::infinity() : scene.blocks[body].half_width;
-      return obeys_on_face(change, k, scene.friction[k], impulse, torque, pose.angle, middle, half_width);
-    };
-    const bool on_lower = face(k - 1, k == 0 ? 0 : scene.blocks[k - 1].half_height);
-    if (!on_lower && (k == 0 || !face(k, -block.half_height))) return false;
-  }
-  return true;
-}
-
-Poses<> difference(const Poses<>& one, const Poses<>& other) {
-  return poses_of<double>(vector_of(one) - vector_of(other));
-}
-
 /// How deep corners of neighbours are in each other, m.
 double overlap_of(const Scene& scene, const Poses<>& at) {
   double deepest = 0;
@@ -308,15 +248,9 @@ TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
       Branching branching;
       for (const Fork& fork : branch.forks) branching.list.push_back(fork.taken);
       const ContactHistory<> history = solve_contacts<double>(scene, options, &branching);
-      for (const ContactEvent<>& event : history.events) {
-        const Poses<> change = difference(event.after, event.before);
-        double scale = 0;
-        for (std::size_t k = 0; k < change.size(); ++k)
-          scale += scene.blocks[k].mass * std::hypot(change[k].x, change[k].y);
-        if (scale < 1e-3 * mass * std::sqrt(scene.gravity * height)) continue;
-        ++impacts;
-        EXPECT_TRUE(obeys_laws(scene, {event.at, event.after, change, {0, 0}, scale})) << event.time;
-      }
+      const testing::ImpactTally tally = testing::impacts_by_momenta(scene, history);
+      impacts += tally.impacts;
+      EXPECT_EQ(tally.broken, 0);
       for (std::size_t i = 0; i + 1 < history.samples.size(); i += 2) {
         const auto& first = history.samples[i];
         const auto& second = history.samples[i + 1];
@@ -329,9 +263,9 @@ TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
         const Point<double> free(-acceleration(scene.horizontal, middle) * time,
                                  -(scene.gravity + acceleration(scene.vertical, middle)) * time);
         ++forces;
-        EXPECT_TRUE(obeys_laws(
-            scene, {second.bodies.at, second.bodies.rate, difference(second.bodies.rate, first.bodies.rate),
-                    free, mass * scene.gravity * time}))
+        EXPECT_TRUE(testing::obeys_laws(scene, {second.bodies.at, second.bodies.rate,
+                                                testing::difference(second.bodies.rate, first.bodies.rate),
+                                                free, mass * scene.gravity * time}))
             << first.time;
       }
     }
