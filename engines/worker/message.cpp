@@ -9,7 +9,6 @@
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/solve_options.hpp"
-#include "engines/worker/question.hpp"
 
 namespace rockstack {
 namespace {
@@ -64,10 +63,6 @@ class Output : public nlohmann::detail::output_adapter_protocol<char> {
 };
 
 }  // namespace
-
-std::string to_bytes(Message message) {
-  return to_bytes(std::move(message), nullptr);
-}
 
 std::string to_bytes(Message message, const std::function<bool()>* cancelled) {
   message.fields[version_field] = version;

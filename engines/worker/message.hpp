@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -19,8 +20,9 @@ struct Message {
   Form form = Form::json;
 };
 
-/// The object with the version of the form as its field `rockstack`.
-std::string to_bytes(Message message);
+/// The object with the version of the form as its field `rockstack`, written a piece at a time: `cancelled`
+/// is asked between them. @throws Stopped where it says so.
+std::string to_bytes(Message message, const std::function<bool()>* cancelled = nullptr);
 
 /// @throws std::runtime_error for bytes that are no message, whatever they are, or one of another version.
 Message read_message(std::string_view bytes);

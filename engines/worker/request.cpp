@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "engines/worker/question.hpp"
-
 namespace rockstack {
 namespace {
 

@@ -45,6 +45,8 @@ struct Reply {
 
 // Between structs and bytes; engines/README.md has every field. Reading throws std::runtime_error for bytes
 // that are not a whole message, naming the field that is wrong.
+// A run's may be long: `cancelled` is asked now and then. @throws Stopped where it says so.
+std::string to_bytes(const RunRequest& run, Form form, const std::function<bool()>* cancelled);
 std::string to_bytes(const Request& request, Form form);
 std::string to_bytes(const Reply& reply, Form form);
 Request read_request(const Message& message);

@@ -9,7 +9,6 @@
 #include "analytic/scene/solve_options.hpp"
 #include "engines/scene_setup.hpp"
 #include "engines/worker/answer_check.hpp"
-#include "engines/worker/question.hpp"
 
 namespace rockstack {
 namespace {

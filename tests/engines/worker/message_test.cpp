@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "analytic/scene/solve_options.hpp"
-#include "engines/worker/question.hpp"
+#include "engines/worker/request.hpp"
 #include "tests/analytic/scene/ground/records/mutations.hpp"
 
 namespace rockstack {

@@ -8,8 +8,8 @@
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
-#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/metrics/run_outcome.hpp"
+#include "comparisons/measures/results/csv.hpp"
 #include "tests/comparisons/studies/sweep/sweep_folder.hpp"
 #include "tests/stride.hpp"
 
