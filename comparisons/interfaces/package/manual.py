@@ -83,6 +83,7 @@ def manual(version, main, commands):
     page += ".SH OPTIONS\n" + entries(main.options)
     page += (".SH EXIT STATUS\n.TP\n0\nAll is done.\n.TP\n1\nSomething failed, or of \\fBrockstack diff\\fR got worse.\n"
              ".TP\n2\nWhat was given is wrong; one line says what, where, and what is allowed.\n"
+             ".TP\n3\nOf \\fBrockstack diff\\fR nothing is shown to be worse, but there are rows of which nothing can be said.\n"
              ".SH ENVIRONMENT\n.TP\nROCKSTACK_WORKERS\nFolders of more engines, with colons between them.\n")
     return page
 

@@ -87,7 +87,8 @@ struct DiffArguments {
   std::filesystem::path out;  ///< empty: nothing is written
   ChangeOptions options;
 };
-int diff_command(const DiffArguments& arguments, const Common& common);  ///< 1 where something got worse
+/// 1 where something got worse, else 3 where of some row nothing can be said.
+int diff_command(const DiffArguments& arguments, const Common& common);
 
 struct RecordArguments {
   std::string file;  ///< may name a channel, see read_record()

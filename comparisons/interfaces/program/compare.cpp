@@ -15,7 +15,6 @@
 namespace rockstack {
 namespace {
 
-/// The kinds of inputs of `compare`.
 /// The file that an input of `compare` names.
 std::filesystem::path compared_file(const std::string& input) {
   auto file = input_file(input, {"suites", "scenes"});
@@ -62,6 +61,19 @@ void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::
   fmt::print(stderr,
              "about {:.0f} MB will be written to {}; --history-interval 0.01 keeps a sample every 10 ms\n",
              bytes / megabyte, out.string());
+}
+
+/// Says where another comparison like this one could not show a change.
+void announce_undecided(const std::vector<Suite>& suites, const Common& common) {
+  std::map<std::string, std::vector<int>> sets;  // how often each of a set's rows is run
+  for (const Job& job : jobs_of(suites))
+    if (job.series != nullptr) sets[set_name(describe(job))].push_back(replicates_of(job).runs);
+  const auto runs = each_of(sets, [](const auto& set) { return set.second; });
+  const std::vector<bool> shown = sets_that_can_change(runs, change_level);
+  const auto rows = each_of(runs, [](const std::vector<int>& set) { return set.size(); });
+  if (const auto hidden = std::ranges::count(shown, false); hidden > 0 && common.talks())
+    fmt::print("`rockstack diff` can show no change of {} of {}; with --draws {} it can\n", hidden,
+               counted(sets.size(), "set"), replicates_that_show_changes(rows, change_level));
 }
 
 /// As end_of_runs().
@@ -198,6 +210,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   require_comparable(suites);
   const ResultsFolder folder(arguments.out, Results::comparison);
   announce_disk_use(suites, arguments.out, common);
+  announce_undecided(suites, common);
   print_legend(suites, common);
   CompareOptions options{.command = common.command, .progress = progress(common)};
   print_rows(suites, common, options);

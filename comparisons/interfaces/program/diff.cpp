@@ -21,11 +21,14 @@ std::string spread_text(const ValueSpread& spread) {
 std::vector<std::string> cells_of(const TurnedNumber& number) {
   const RowChange& row = *number.row;
   const QuantityChange& change = *number.change;
+  const bool all = row.old_row.scene.empty();
   return {name(change.turn),
-          row.old_row.scene,
+          all ? "all" : row.old_row.scene,
           row.old_row.engine + (row.old_row.solver.empty() ? "" : ":" + row.old_row.solver),
           settings_of(row),
-          row.old_row.dt ? fmt::format("{}", *row.old_row.dt) : "",
+          all              ? "all"
+          : row.old_row.dt ? fmt::format("{}", *row.old_row.dt)
+                           : "",
           change.quantity,
           spread_text(change.old_values),
           spread_text(change.new_values),
@@ -55,13 +58,7 @@ void print_table(const std::vector<TurnedNumber>& numbers) {
 }
 
 void print_tests(const ResultsChange& result) {
-  if (result.tests == 0)
-    fmt::print("no row has replicates in both: no threshold can be derived\n");
-  else if (result.counted == 0)
-    fmt::print(
-        "too few replicates: none of {} numbers could show a change at level {}, with {} a row all could\n",
-        result.tests, result.level, result.replicates_needed());
-  else
+  if (result.tests > 0)
     fmt::print("numbers tested: {} ({} more could show nothing); chance of a false alarm among all: {}\n",
                result.counted, result.tests - result.counted, result.level);
 }
@@ -104,6 +101,7 @@ void print_change(const ResultsChange& result, const ChangeOptions& options) {
   for (const RowChange& row : result.rows)
     if (row.old_row.engine == "exact" && row.bits == "different") moved.push_back(row.old_row.scene);
   print_names("the exact motion itself has other bits in", moved);
+  print_names("nothing can be said of", result.undecided);
 }
 
 void require_factor(const char* option, const std::optional<double>& value) {
@@ -132,8 +130,10 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
   if (in_words(json, common)) {
     print_change(result, options);
     if (!arguments.out.empty()) fmt::print("results: {}\n", arguments.out.string());
+    fmt::print("\n{}\n", result.headline());
   }
-  return result.worse() ? 1 : 0;
+  constexpr int undecided = 3;
+  return result.worse() ? 1 : result.undecided.empty() ? 0 : undecided;
 }
 
 }  // namespace rockstack

@@ -274,7 +274,8 @@ std::map<const CLI::App*, std::function<int()>> add_commands(CLI::App& app, cons
   command("fit", "find what a test does not tell of its scene, such as a ratio of restitution", add_fit,
           fit_command);
   command("sweep", "solve a scene many times with values varied", add_sweep, sweep_command);
-  command("diff", "hold two results of `compare` against each other; exit code 1 where something got worse",
+  command("diff",
+          "hold two results of `compare` against each other; exit code 1: something got worse, 3: undecided",
           add_diff, diff_command);
   command("plot", "draw figures and the report from a results folder", add_plot, plot_command);
   command("record", "measure an accelerogram", add_record, record_command);

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 
@@ -135,7 +136,42 @@ int replicates_that_tell_apart(std::size_t sets, std::size_t steps) {
     ++n;
     ways *= 2 * (2.0 * n - 1) / n;
   }
-  return n;
+  return std::max(n, replicates_that_show_changes(std::vector(sets, steps), change_level));
+}
+
+std::vector<bool> sets_that_can_change(const std::vector<std::vector<int>>& sets, double level) {
+  std::vector<TestChance> tests;  // of all sets, then of their rows
+  const auto add = [&](double logarithm) {
+    tests.push_back({.least_p_value = std::min(1.0, 2 * std::exp(-logarithm))});
+  };
+  const auto ways = [](int n) {  // ln((2n)!/n!²)
+    double sum = 0;
+    for (int i = 1; i <= n; ++i) sum += std::log1p(static_cast<double>(n) / i);
+    return sum;
+  };
+  for (const std::vector<int>& rows : sets) {
+    double all = 0;
+    for (const int replicates : rows) all += replicates > 1 ? ways(replicates) : 0;
+    add(all);
+  }
+  for (const std::vector<int>& rows : sets)
+    for (const int replicates : rows)
+      if (rows.size() > 1 && replicates > 1) add(ways(replicates));
+  std::vector<bool> shown = could_show(std::move(tests), foremost_share * level);
+  std::size_t row = sets.size();
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (const int replicates : sets[i])
+      if (sets[i].size() > 1 && replicates > 1 && shown[row++]) shown[i] = true;
+  shown.resize(sets.size());
+  return shown;
+}
+
+int replicates_that_show_changes(const std::vector<std::size_t>& rows_of_sets, double level) {
+  for (int n = 2;; ++n) {
+    const auto sets = each_of(rows_of_sets, [n](std::size_t rows) { return std::vector(rows, n); });
+    const std::vector<bool> shown = sets_that_can_change(sets, level);
+    if (std::ranges::find(shown, false) == shown.end()) return n;
+  }
 }
 
 std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows) {

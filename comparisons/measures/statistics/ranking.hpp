@@ -4,12 +4,34 @@
 
 namespace rockstack {
 
+/// What happens in runs of a row and not in the exact motion.
+struct RowEvent {
+  /// From the gravest on.
+  enum class Kind {
+    fails,   ///< a replicate; the row is done
+    falls,   ///< or topples
+    stands,  ///< where the exact motion falls
+    thrown,  ///< up, by m
+    sinks,   ///< in, by m, to the end
+    hovers,  ///< at rest, m high
+    creeps,  ///< to the end, m/s
+    turns,   ///< to the end, rad/s
+    dips,    ///< sinks in for a moment, by m
+    shifts,  ///< and rests, m off
+    moves,   ///< for a while where the exact motion rests, by m
+  };
+  Kind kind{};
+  std::string text = {};  ///< a verb with what it needs, and in how many replicates: "sinks in by 86 mm"
+  double most = 0;        ///< of all runs in which it happens
+};
+
 /// A row of a comparison with what stands behind its median.
 struct ReplicatedRow : RunMetrics {
   std::vector<double> errors = {};  ///< of the nominal run and each replicate; infinite where one is not done
   /// Largest angles over the whole scene, of those that are done and of the exact motions of their scenes,
   /// rad.
   std::vector<double> peaks = {}, exact_peaks = {};
+  std::vector<RowEvent> events = {};  ///< from the gravest on
 };
 
 /// A solver with one set of its parameters among others, over scenes and steps.
@@ -42,8 +64,23 @@ bool can_be_ranked(const RunMetrics& row);
 std::vector<ReplicatedRow> rows_that_count(std::vector<ReplicatedRow> rows);
 
 /// The least number of replicates, five or more, with which each pair of so many sets can be told apart: of n
-/// replicates that lie apart at so many steps, at one by chance in 2 of (2n)!/n!² cases.
+/// replicates that lie apart at so many steps, at one by chance in 2 of (2n)!/n!² cases; and with which
+/// another comparison like it can show a change of each set.
 int replicates_that_tell_apart(std::size_t sets, std::size_t steps);
+
+/// The chance that two comparisons of the same engines are told to differ in anything.
+inline constexpr double change_level = 0.01;
+
+/// The share of it for what counts most, such as the error; the other half is that of all other numbers.
+inline constexpr double foremost_share = 0.5;
+
+/// Of sets with so many replicates in each of their rows, those of which two comparisons could show a change:
+/// one of every replicate of a set, in its rows together or in one of them, at a level over all sets and
+/// rows. A row of one run shows nothing.
+std::vector<bool> sets_that_can_change(const std::vector<std::vector<int>>& sets, double level);
+
+/// The least number of replicates in every row with which those are all sets that have so many rows each.
+int replicates_that_show_changes(const std::vector<std::size_t>& rows_of_sets, double level);
 
 /// Ranks all sets of all solvers among the rows, best first: by their scores, over the scenes and steps where
 /// one of them is done and the scene is not at rest, of rows_that_count(). Rows of failed runs count where

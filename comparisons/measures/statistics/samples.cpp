@@ -157,6 +157,11 @@ AdjustedTests adjust(const std::vector<TestChance>& tests, double level) {
   return adjusted;
 }
 
+std::vector<bool> could_show(std::vector<TestChance> tests, double level) {
+  for (TestChance& test : tests) test.p_value = test.least_p_value;
+  return each_of(adjust(tests, level).p_values, [&](double chance) -> bool { return chance <= level; });
+}
+
 KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> first, std::vector<double> second) {
   std::ranges::sort(first);
   std::ranges::sort(second);

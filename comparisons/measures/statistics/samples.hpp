@@ -48,6 +48,10 @@ struct AdjustedTests {
 /// not count (R. E. Tarone, "A modified Bonferroni method for discrete data", Biometrics 46, 1990).
 AdjustedTests adjust(const std::vector<TestChance>& tests, double level);
 
+/// Which of many tests could show a change at a level over all of them, had each the least p-value of its
+/// samples.
+std::vector<bool> could_show(std::vector<TestChance> tests, double level);
+
 /// Two samples compared by the Kolmogorov–Smirnov distance.
 struct KolmogorovSmirnov {
   double distance = 0;  ///< the largest difference between both shares of values at or below any number

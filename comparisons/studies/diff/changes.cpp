@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-#include <tuple>
-
 #include "analytic/scene/lists.hpp"
-#include "comparisons/measures/results/csv.hpp"
 
 namespace rockstack {
 namespace {
@@ -35,22 +31,101 @@ RowChange row_change(const RowPair& pair, const ChangeOptions& options, bool tim
   return row;
 }
 
-/// Corrects all tests for how many there are, and judges by them.
-void judge_all(ResultsChange& result) {
-  std::vector<QuantityChange*> tested;
-  for (RowChange& row : result.rows)
-    for (QuantityChange& change : row.quantities)
-      if (change.test) tested.push_back(&change);
+/// Rows of one set with replicates in both, by the sets' names.
+using SetPairs = std::map<std::vector<std::string>, std::vector<RowPair>>;
+
+std::vector<std::string> set_of(const RunMetrics& old_row, const RunMetrics& new_row) {
+  return {old_row.engine, old_row.solver, old_row.settings, new_row.engine, new_row.solver, new_row.settings};
+}
+
+SetPairs sets_of(const std::vector<RowPair>& pairs) {
+  SetPairs sets;
+  for (const RowPair& pair : pairs)
+    if (!pair.old_run->replicates.empty() && !pair.new_run->replicates.empty())
+      sets[set_of(pair.old_run->row, pair.new_run->row)].push_back(pair);
+  return sets;
+}
+
+/// A set of one row is that row.
+std::vector<RowChange> set_changes(const SetPairs& sets) {
+  std::vector<RowChange> changes;
+  for (const auto& [names, pairs] : sets) {
+    if (pairs.size() < 2) continue;
+    RowChange& set =
+        changes.emplace_back(RowChange{pairs.front().old_run->row, pairs.front().new_run->row, "", true, {}});
+    for (RunMetrics* row : {&set.old_row, &set.new_row}) {
+      row->scene = row->run = "";
+      row->dt.reset();
+    }
+    for (const ReportedQuantity& quantity : reported_quantities())
+      if (auto change = change_of(quantity, pairs)) set.quantities.push_back(std::move(*change));
+  }
+  return changes;
+}
+
+/// Corrects all tests of one half of the level for how many there are, and judges by them.
+void judge_share(const std::vector<QuantityChange*>& tested, double share, ResultsChange& result) {
   const auto chances =
       each_of(tested, [](const QuantityChange* change) -> TestChance { return *change->test; });
-  const AdjustedTests adjusted = adjust(chances, result.level);
-  result.counted = adjusted.counted;
-  result.tests = static_cast<std::size_t>(std::count_if(
+  const AdjustedTests adjusted = adjust(chances, share * result.level);
+  const std::vector<bool> shown = could_show(chances, share * result.level);
+  result.counted += adjusted.counted;
+  result.tests += static_cast<std::size_t>(std::count_if(
       chances.begin(), chances.end(), [](const TestChance& chance) { return chance.least_p_value < 1; }));
   for (std::size_t i = 0; i < tested.size(); ++i) {
-    tested[i]->adjusted_p_value = adjusted.p_values[i];
+    tested[i]->adjusted_p_value = std::min(1.0, adjusted.p_values[i] / share);
+    tested[i]->could_show = shown[i];
     judge(result.level, *tested[i]);
   }
+}
+
+/// What a row has shown, its set does not repeat.
+void leave_to_rows(ResultsChange& result) {
+  for (RowChange& set : result.sets)
+    for (QuantityChange& change : set.quantities)
+      for (const RowChange& row : result.rows)
+        if (set_of(row.old_row, row.new_row) == set_of(set.old_row, set.new_row))
+          for (const QuantityChange& own : row.quantities)
+            if (own.quantity == change.quantity && own.turn == change.turn) change.turn = Turn::none;
+}
+
+void judge_all(ResultsChange& result) {
+  for (const bool foremost : {true, false}) {
+    std::vector<QuantityChange*> tested;
+    for (std::vector<RowChange>* rows : {&result.rows, &result.sets})
+      for (RowChange& row : *rows)
+        for (QuantityChange& change : row.quantities)
+          if (change.test && change.foremost == foremost) tested.push_back(&change);
+    judge_share(tested, foremost ? foremost_share : 1 - foremost_share, result);
+  }
+  leave_to_rows(result);
+}
+
+/// Whether something can be said of a row by itself: it is an exact motion, or the same to the bit, has
+/// turned, never varies, or has numbers that could show a change.
+bool is_decided(const RowChange& row, const ChangeOptions& options) {
+  const auto never_varies = [](const QuantityChange& change) {
+    return change.test && change.test->least_p_value == 1 &&
+           change.old_values.lower == change.new_values.upper;
+  };
+  return !row.old_row.steps || row.bits == "same" || row.worst() != Turn::none || row.could_show() ||
+         (row.replicated ? std::ranges::all_of(row.quantities, never_varies) : options.single.has_value());
+}
+
+void find_undecided(const ChangeOptions& options, ResultsChange& result) {
+  for (const RowChange& row : result.rows) {
+    const auto names = set_of(row.old_row, row.new_row);
+    const bool by_set = row.replicated && std::ranges::any_of(result.sets, [&](const RowChange& set) {
+                          return set.could_show() && set_of(set.old_row, set.new_row) == names;
+                        });
+    if (!by_set && !is_decided(row, options)) result.undecided.push_back(row.old_row.run);
+  }
+  std::map<std::vector<std::string>, std::size_t> rows;
+  for (const RowChange& row : result.rows)
+    if (row.old_row.steps) ++rows[set_of(row.old_row, row.new_row)];
+  if (!result.undecided.empty())
+    result.replicates_needed =
+        replicates_that_show_changes(each_of(rows, [](const auto& one) { return one.second; }), result.level);
 }
 
 std::vector<std::string> other_environment(const RecordedResults& old_results,
@@ -70,39 +145,6 @@ bool same_processor(const RecordedResults& old_results, const RecordedResults& n
          std::ranges::find(new_results.environment, *name) != new_results.environment.end();
 }
 
-Json spread_json(const ValueSpread& spread) {
-  return {
-      {"lower", spread.lower}, {"median", spread.median}, {"upper", spread.upper}, {"values", spread.values}};
-}
-
-Json change_json(const QuantityChange& change) {
-  Json json{{"quantity", change.quantity},
-            {"turn", name(change.turn)},
-            {"old", spread_json(change.old_values)},
-            {"new", spread_json(change.new_values)}};
-  if (change.test) {
-    json["superiority"] = change.test->superiority;
-    json["p_value"] = change.test->p_value;
-    json["adjusted_p_value"] = *change.adjusted_p_value;
-  }
-  return json;
-}
-
-Json row_json(const RowChange& row) {
-  return {{"scene", row.old_row.scene},
-          {"engine", row.old_row.engine},
-          {"solver", row.old_row.solver},
-          {"settings", row.old_row.settings},
-          {"dt", row.old_row.dt ? Json(*row.old_row.dt) : Json()},
-          {"old_run", row.old_row.run},
-          {"new_run", row.new_row.run},
-          {"old_status", name(row.old_row.status)},
-          {"new_status", name(row.new_row.status)},
-          {"bits", row.bits},
-          {"turn", name(row.worst())},
-          {"quantities", each_of(row.quantities, change_json)}};
-}
-
 }  // namespace
 
 Turn RowChange::worst() const {
@@ -110,97 +152,31 @@ Turn RowChange::worst() const {
                             : std::ranges::max_element(quantities, {}, &QuantityChange::turn)->turn;
 }
 
-bool ResultsChange::worse() const {
-  return std::ranges::any_of(rows, [](const RowChange& row) { return row.worst() == Turn::worse; });
+bool RowChange::could_show() const {
+  return std::ranges::any_of(quantities, &QuantityChange::could_show);
 }
 
-std::size_t ResultsChange::replicates_needed() const {
-  const double chance = level / static_cast<double>(std::max<std::size_t>(tests, 1));
-  std::size_t replicates = 1;
-  // Of two samples of n values the least chance is 2/C(2n, n), which is 1 for n = 1.
-  for (double least = 1; least > chance; ++replicates) {
-    const auto n = static_cast<double>(replicates);
-    least *= (n + 1) / (2 * (2 * n + 1));
-  }
-  return replicates;
+bool ResultsChange::worse() const {
+  const auto is_worse = [](const RowChange& row) { return row.worst() == Turn::worse; };
+  return std::ranges::any_of(rows, is_worse) || std::ranges::any_of(sets, is_worse);
 }
 
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
                            const ChangeOptions& options) {
   RowPairs pairs = pair_rows(old_results, new_results, options.across);
   const bool timed = same_processor(old_results, new_results);
+  const SetPairs sets = sets_of(pairs.pairs);
   ResultsChange result{
       .rows = each_of(pairs.pairs, [&](const RowPair& pair) { return row_change(pair, options, timed); }),
+      .sets = set_changes(sets),
       .only_old = std::move(pairs.only_old),
       .only_new = std::move(pairs.only_new),
       .other_questions = std::move(pairs.other_questions),
       .other_environment = other_environment(old_results, new_results),
       .level = options.level};
   judge_all(result);
+  find_undecided(options, result);
   return result;
-}
-
-Json changes_json(const ResultsChange& result) {
-  Json json{{"worse", result.worse()},
-            {"level", result.level},
-            {"tests", result.tests},
-            {"tests_counted", result.counted},
-            {"only_old", result.only_old},
-            {"only_new", result.only_new},
-            {"other_questions", result.other_questions},
-            {"other_environment", result.other_environment},
-            {"rows", each_of(result.rows, row_json)}};
-  for (const ReportedQuantity& quantity : reported_quantities())
-    json["definitions"][quantity.name] = quantity.definition;
-  return json;
-}
-
-std::string changes_csv(const ResultsChange& result) {
-  CsvWriter csv;
-  csv.line("scene", "engine", "solver", "dt", "old_settings", "new_settings", "old_run", "new_run", "bits",
-           "quantity", "turn", "old_lower", "old_median", "old_upper", "old_values", "new_lower",
-           "new_median", "new_upper", "new_values", "superiority", "p_value", "adjusted_p_value");
-  for (const RowChange& row : result.rows) {
-    for (const QuantityChange& change : row.quantities) {
-      csv.add(row.old_row.scene, row.old_row.engine, row.old_row.solver, row.old_row.dt, row.old_row.settings,
-              row.new_row.settings, row.old_row.run, row.new_row.run, row.bits, change.quantity,
-              name(change.turn));
-      for (const ValueSpread& spread : {change.old_values, change.new_values})
-        csv.add(spread.lower, spread.median, spread.upper, spread.values);
-      if (change.test)
-        csv.line(change.test->superiority, change.test->p_value, change.adjusted_p_value);
-      else
-        csv.line("", "", "");
-    }
-  }
-  return csv.text();
-}
-
-double TurnedNumber::ratio() const {
-  const double before = change->old_values.median, now = change->new_values.median;
-  if (before == now) return 1;
-  return before == 0 ? std::numeric_limits<double>::infinity() : now / before;
-}
-
-std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {
-  std::vector<TurnedNumber> turned;
-  for (const RowChange& row : result.rows)
-    for (const QuantityChange& change : row.quantities)
-      if (change.turn != Turn::none) turned.push_back({&row, &change});
-  std::ranges::stable_sort(turned, std::greater{}, [](const TurnedNumber& number) {
-    return std::tuple(number.change->turn, std::abs(std::log(std::abs(number.ratio()))));
-  });
-  return turned;
-}
-
-ValueSpread cost_ratio(const ResultsChange& result) {
-  std::vector<double> ratios;
-  for (const RowChange& row : result.rows)
-    for (const QuantityChange& change : row.quantities)
-      if (change.quantity == "step_time" && row.old_row.steps)
-        ratios.push_back(change.new_values.median / change.old_values.median);
-  if (ratios.empty()) return {};
-  return {quantile(ratios, 0), median(ratios), quantile(ratios, 1), ratios.size()};
 }
 
 }  // namespace rockstack

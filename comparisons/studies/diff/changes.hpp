@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-#include "comparisons/measures/results/run_metrics.hpp"
+#include "comparisons/measures/statistics/ranking.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
@@ -66,6 +66,7 @@ struct ReportedQuantity {
   std::string name;  ///< of its column where it has one
   std::string definition;
   Better better = Better::less;
+  bool foremost = false;  ///< of those that share half of the level
   std::function<std::optional<double>(const RunMetrics&)> value;
 };
 
@@ -91,14 +92,17 @@ struct ValueSpread {
 struct QuantityChange {
   std::string quantity;
   ReportedQuantity::Better better;
+  bool foremost = false;
   ValueSpread old_values, new_values;
   std::optional<MannWhitney> test = {};         ///< where both have several values
   std::optional<double> adjusted_p_value = {};  ///< of it among all tests
+  bool could_show = false;                      ///< whether its test could show a change at the level
   Turn turn = Turn::none;
 };
 
 struct ChangeOptions {
-  double level = 0.01;  ///< chance that anything is reported where nothing has changed, between 0 and 1
+  double level =
+      change_level;  ///< chance that anything is reported where nothing has changed, between 0 and 1
   // From how many times on numbers are reported that no test can judge; empty: none is.
   std::optional<double> single = {};     ///< of single runs
   std::optional<double> cost = {};       ///< the time of a step, where no repeat of one is within the other's
@@ -110,6 +114,11 @@ struct ChangeOptions {
 std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const RowPair& pair,
                                         const ChangeOptions& options);
 
+/// The change of a quantity over several rows: ranks are those within each (mann_whitney()), the spreads
+/// those of all values together. Empty where no row has values in both. Precondition: all have replicates in
+/// both.
+std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const std::vector<RowPair>& pairs);
+
 /// The change of the wall time of a step, s; of the exact solver, that of the whole motion. Empty where runs
 /// shared the machine.
 std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptions& options);
@@ -118,7 +127,7 @@ std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptio
 /// Changes of median and both quartiles by less than a hundredth, or 1e-12, are not reported.
 void judge(double level, QuantityChange& change);
 
-/// One row in both results.
+/// One row in both results; or all rows of a set, whose scene, step and bits are empty.
 struct RowChange {
   RunMetrics old_row, new_row;
   std::string bits;         ///< "same" or "different" bytes in the files that both kept, "" where none are
@@ -126,33 +135,39 @@ struct RowChange {
   std::vector<QuantityChange> quantities;
 
   Turn worst() const;
+  bool could_show() const;  ///< whether a test of its quantities could show a change
 };
 
 /// Two results held against each other.
 struct ResultsChange {
   std::vector<RowChange> rows;
+  std::vector<RowChange> sets = {};  ///< of an engine, where several of its rows have replicates
   std::vector<std::string> only_old, only_new, other_questions;  ///< as RowPairs
   std::vector<std::string> other_environment;                    ///< "compiler: GNU 12.2.0, GNU 13.1.0"
   std::size_t tests = 0;    ///< numbers that have replicates on both sides, and vary
   std::size_t counted = 0;  ///< of them, those that could show a change at the level
   double level = 0;
+  /// Names of engines' old rows of which nothing can be said: other bits, and no number that could show a
+  /// change, neither of its own nor of its set.
+  std::vector<std::string> undecided = {};
+  int replicates_needed = 0;  ///< in every row, with which none would be
 
   bool worse() const;
 
-  /// Replicates on each side with which all tests could show a change.
-  std::size_t replicates_needed() const;
+  /// In one sentence: what is worse, that nothing is, or what cannot be said.
+  std::string headline() const;
 };
 
-/// Holds new results against old ones. A number of replicates is reported as changed where its test,
-/// corrected for how many there are, says so at the level; a run by itself where the options say so. Times
-/// are reported on one processor alone. @throws InputError as pair_rows().
+/// Holds new results against old ones. A number of replicates, of a row or of all rows of a set, is reported
+/// as changed where its test, corrected for how many there are, says so at the level; a run by itself where
+/// the options say so. Times are reported on one processor alone. @throws InputError as pair_rows().
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
                            const ChangeOptions& options);
 
 /// Everything that was held together, for programs: what diff.json holds.
 Json changes_json(const ResultsChange& result);
 
-/// A line a row and number:
+/// A line a row and number, and of a set likewise with scene and dt empty:
 /// scene,engine,solver,dt,old_settings,new_settings,old_run,new_run,bits,quantity,turn,
 /// old_lower,old_median,old_upper,old_values,new_…,superiority,p_value,adjusted_p_value.
 std::string changes_csv(const ResultsChange& result);

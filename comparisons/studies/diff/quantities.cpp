@@ -32,12 +32,14 @@ std::function<std::optional<double>(const RunMetrics&)> value_of(const Column& c
 
 ReportedQuantity quantity_of(const Paragraph& line) {
   constexpr std::array names{"less", "more", "nearer zero", "neither"};  // as Better has them
-  const auto better = static_cast<Better>(std::ranges::find(names, line.kind) - names.begin());
+  const std::string kind = line.kind.substr(0, line.kind.find(','));
+  const auto better = static_cast<Better>(std::ranges::find(names, kind) - names.begin());
+  const bool foremost = line.kind.ends_with(", foremost");
   if (line.words.empty()) {
     const Column& column = column_named(line.name);
-    return {line.name, column.definition, better, value_of(column, better)};
+    return {line.name, column.definition, better, foremost, value_of(column, better)};
   }
-  return {line.name, line.words, better, line.name == "failed" ? failed : other_verdict};
+  return {line.name, line.words, better, foremost, line.name == "failed" ? failed : other_verdict};
 }
 
 std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRun& run) {
@@ -103,7 +105,7 @@ std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const 
   const std::vector<double> before = values_of(quantity, *pair.old_run),
                             now = values_of(quantity, *pair.new_run);
   if (before.empty() || now.empty()) return {};
-  QuantityChange change{quantity.name, quantity.better, spread_of(before), spread_of(now)};
+  QuantityChange change{quantity.name, quantity.better, quantity.foremost, spread_of(before), spread_of(now)};
   const auto turned = [&](const std::optional<double>& factor) {
     return turn_by(factor, quantity.better, change.old_values.median, change.new_values.median);
   };
@@ -114,11 +116,26 @@ std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const 
   return change;
 }
 
+std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const std::vector<RowPair>& pairs) {
+  std::vector<Stratum> strata;
+  Stratum all;
+  for (const RowPair& pair : pairs) {
+    Stratum own{values_of(quantity, *pair.old_run), values_of(quantity, *pair.new_run)};
+    if (own.first.empty() || own.second.empty()) continue;
+    all.first.insert(all.first.end(), own.first.begin(), own.first.end());
+    all.second.insert(all.second.end(), own.second.begin(), own.second.end());
+    strata.push_back(std::move(own));
+  }
+  if (strata.empty()) return {};
+  return QuantityChange{quantity.name,        quantity.better,       quantity.foremost,
+                        spread_of(all.first), spread_of(all.second), mann_whitney(strata)};
+}
+
 std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptions& options) {
   for (const RecordedRun* run : {pair.old_run, pair.new_run})
     if (!run->row.stepping_time_minimum || run->row.runs_at_a_time.value_or(1) != 1 || run->row.timed_cold)
       return {};
-  QuantityChange change{"step_time", Better::less, step_time(pair.old_run->row),
+  QuantityChange change{"step_time", Better::less, false, step_time(pair.old_run->row),
                         step_time(pair.new_run->row)};
   const bool overlap = change.old_values.upper >= change.new_values.lower &&
                        change.new_values.upper >= change.old_values.lower;

@@ -20,7 +20,7 @@ using Random = std::mt19937_64;
 RunMetrics drawn_row(Random& random, double size) {
   std::lognormal_distribution<double> spread(std::log(size), 0.5);
   RunMetrics row;
-  row.rms_angle_difference = spread(random);
+  row.error = row.rms_angle_difference = spread(random);
   row.largest_angle_difference = 3 * *row.rms_angle_difference;
   row.agreement_time = spread(random);
   row.impacts_missed = std::poisson_distribution<int>(2)(random);
@@ -41,6 +41,7 @@ RecordedResults recorded(Random& random, std::size_t replicates) {
       run.row.solver = solver;
       run.row.settings = "default";
       run.row.dt = 1e-3;
+      run.row.steps = 1000;
       run.row.run = run.row.scene + "." + solver;
       results.runs.push_back(run);
     }
@@ -90,7 +91,7 @@ TEST(Changes, OneThatIsThereIsToldAndNothingElse) {
                                                     "fair.second agreement_time better"}));
   EXPECT_TRUE(result.worse());
   EXPECT_FALSE(hold_against(now, now, {}).worse());
-  EXPECT_EQ(result.tests, 6U * 4);  // warnings never vary, and failures neither
+  EXPECT_EQ(result.tests, (6U + 2) * 5);  // of rows and sets; warnings never vary, and failures neither
 }
 
 TEST(Changes, ThatRoundingMakesOrThatAreLessThanAHundredthStayUntold) {
@@ -128,18 +129,47 @@ TEST(Changes, OfSingleRunsAreToldByAFactorAlone) {
   const ResultsChange untold = hold_against(before, now, {});
   EXPECT_EQ(told(untold), std::vector<std::string>());
   EXPECT_EQ(untold.tests, 0U);
+  EXPECT_EQ(untold.undecided.size(), 6U);
+  EXPECT_TRUE(hold_against(before, now, {.single = 3.1}).undecided.empty());
   const auto by = [&](double factor) { return told(hold_against(before, now, {.single = factor})); };
   EXPECT_EQ(by(2.9), std::vector<std::string>{"fair.first rms_angle_difference worse"});
   EXPECT_EQ(by(3.1), std::vector<std::string>());
 }
 
-// Two samples of n values have 2/C(2n, n) at best: 1/35 for n = 4, 1/1716 for n = 7, 1/6435 for n = 8.
-TEST(Changes, TooFewDrawsAreSaid) {
+// Two samples of n values have 2/C(2n, n) at best: 1/126 for n = 5, 1/462 for n = 6. Errors of two rows share
+// half of the level, 1/200.
+TEST(Changes, TooFewReplicatesDecideNothingAndItIsSaidHowManyWould) {
   Random random(10);
-  const ResultsChange result = hold_against(recorded(random, 4), recorded(random, 4), {});
-  EXPECT_EQ(result.counted, 0U);
-  EXPECT_EQ(result.tests, 24U);
-  EXPECT_EQ(result.replicates_needed(), 8U);
+  const auto one_scene = [&](std::size_t replicates) {
+    RecordedResults results = recorded(random, replicates);
+    results.runs = {results.runs[2], results.runs[3]};
+    return results;
+  };
+  const ResultsChange few = hold_against(one_scene(5), one_scene(5), {});
+  EXPECT_EQ(few.counted, 0U);
+  EXPECT_EQ(few.undecided, (std::vector<std::string>{"fair.first", "fair.second"}));
+  EXPECT_EQ(
+      few.headline(),
+      "Undecided: nothing is shown to be worse, but of 2 of 2 rows nothing can be said: 6 replicates in every row would do.");
+  const ResultsChange enough = hold_against(one_scene(6), one_scene(6), {});
+  EXPECT_TRUE(enough.undecided.empty());
+  EXPECT_EQ(enough.headline(), "Nothing is worse.");
+  RecordedResults same = one_scene(5);
+  for (RecordedRun& run : same.runs) run.checksums["history.csv"] = "1";
+  EXPECT_TRUE(hold_against(same, same, {}).undecided.empty()) << "bits say that nothing has changed";
+}
+
+// No row can show it: of three together the least chance is 2/252³.
+TEST(Changes, FiveReplicatesInThreeRowsShowASetThatIsTenTimesAsFarOff) {
+  Random random(14);
+  const RecordedResults before = recorded(random, 5);
+  RecordedResults now = recorded(random, 5);
+  for (const std::size_t second : {1U, 3U, 5U})
+    for (RunMetrics& replicate : now.runs[second].replicates) *replicate.error *= 10;
+  const ResultsChange result = hold_against(before, now, {});
+  EXPECT_EQ(told(result), std::vector<std::string>{" error worse"});
+  EXPECT_EQ(result.headline(), "Worse: engine:second (default).");
+  EXPECT_TRUE(result.undecided.empty());
 }
 
 TEST(Changes, OfCostAreToldWhereTheRepeatsLieApart) {
@@ -204,6 +234,7 @@ TEST(Changes, EveryDrawnColumnIsReportedOrFollowsFromOthers) {
                                    "relative_position_difference",
                                    "exact_peak_angle",
                                    "exact_peak_over_slenderness",
+                                   "exact_gap",
                                    "impacts",
                                    "impacts_matched",
                                    "impacts_matched_null",

@@ -1,0 +1,140 @@
+#include "comparisons/studies/diff/changes.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "analytic/scene/lists.hpp"
+#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/verdict/verdict.hpp"
+
+namespace rockstack {
+namespace {
+
+std::vector<const RowChange*> sets_and_rows(const ResultsChange& result) {
+  std::vector<const RowChange*> all;
+  for (const std::vector<RowChange>* rows : {&result.sets, &result.rows})
+    for (const RowChange& row : *rows) all.push_back(&row);
+  return all;
+}
+
+Json spread_json(const ValueSpread& spread) {
+  return {
+      {"lower", spread.lower}, {"median", spread.median}, {"upper", spread.upper}, {"values", spread.values}};
+}
+
+Json change_json(const QuantityChange& change) {
+  Json json{{"quantity", change.quantity},
+            {"turn", name(change.turn)},
+            {"old", spread_json(change.old_values)},
+            {"new", spread_json(change.new_values)}};
+  if (change.test) {
+    json["superiority"] = change.test->superiority;
+    json["p_value"] = change.test->p_value;
+    json["adjusted_p_value"] = *change.adjusted_p_value;
+  }
+  return json;
+}
+
+Json row_json(const RowChange& row) {
+  return {{"scene", row.old_row.scene},
+          {"engine", row.old_row.engine},
+          {"solver", row.old_row.solver},
+          {"settings", row.old_row.settings},
+          {"dt", row.old_row.dt ? Json(*row.old_row.dt) : Json()},
+          {"old_run", row.old_row.run},
+          {"new_run", row.new_row.run},
+          {"old_status", name(row.old_row.status)},
+          {"new_status", name(row.new_row.status)},
+          {"bits", row.bits},
+          {"turn", name(row.worst())},
+          {"quantities", each_of(row.quantities, change_json)}};
+}
+
+}  // namespace
+
+std::string ResultsChange::headline() const {
+  std::string unknown;
+  if (!undecided.empty())
+    unknown = fmt::format("of {} of {} nothing can be said: {} replicates in every row would do",
+                          undecided.size(), rockstack::counted(rows.size(), "row"), replicates_needed);
+  if (!worse())
+    return undecided.empty() ? "Nothing is worse."
+                             : "Undecided: nothing is shown to be worse, but " + unknown + ".";
+  std::vector<std::string> sets;
+  for (const auto& [row, change] : turned_numbers(*this)) {
+    const std::string name = set_name(row->new_row);
+    if (change->turn == Turn::worse && std::ranges::find(sets, name) == sets.end()) sets.push_back(name);
+  }
+  return fmt::format("Worse: {}{}.", joined_up_to(3, sets), undecided.empty() ? "" : "; " + unknown);
+}
+
+Json changes_json(const ResultsChange& result) {
+  Json json{{"headline", result.headline()},
+            {"worse", result.worse()},
+            {"undecided", result.undecided},
+            {"level", result.level},
+            {"tests", result.tests},
+            {"tests_counted", result.counted},
+            {"only_old", result.only_old},
+            {"only_new", result.only_new},
+            {"other_questions", result.other_questions},
+            {"other_environment", result.other_environment},
+            {"rows", each_of(result.rows, row_json)},
+            {"sets", each_of(result.sets, row_json)}};
+  for (const ReportedQuantity& quantity : reported_quantities())
+    json["definitions"][quantity.name] = quantity.definition;
+  return json;
+}
+
+std::string changes_csv(const ResultsChange& result) {
+  CsvWriter csv;
+  csv.line("scene", "engine", "solver", "dt", "old_settings", "new_settings", "old_run", "new_run", "bits",
+           "quantity", "turn", "old_lower", "old_median", "old_upper", "old_values", "new_lower",
+           "new_median", "new_upper", "new_values", "superiority", "p_value", "adjusted_p_value");
+  for (const RowChange* row : sets_and_rows(result)) {
+    for (const QuantityChange& change : row->quantities) {
+      const RunMetrics &before = row->old_row, &now = row->new_row;
+      csv.add(before.scene, before.engine, before.solver, before.dt, before.settings, now.settings,
+              before.run, now.run, row->bits, change.quantity, name(change.turn));
+      for (const ValueSpread& spread : {change.old_values, change.new_values})
+        csv.add(spread.lower, spread.median, spread.upper, spread.values);
+      if (change.test)
+        csv.line(change.test->superiority, change.test->p_value, change.adjusted_p_value);
+      else
+        csv.line("", "", "");
+    }
+  }
+  return csv.text();
+}
+
+double TurnedNumber::ratio() const {
+  const double before = change->old_values.median, now = change->new_values.median;
+  if (before == now) return 1;
+  return before == 0 ? std::numeric_limits<double>::infinity() : now / before;
+}
+
+std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {
+  std::vector<TurnedNumber> turned;
+  for (const RowChange* row : sets_and_rows(result))
+    for (const QuantityChange& change : row->quantities)
+      if (change.turn != Turn::none) turned.push_back({row, &change});
+  std::ranges::stable_sort(turned, std::greater{}, [](const TurnedNumber& number) {
+    return std::tuple(number.change->turn, std::abs(std::log(std::abs(number.ratio()))));
+  });
+  return turned;
+}
+
+ValueSpread cost_ratio(const ResultsChange& result) {
+  std::vector<double> ratios;
+  for (const RowChange& row : result.rows)
+    for (const QuantityChange& change : row.quantities)
+      if (change.quantity == "step_time" && row.old_row.steps)
+        ratios.push_back(change.new_values.median / change.old_values.median);
+  if (ratios.empty()) return {};
+  return {quantile(ratios, 0), median(ratios), quantile(ratios, 1), ratios.size()};
+}
+
+}  // namespace rockstack
