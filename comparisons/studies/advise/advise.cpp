@@ -8,6 +8,8 @@
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/results/tables.hpp"
+#include "comparisons/measures/statistics/ranking.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/runs/measure.hpp"
 
@@ -152,6 +154,41 @@ std::string nearest(const std::vector<Trial>& trials) {
              : fmt::format(" The nearest is {}, off by {:.2g}.", solver_at_step(*best), *distance_of(*best));
 }
 
+double share_within(const Trial& trial) {
+  return static_cast<double>(trial.within + trial.confirmed) / (trial.replicates + trial.confirming);
+}
+
+/// Whether replicates about a step, and those that confirm it where both have some, tell two trials apart by
+/// how many are within.
+bool can_tell_apart(const Trial& one, const Trial& other) {
+  const auto outcomes = [](int within, int all) {
+    std::vector<double> values(static_cast<std::size_t>(all), 0.0);
+    std::fill_n(values.begin(), within, 1.0);
+    return values;
+  };
+  std::vector<Stratum> strata{
+      {outcomes(one.within, one.replicates), outcomes(other.within, other.replicates)}};
+  if (one.confirming > 0 && other.confirming > 0)
+    strata.push_back({outcomes(one.confirmed, one.confirming), outcomes(other.confirmed, other.confirming)});
+  return mann_whitney(strata).p_value <= separation_level;
+}
+
+/// The best of the cheaper trials that were turned down and do not differ from the pick, in words; nothing
+/// where there is none. Of a trial of one run nothing is known.
+std::string as_good(const std::vector<Trial>& trials, const Trial& pick) {
+  const Trial* best = nullptr;
+  for (const Trial& trial : trials) {
+    if (trial.passes() || trial.replicates < 2 || can_tell_apart(trial, pick)) continue;
+    if (!(trial.row.stepping_time_minimum < pick.row.stepping_time_minimum)) continue;
+    if (best == nullptr || share_within(trial) > share_within(*best)) best = &trial;
+  }
+  if (best == nullptr) return "";
+  return fmt::format(
+      "{} is cheaper and was turned down, with {} of {} within: replicates cannot tell it from the one advised.",
+      capitalised(solver_at_step(*best)), best->within + best->confirmed,
+      best->replicates + best->confirming);
+}
+
 }  // namespace
 
 bool meets(const RunMetrics& row, double error) {
@@ -242,6 +279,8 @@ std::vector<std::string> advice_sentences(const AdviceRequest& request, const Ad
                     solver_at_step(pick), error));
     sentences.push_back(fmt::format("{} of {} replicates at nearby steps are within; nine of ten must be.",
                                     pick.within + pick.confirmed, pick.replicates + pick.confirming));
+    if (std::string other = as_good(advice.trials, pick); !other.empty())
+      sentences.push_back(std::move(other));
   }
   if (advice.predictable_time < duration)
     sentences.push_back(

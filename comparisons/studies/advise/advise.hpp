@@ -79,8 +79,8 @@ int cheapest(const std::vector<Trial>& trials);
 Advice advise(const NamedScene& scene, const AdviceRequest& request, const std::filesystem::path& folder,
               const std::string& command, const AdviceListener& listener = {});
 
-/// In words: what to take, how sure it is, until when it holds of a scene that lasts `duration` s, and what
-/// was not tried.
+/// In words: what to take, how sure it is, which cheaper trial cannot be told from it, until when it holds of
+/// a scene that lasts `duration` s, and what was not tried.
 std::vector<std::string> advice_sentences(const AdviceRequest& request, const Advice& advice,
                                           double duration);
 

@@ -77,6 +77,25 @@ TEST(Advice, SaysWhatToTakeHowSureItIsAndUntilWhenItHolds) {
   EXPECT_EQ(advice_sentences({.error = 0.01}, advice, 2.5).size(), 3U);
 }
 
+// 18 of 21 are turned down where 19 are not: chance makes that difference in two cases of three.
+TEST(Advice, NamesTheCheaperTrialThatCannotBeToldFromThePick) {
+  Trial pick = tried("one", 2e-3), other = tried("two", 3e-3);
+  pick.row.stepping_time_minimum = 2;
+  other.row.stepping_time_minimum = 1;
+  other.replicates = 21, other.within = 18;
+  other.confirming = other.confirmed = 0;
+  const auto told = [&] { return advice_sentences({.error = 0.01}, {{other, pick}, 1, {}, 5, {}}, 5); };
+  ASSERT_EQ(told().size(), 3U);
+  EXPECT_EQ(
+      told()[2],
+      "Own:two at 1 ms is cheaper and was turned down, with 18 of 21 within: replicates cannot tell it from the one advised.");
+  other.within = 9;
+  EXPECT_EQ(told().size(), 2U) << "of 21 and 21 that is less than chance gives in one case of twenty";
+  other.within = other.replicates = 1;
+  other.row.stepping_time_minimum = 3;
+  EXPECT_EQ(told().size(), 2U) << "it costs more";
+}
+
 TEST(Advice, NamesTheNearestWhereNoneHolds) {
   const Advice advice{{tried("one", 0.1), tried("two", 0.05)}, -1, {}, 5, {}};
   const std::vector<std::string> told = advice_sentences({.error = 0.01}, advice, 5);
