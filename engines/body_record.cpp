@@ -112,7 +112,7 @@ class BodyAccount {
 
   void add_interfaces() {
     const double time = static_cast<double>(samples_) * setup_.dt;
-    double penetration = 0;
+    double penetration = 0, gap = 0;
     for (std::size_t k = 0; k < poses_.size(); ++k) {
       const Block& block = scene_.blocks[k];
       const InterfaceState& state =
@@ -125,9 +125,10 @@ class BodyAccount {
           supported ? std::numeric_limits<double>::infinity() : std::min(record_.unsupported_since[k], time);
       if (!supported) continue;
       penetration = std::max(penetration, state.depth);
-      record_.gap = std::max(record_.gap, -state.depth);
+      gap = std::max(gap, -state.depth);
     }
     record_.penetration.push_back(penetration);
+    record_.gaps.push_back(gap);
   }
 
   const Scene& scene_;

@@ -42,7 +42,8 @@ struct BodyRecord {
   /// Since when each block has had nothing of what it stood on below it, s; infinite where it has at the end.
   std::vector<double> unsupported_since;
   std::optional<ContactRecord> contacts;  ///< where the engine tells them
-  double gap = 0;                         ///< largest height of a block over what it stands on, m
+  /// Largest height of a block over what it stands on at each sample, m.
+  std::vector<double> gaps;
   double slip = 0;          ///< largest way of a pivot from its start along the face that it stands on, m
   double out_of_plane = 0;  ///< largest |z| of a block's centre, m
   double out_of_plane_tilt = 0;  ///< largest sine of a block's angle out of the plane

@@ -103,6 +103,18 @@ void add_patterns(const Scene& scene, const std::vector<double>& times, const Hi
   files["patterns.csv"] = patterns_csv(shares);
 }
 
+/// What rises in the exact motion, and what goes on in the other where that has come to rest.
+void add_rest(const Scene& scene, const History& exact, const BodyRecord& bodies, RunMetrics& row) {
+  row.exact_gap = 0;
+  for (const double gap : exact.gaps)
+    if (std::isfinite(gap)) row.exact_gap = std::max(*row.exact_gap, gap);
+  if (const auto unrest = unrest_of(scene, exact, bodies.centres, bodies.gaps)) {
+    row.hover = unrest->hover;
+    row.creep = unrest->creep;
+    row.offset = unrest->offset;
+  }
+}
+
 CornerSpring corner_of(const ContactRecord& contacts) {
   return {contacts.points * contacts.stiffness, contacts.points * contacts.damping};
 }
@@ -111,7 +123,7 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   const double scale = energy_scale(scene);
   row.energy_gain = largest_gain(energy_balance(bodies.energy, bodies.input, elastic_energy(bodies))) / scale;
   row.penetration = *std::ranges::max_element(bodies.penetration);
-  row.gap = bodies.gap;
+  row.gap = std::ranges::max(bodies.gaps);
   row.slip = bodies.slip;
   row.out_of_plane = bodies.out_of_plane;
   row.out_of_plane_tilt = bodies.out_of_plane_tilt;
@@ -265,6 +277,7 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
   if (wanted.patterns) add_patterns(scene, compared.times, exact, history, row, files);
   const bool bodies = candidate.bodies && wanted.bodies;
   if (bodies) add_bodies(scene, *candidate.bodies, row);
+  if (bodies) add_rest(scene, exact, *candidate.bodies, row);
   if (bodies && compares_impacts) add_contact_impacts(scene, exact, candidate, apart, horizon, row, files);
   if (bodies && suite.softness) add_parts(scene, exact, candidate, horizon, wanted.histories, row, files);
   if (!wanted.histories) return;

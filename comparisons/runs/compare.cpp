@@ -43,7 +43,10 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
     if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one);
     if (!is_engine(one)) continue;
-    one.outcome = outcome(one, part_named(scenes, nominal.scene));
+    std::vector<RunMetrics> runs{nominal};
+    runs.insert(runs.end(), replicates.begin(), replicates.end());
+    one.events = events_of(runs, part_named(scenes, nominal.scene));
+    one.outcome = outcome(runs, part_named(scenes, nominal.scene));
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
   for (const auto& [cell, own] : cells)

@@ -60,6 +60,13 @@ void print_nearest(const std::vector<RunMetrics>& rows) {
   if (significant) fmt::print("{:>7} * {}\n", shown_or_blank(rows.front().dt), joined(first));
 }
 
+/// Up to when histories can be compared: the horizon, or where the exact motion ends before.
+std::string comparable_text(const RunMetrics& exact) {
+  const double horizon = exact.horizon.value_or(0);
+  if (exact.toppled.empty() || end_time(exact.toppled) > horizon) return quantity_text(horizon, "s");
+  return fmt::format("{}, where it topples", quantity_text(end_time(exact.toppled), "s"));
+}
+
 /// What there is to know of a scene before its engines.
 void print_exact_rows(const std::vector<RunMetrics>& rows, std::size_t width) {
   for (const RunMetrics& row : rows) {
@@ -75,8 +82,7 @@ void print_exact_rows(const std::vector<RunMetrics>& rows, std::size_t width) {
     }
     fmt::print("{}, {} with chatter; can be compared up to {}; solved in {}\n",
                counted(static_cast<std::size_t>(row.impacts.value_or(0)), "impact"),
-               row.impacts.value_or(0) + row.slower_impacts.value_or(0),
-               quantity_text(row.horizon.value_or(0), "s"),
+               row.impacts.value_or(0) + row.slower_impacts.value_or(0), comparable_text(row),
                quantity_text(row.stepping_time_minimum.value_or(0), "s"));
     if (row.rms_test_difference) fmt::print("from the test: {}\n", thousandths(*row.rms_test_difference));
     fmt::print(line_format, "step ms", "engine:solver (set)", width, "angles mrad", "centres mm", "impact ms",

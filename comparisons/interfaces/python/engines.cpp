@@ -44,7 +44,7 @@ void require_settings(const std::string& settings) {
 py::object to_dict(const std::optional<BodyRecord>& bodies) {
   if (!bodies) return py::none();
   return py::dict("energy"_a = copied(bodies->energy), "input"_a = copied(bodies->input),
-                  "penetration"_a = copied(bodies->penetration), "gap"_a = bodies->gap,
+                  "penetration"_a = copied(bodies->penetration), "gap"_a = std::ranges::max(bodies->gaps),
                   "slip"_a = bodies->slip);
 }
 

@@ -1,6 +1,12 @@
 #include "comparisons/measures/metrics/bodies.hpp"
 
 namespace rockstack {
+namespace {
+
+/// Up to what share of the least block height centres have not moved.
+constexpr double rest_share = 1e-9;
+
+}  // namespace
 
 Points<double> centre_places(const Stack<double>& stack, const History& history, std::size_t sample) {
   const auto first = static_cast<std::ptrdiff_t>(2 * sample * static_cast<std::size_t>(stack.size()));
@@ -44,6 +50,32 @@ double extent_of_motion(const Scene& scene, const History& history, const std::v
     way = std::max(way, std::hypot(centres[i] - centres[i % (2 * blocks)],
                                    centres[i + 1] - centres[i % (2 * blocks) + 1]));
   return std::max(turn, way / least_height(scene.blocks));
+}
+
+std::optional<Unrest> unrest_of(const Scene& scene, const History& exact, const std::vector<double>& centres,
+                                const std::vector<double>& gaps) {
+  const std::size_t count = std::min(exact.size(), gaps.size());
+  if (count < 20) return {};
+  const Stack<double> stack = make_stack<double>(scene);
+  const std::size_t last = count - 1, first = count - count / 10, middle = (first + last) / 2;
+  const Points<double> rest = centre_places(stack, exact, last);
+  for (std::size_t i = first; i < last; ++i)
+    if ((centre_places(stack, exact, i) - rest).cwiseAbs().maxCoeff() >
+        rest_share * least_height(scene.blocks))
+      return {};
+  const auto at = [&](std::size_t sample) {
+    return Points<double>::Map(centres.data() + 2 * sample * scene.blocks.size(), 2, stack.size());
+  };
+  const Points<double> before = (at(middle) - at(first)) / (exact.times[middle] - exact.times[first]),
+                       after = (at(last) - at(middle)) / (exact.times[last] - exact.times[middle]);
+  Unrest unrest;
+  for (int k = 0; k < stack.size(); ++k)
+    if (before.col(k).dot(after.col(k)) > 0)
+      unrest.creep = std::max(unrest.creep, std::min(before.col(k).norm(), after.col(k).norm()));
+  unrest.offset = (at(last) - rest).colwise().norm().maxCoeff();
+  const auto [low, high] = std::ranges::minmax(std::span(gaps).subspan(first, count - first));
+  if (high - low < 0.01 * high) unrest.hover = low;
+  return unrest;
 }
 
 double least_height(const std::vector<Block>& blocks) {

@@ -33,6 +33,21 @@ double extent_of_motion(const Scene& scene, const History& history, const std::v
 /// The least height of a block, m: what positions are held against.
 double least_height(const std::vector<Block>& blocks);
 
+/// What bodies still do over the last tenth of their samples, where the exact motion is at rest all that
+/// time.
+struct Unrest {
+  double hover = 0;   ///< height at which one stays over what it stands on, m
+  double creep = 0;   ///< speed at which a centre goes one way, m/s
+  double offset = 0;  ///< largest distance of a centre from the exact one at the end, m
+};
+
+/// From centres as centres_of() has them and the largest gap, m, at each of the first samples of `exact`. A
+/// gap that varies by a hundredth is none at which a block stays; the creep is the smaller of the mean
+/// velocities in both halves of that time, 0 where these point apart. Nothing where the exact motion is not
+/// at rest, or of less than 20 samples.
+std::optional<Unrest> unrest_of(const Scene& scene, const History& exact, const std::vector<double>& centres,
+                                const std::vector<double>& gaps);
+
 /// How deep a block must have sunk in for that to be told, as a share of the least block height.
 inline constexpr double told_sinking = 1e-3;
 

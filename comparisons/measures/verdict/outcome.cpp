@@ -2,136 +2,183 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <set>
 
 #include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 
 // What becomes of a run: what happens in engines and not in the exact motion, and whether they agree.
 
 namespace rockstack {
 namespace {
 
-constexpr std::size_t most_sets = 1;  ///< that a sentence names of more than two
+using Happening = RowEvent::Kind;
 
-std::string fall_of(const RunMetrics& row) {
-  if (row.toppling_verdict == TopplingVerdict::exact_alone)
-    return "stands, though in the exact motion a block falls";
-  if (row.toppling_verdict != TopplingVerdict::engine_alone) return "";
-  return row.fallen.empty() ? with_verb(row.toppled, "topples") : with_verb(row.fallen, "has fallen off");
-}
-
-/// How deep a block has sunk in.
-struct Sunk {
-  double depth = 0;    ///< m
-  bool stays = false;  ///< to the end, not for a moment
+/// An event's verb, how it is told of several sets, and the unit of its size.
+struct KindWords {
+  const char *verb, *several, *unit;
 };
 
-/// Where it stays so by more than told_sinking of the least block height, or is deeper by the tolerance for a
-/// moment; nought elsewhere.
-Sunk sunk_in(const RunMetrics& row, const JudgedScene& scene) {
-  const double off = row.largest_position_difference.value_or(0);
-  const double at_the_end = std::min(row.sinking.value_or(0), off);
-  const double deepest = std::min(row.penetration.value_or(0), off);
-  if (deepest > scene.tolerance * scene.least_height && deepest > 2 * at_the_end) return {deepest, false};
-  if (at_the_end > told_sinking * scene.least_height) return {at_the_end, true};
-  return {};
+/// In the order of RowEvent::Kind.
+constexpr std::array<KindWords, 11> kind_words{
+    {{"fails", "some replicates fail", ""},
+     {"", "blocks fall or topple that do not in the exact motion", ""},
+     {"stands, though in the exact motion a block falls", "blocks stand that fall in the exact motion", ""},
+     {"is thrown up by {}", "blocks are thrown up, by {} at most", "m"},
+     {"sinks in by {}", "blocks sink in, by {} at most", "m"},
+     {"hovers {} high", "blocks hover, {} high at most", "m"},
+     {"creeps at {} to the end", "blocks creep to the end, at {} at most", "m/s"},
+     {"turns at {} to the end", "blocks turn to the end, at {} at most", "rad/s"},
+     {"sinks in by {} for a moment", "blocks sink in for a moment, by {} at most", "m"},
+     {"is {} off at the end", "blocks come to rest elsewhere, {} off at most", "m"},
+     {"moves by {} for a while", "blocks that rest are moved for a while, by {} at most", "m"}}};
+
+const KindWords& words_of(Happening kind) {
+  return kind_words.at(static_cast<std::size_t>(kind));
+}
+
+std::string fall_of(const RunMetrics& run) {
+  return run.fallen.empty() ? with_verb(run.toppled, "topples") : with_verb(run.fallen, "has fallen off");
+}
+
+bool at_rest(const RunMetrics& run) {
+  return run.motion && *run.motion <= rest_extent;
+}
+
+/// All that happens in one run, with its size.
+std::map<Happening, double> events_in(const RunMetrics& run, const JudgedScene& scene) {
+  if (run.status != RunStatus::done) return {{Happening::fails, 0}};
+  if (differ(run.toppling_verdict))
+    return {{run.toppling_verdict == TopplingVerdict::exact_alone ? Happening::stands : Happening::falls, 0}};
+  if (run.toppling_verdict == TopplingVerdict::both) return {};
+  std::map<Happening, double> events;
+  const auto add = [&](Happening kind, double size, double least) {
+    if (size > least) events[kind] = size;
+  };
+  const double tolerance = scene.tolerance * scene.least_height, told = told_sinking * scene.least_height,
+               off = run.largest_position_difference.value_or(0), sinking = run.sinking.value_or(0),
+               hover = run.hover.value_or(0);
+  // What hovers has risen to there.
+  add(Happening::thrown, run.gap.value_or(0), std::max(run.exact_gap.value_or(0) + tolerance, 1.1 * hover));
+  const bool thrown = !events.empty();
+  add(Happening::sinks, std::min(sinking, off), told);
+  add(Happening::hovers, hover, told);
+  if (!thrown) {  // what is thrown goes on as it falls
+    add(Happening::creeps, run.creep.value_or(0), told / scene.duration);
+    add(Happening::turns, run.residual_motion.value_or(0), scene.tolerance / scene.duration);
+    add(Happening::dips, std::min(run.penetration.value_or(0), off), std::max(tolerance, 2 * sinking));
+  }
+  if (events.empty()) add(Happening::shifts, run.offset.value_or(0), tolerance);
+  if (events.empty() && at_rest(run) && !agrees(run, scene)) events[Happening::moves] = off;
+  return events;
+}
+
+/// "250 mm to 1 m", or one number where both are written alike.
+std::string range_text(double low, double high, const char* unit) {
+  const std::string from = quantity_text(low, unit, 2), to = quantity_text(high, unit, 2);
+  return from == to ? to : from + " to " + to;
 }
 
 /// The row of each set in which something happens that does not in the exact motion, with the largest error.
-std::vector<const RunMetrics*> rows_with_events(const std::vector<ReplicatedRow>& rows,
-                                                const std::vector<JudgedScene>& scenes) {
-  std::vector<const RunMetrics*> list;
-  for (const RunMetrics& row : rows) {
-    if (!is_engine(row) || !row.error || event_of(row, part_named(scenes, row.scene)).empty()) continue;
-    const auto same = [&](const RunMetrics* other) {
+std::vector<const ReplicatedRow*> rows_with_events(const std::vector<ReplicatedRow>& rows) {
+  std::vector<const ReplicatedRow*> list;
+  for (const ReplicatedRow& row : rows) {
+    if (!is_engine(row) || !row.error || row.events.empty()) continue;
+    const auto same = [&](const ReplicatedRow* other) {
       return other->scene == row.scene && set_name(*other) == set_name(row);
     };
-    const RunMetrics*& worst = found_or_added(list, same, &row);
+    const ReplicatedRow*& worst = found_or_added(list, same, &row);
     if (*row.error > *worst->error) worst = &row;
   }
   return list;
 }
 
-/// Which sets have events of each kind, and how deep blocks sink in and how high they rise at most.
-std::string counted_events(const std::vector<const RunMetrics*>& events,
-                           const std::vector<JudgedScene>& scenes) {
-  std::map<std::string, std::set<std::string>> sets;  // by what happens
-  double deepest = 0, highest = 0;
-  for (const RunMetrics* row : events) {
-    const std::string event = event_of(*row, part_named(scenes, row->scene));
-    const std::string verb = event.substr(0, event.find_first_of(" ,"));
-    if (verb == "sinks") deepest = std::max(deepest, sunk_in(*row, part_named(scenes, row->scene)).depth);
-    if (verb == "rises") highest = std::max(highest, row->gap.value_or(0));
-    sets[verb == "block" ? "falls" : verb].insert(set_name(*row));
+/// Which sets have events of each kind as their gravest, and how large these are at most.
+std::string counted_events(const std::vector<const ReplicatedRow*>& rows) {
+  constexpr std::size_t most_sets = 1;  // that a sentence names of more than two
+  std::map<Happening, std::set<std::string>> sets;
+  std::map<Happening, double> most;
+  for (const ReplicatedRow* row : rows) {
+    const RowEvent& gravest = row->events.front();
+    sets[gravest.kind].insert(set_name(*row));
+    most[gravest.kind] = std::max(most[gravest.kind], gravest.most);
   }
-  std::vector<std::string> parts;
-  const auto add = [&](const char* verb, const std::string& what) {
-    if (const auto& own = sets[verb]; !own.empty())
-      parts.push_back(fmt::format("with {}, {}", joined_up_to(most_sets, {own.begin(), own.end()}), what));
+  const auto told = [&](const auto& one) {
+    const auto& [kind, names] = one;
+    const KindWords& words = words_of(kind);
+    return fmt::format("with {}, {}", joined_up_to(most_sets, {names.begin(), names.end()}),
+                       fmt::format(fmt::runtime(words.several), quantity_text(most[kind], words.unit, 2)));
   };
-  add("falls", "blocks fall or topple that do not in the exact motion");
-  add("stands", "blocks stand that fall in the exact motion");
-  add("topples", "some replicates topple otherwise than the exact motion");
-  add("sinks", fmt::format("blocks sink in, by {} at most", quantity_text(deepest, "m", 2)));
-  add("rises", fmt::format("blocks rise that do not lift off in the exact motion, by {} at most",
-                           quantity_text(highest, "m", 2)));
-  return capitalised(fmt::format("{}.", fmt::join(parts, "; ")));
+  return capitalised(text_of_each(sets, told, "; ")) + ".";
 }
 
-std::string at_rest(const RunMetrics& row, const JudgedScene& scene, const std::string& event) {
-  const bool turns = row.largest_angle_difference.value_or(0) > scene.tolerance;
-  const bool sinks = event.starts_with("sinks");
-  if (!event.empty() && !(sinks && !turns)) return event;
-  if (sinks) return "rests, but " + event;
-  if (row.gap.value_or(0) > scene.tolerance * scene.least_height)
-    return "does not rest: rises by " + quantity_text(*row.gap, "m", 2);
-  const std::string off = quantity_text(row.largest_position_difference.value_or(0), "m", 2) + " off";
-  if (turns)
-    return fmt::format("does not rest: {} and {}", quantity_text(*row.largest_angle_difference, "rad", 2),
-                       off);
-  return agrees(row, scene) ? "rests" : "rests, but is " + off;
+/// Until when how many of a row's runs agree.
+std::string agreement_of(const std::vector<RunMetrics>& runs, const JudgedScene& scene) {
+  std::vector<double> ends;
+  std::size_t whole = 0;
+  for (const RunMetrics& run : runs) {
+    if (run.status != RunStatus::done) continue;
+    whole += agrees(run, scene) ? 1 : 0;
+    ends.push_back(agreement_end(run, scene));
+  }
+  const std::string all =
+      runs.front().horizon.value_or(scene.duration) < scene.duration ? "to the horizon" : "to the end";
+  const std::string share =
+      whole == runs.size() ? "" : fmt::format(" in {} of {} replicates", whole, runs.size());
+  if (2 * whole > runs.size()) return "agrees " + all + share;
+  const std::string until = "agrees until " + quantity_text(median(ends), "s");
+  return whole == 0 ? until : until + ", " + all + share;
 }
 
 }  // namespace
 
-std::string event_of(const RunMetrics& row, const JudgedScene& scene) {
-  // In how many runs it topples otherwise, where not in all or none.
-  const int other = row.draws_other_verdict.value_or(0), all = row.draws.value_or(1);
-  const std::string replicates =
-      other > 0 && other < all ? fmt::format("in {} of {} replicates", other, all) : "";
-  if (const std::string fall = fall_of(row); !fall.empty())
-    return replicates.empty() ? fall : fall + ", " + replicates;
-  if (!replicates.empty()) return "topples otherwise " + replicates;
-  if (const auto [depth, stays] = sunk_in(row, scene); depth > 0)
-    return "sinks in by " + quantity_text(depth, "m", 2) + (stays ? "" : " for a moment");
-  const bool pivots = row.law == name(Law::paper) || row.law == name(Law::consistent);
-  const bool rises = pivots && row.motion > rest_extent && row.gap > scene.tolerance * scene.least_height;
-  return rises ? "rises by " + quantity_text(*row.gap, "m", 2) : "";
+std::vector<RowEvent> events_of(const std::vector<RunMetrics>& runs, const JudgedScene& scene) {
+  std::map<Happening, std::vector<double>> sizes;
+  std::string fall;
+  for (const RunMetrics& run : runs)
+    for (const auto& [kind, size] : events_in(run, scene)) {
+      sizes[kind].push_back(size);
+      if (kind == Happening::falls && fall.empty()) fall = fall_of(run);
+    }
+  return each_of(sizes, [&](const auto& one) {
+    const auto& [kind, list] = one;
+    const auto [low, high] = std::ranges::minmax(list);
+    const KindWords& words = words_of(kind);
+    std::string text = kind == Happening::falls
+                           ? fall
+                           : fmt::format(fmt::runtime(words.verb), range_text(low, high, words.unit));
+    if (list.size() < runs.size()) text += fmt::format(" in {} of {} replicates", list.size(), runs.size());
+    return RowEvent{kind, std::move(text), high};
+  });
 }
 
-std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes,
-                           std::size_t most) {
-  const std::vector<const RunMetrics*> events = rows_with_events(rows, scenes);
-  if (events.empty()) return "";
-  if (events.size() > most) return counted_events(events, scenes);
-  const auto told = [&](const RunMetrics* row) {
-    const std::string event = event_of(*row, part_named(scenes, row->scene));
-    const char* subject = event.starts_with("block")                                 ? ""
-                          : event.starts_with("sinks") || event.starts_with("rises") ? "a block "
-                                                                                     : "it ";
+std::string event_sentence(const std::vector<ReplicatedRow>& rows, std::size_t most) {
+  const std::vector<const ReplicatedRow*> list = rows_with_events(rows);
+  if (list.empty()) return "";
+  if (list.size() > most) return counted_events(list);
+  const auto told = [&](const ReplicatedRow* row) {
+    const RowEvent& gravest = row->events.front();
+    const char* subject = gravest.kind == Happening::falls ? ""
+                          : gravest.kind == Happening::fails || gravest.kind == Happening::stands
+                              ? "it "
+                              : "a block ";
     return fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene, quantity_text(*row->dt, "s"),
-                       subject, event);
+                       subject, gravest.text);
   };
-  return capitalised(text_of_each(events, told, "; ")) + ".";
+  return capitalised(text_of_each(list, told, "; ")) + ".";
 }
 
 std::string with_verb(const std::string& block_and_time, const std::string& verb) {
-  const std::size_t at = block_and_time.find(" at ");
-  const double time = std::stod(block_and_time.substr(at + 4));
-  return block_and_time.substr(0, at) + " " + verb + " at " + quantity_text(time, "s");
+  return block_and_time.substr(0, block_and_time.find(" at ")) + " " + verb + " at " +
+         quantity_text(end_time(block_and_time), "s");
+}
+
+double end_time(const std::string& block_and_time) {
+  return std::stod(block_and_time.substr(block_and_time.find(" at ") + 4));
 }
 
 bool is_engine(const RunMetrics& row) {
@@ -154,16 +201,19 @@ double agreement_end(const RunMetrics& row, const JudgedScene& scene) {
       {horizon, row.agreement_time.value_or(horizon), row.position_agreement_time.value_or(horizon)});
 }
 
-std::string outcome(const RunMetrics& row, const JudgedScene& scene) {
-  if (row.status != RunStatus::done) return name(row.status) + ": " + row.reason;
-  if (!row.error) return "";
-  const std::string event = event_of(row, scene);
-  if (row.motion && *row.motion <= rest_extent) return at_rest(row, scene, event);
-  const double horizon = row.horizon.value_or(scene.duration);
-  const std::string until = !agrees(row, scene) ? "until " + quantity_text(agreement_end(row, scene), "s")
-                            : horizon < scene.duration ? "to the horizon"
-                                                       : "to the end";
-  return "agrees " + until + (event.empty() ? "" : "; " + event);
+std::string outcome(const std::vector<RunMetrics>& runs, const JudgedScene& scene) {
+  const RunMetrics& nominal = runs.front();
+  if (nominal.status != RunStatus::done) return name(nominal.status) + ": " + nominal.reason;
+  if (!nominal.error) return "";
+  const std::vector<RowEvent> events = events_of(runs, scene);
+  const std::string told = text_of_each(
+      events, [](const RowEvent& event) { return event.text; }, "; ");
+  if (!at_rest(nominal)) return agreement_of(runs, scene) + (told.empty() ? "" : "; " + told);
+  const auto stays = [](const RowEvent& event) {
+    return event.kind == Happening::sinks || event.kind == Happening::hovers ||
+           event.kind == Happening::shifts;
+  };
+  return told.empty() ? "rests" : std::ranges::all_of(events, stays) ? "rests, but " + told : told;
 }
 
 }  // namespace rockstack

@@ -143,7 +143,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
                                       &RunMetrics::rms_position_difference);
   std::vector<std::string> sentences{
       solved ? exact_sentence(*exact, scene) : "There is no exact motion to compare with.",
-      event_sentence(rows, {scene}, rows.size()),
+      event_sentence(rows, rows.size()),
       angles,
       angles.empty() ? "" : centres,
       by_step(rows, "The first impact is off by (+: late): {}.", "s",
@@ -157,7 +157,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
   return sentences;
 }
 
-/// Scenes in which nothing moves, where what happens in engines is all there is to tell.
+/// Scenes in which nothing moves: what happens in engines is told by itself.
 std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes) {
   std::vector<std::string> at_rest;
   for (const JudgedScene& scene : scenes) {
@@ -166,16 +166,7 @@ std::string rest_sentence(const std::vector<ReplicatedRow>& rows, const std::vec
     });
     if (rests) at_rest.push_back(scene.name);
   }
-  if (at_rest.empty()) return "";
-  const ReplicatedRow* worst = nullptr;  // where blocks do not rest as exactly, though nothing sinks or falls
-  for (const ReplicatedRow& one : rows) {
-    if (!is_engine(one) || !one.error || !one.motion || *one.motion > rest_extent) continue;
-    const JudgedScene& scene = part_named(scenes, one.scene);
-    const bool off = !agrees(one, scene) && event_of(one, scene).empty();
-    if (off && (worst == nullptr || *one.error > *worst->error)) worst = &one;
-  }
-  return fmt::format("Nothing moves in {}, where no set is ranked{}.", joined(at_rest),
-                     worst == nullptr ? "" : fmt::format("; {} {}", phrase(*worst), worst->outcome));
+  return at_rest.empty() ? "" : fmt::format("Nothing moves in {}, where no set is ranked.", joined(at_rest));
 }
 
 /// Scenes whose exact motion is not the only one, not one of blocks that only push and stick, or not one that
@@ -209,7 +200,7 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
   sentences.push_back(together(doubt_sentence(rows), agreement_sentence(rows, scenes)));
-  sentences.push_back(event_sentence(rows, scenes, most_events));
+  sentences.push_back(event_sentence(rows, most_events));
   sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
   sentences.resize(std::min<std::size_t>(sentences.size(), 3));

@@ -17,6 +17,9 @@ struct JudgedScene {
 /// "block 2 at 0.4 s", as rows tell a fall, with the verb between.
 std::string with_verb(const std::string& block_and_time, const std::string& verb);
 
+/// The time in that, s.
+double end_time(const std::string& block_and_time);
+
 /// True for a run of an engine, not of the exact solver in another way.
 bool is_engine(const RunMetrics& row);
 
@@ -35,12 +38,13 @@ bool agrees(const RunMetrics& row, const JudgedScene& scene);
 /// Until when neither is, s; the horizon where the row agrees.
 double agreement_end(const RunMetrics& row, const JudgedScene& scene);
 
-/// What happens in a run that does not in the exact motion, as a verb with what it needs: "block 2 has fallen
-/// off at 0.4 s", "sinks in by 86 mm", of a law without lift-off "rises by 20 mm"; empty where nothing does.
-std::string event_of(const RunMetrics& row, const JudgedScene& scene);
+/// What happens in a row's runs, the nominal one first, that does not in the exact motion: "block 2 has
+/// fallen off at 0.4 s", "is thrown up by 250 mm to 1 m in 4 of 5 replicates"; from the gravest on.
+std::vector<RowEvent> events_of(const std::vector<RunMetrics>& runs, const JudgedScene& scene);
 
-/// What becomes of a run, in words: "agrees until 1.2 s", "rests, but sinks in by 86 mm", "failed: …".
-std::string outcome(const RunMetrics& row, const JudgedScene& scene);
+/// What becomes of a row's runs, the nominal one first, in words: "agrees until 1.2 s; creeps at 2 mm/s to
+/// the end", "rests, but sinks in by 86 mm", "failed: …".
+std::string outcome(const std::vector<RunMetrics>& runs, const JudgedScene& scene);
 
 std::vector<ReplicatedRow> rows_of(std::vector<ReplicatedRow> rows, const JudgedScene& scene);
 
@@ -51,8 +55,7 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
 
 /// What happens in engines and not in the exact motion, in a sentence, one set once at the step at which it
 /// errs most; of more than `most` sets how many they are. Empty where nothing happens.
-std::string event_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes,
-                           std::size_t most);
+std::string event_sentence(const std::vector<ReplicatedRow>& rows, std::size_t most);
 
 /// Which sets are nearest to the exact motion, in a sentence that says in which scenes, and calls one nearer
 /// than another only where replicates tell them apart. Up to three scenes are told one by one, more by the

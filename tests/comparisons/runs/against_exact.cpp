@@ -62,7 +62,7 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
       .centres = shifted(centres_of(scene, exact)),
       .unsupported_since = std::vector<double>(scene.blocks.size(), std::numeric_limits<double>::infinity()),
       .contacts = ContactRecord{{0, 0, 100}, 6, 7, 3e5, 40, told},
-      .gap = 2,
+      .gaps = {0, 2, 1},
       .slip = 3,
       .out_of_plane = 4,
       .out_of_plane_tilt = 5};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "analytic/solve.hpp"
@@ -134,6 +135,31 @@ TEST(SoftContact, ConvergesWhereItsSpringStaysTheSame) {
     EXPECT_NEAR(change(same_spring, 1e-3) / change(same_spring, 5e-4), 2, 0.3) << engine.solver;
     EXPECT_NEAR(change(same_share, 1e-3) / change(same_share, 5e-4), 1, 0.3) << engine.solver;
   }
+}
+
+/// What is told of one block at rest whose centre goes by so much, m, at each of 101 times within 1 s.
+template <class Way>
+std::optional<Unrest> unrest(const Way& way, double height) {
+  Scene scene = free_rocking(1);
+  scene.blocks.resize(1);
+  scene.initial = {{0}, {0}};
+  const History exact = solve(scene, {.sample_times = regular_times(0.01, 1)});
+  std::vector<double> centres = centres_of(scene, exact), gaps(exact.size(), height);
+  for (std::size_t i = 0; i < exact.size(); ++i) centres[2 * i] += way(exact.times[i]);
+  return unrest_of(scene, exact, centres, gaps);
+}
+
+TEST(Unrest, OfASteadyCreepIsItsSpeedAndOfATrembleNothing) {
+  const auto creep = unrest([](double time) { return 7e-3 * time; }, 0.015);
+  ASSERT_TRUE(creep);
+  EXPECT_NEAR(creep->creep, 7e-3, 1e-12);
+  EXPECT_NEAR(creep->offset, 7e-3, 1e-12);
+  EXPECT_EQ(creep->hover, 0.015);
+  const auto slowing = unrest([](double time) { return -0.5 * (1 - time) * (1 - time); }, 0);
+  EXPECT_LT(slowing->creep, 0.05) << "the mean over the last tenth";
+  const auto tremble =
+      unrest([](double time) { return 1e-3 * std::cos(2 * std::numbers::pi * time / 0.1); }, 0);
+  EXPECT_EQ(tremble->creep, 0);
 }
 
 TEST(EnergyGain, IsTheLargestRiseAboveTheLeastBefore) {

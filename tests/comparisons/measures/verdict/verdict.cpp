@@ -44,8 +44,8 @@ ReplicatedRow row_at_rest(const std::string& settings, double sunk = 0) {
   return one;
 }
 
-std::vector<std::string> headline(const std::vector<ReplicatedRow>& rows,
-                                  const std::vector<JudgedScene>& scenes) {
+std::vector<std::string> headline(std::vector<ReplicatedRow> rows, const std::vector<JudgedScene>& scenes) {
+  for (ReplicatedRow& one : rows) one.events = events_of({one}, scenes.front());
   return verdict_of({rows, {}, {}}, scenes).headline;
 }
 
@@ -148,10 +148,11 @@ TEST(Verdict, WhatMovesWhereNothingShouldIsTold) {
   std::vector<ReplicatedRow> rows{row_at_rest("tuned"), row_at_rest("default")};
   rows[1].largest_position_difference = 0.5;
   rows[1].relative_position_difference = 0.5 / height;
-  rows[1].outcome = "rests, but is 500 mm off";
-  EXPECT_EQ(
-      headline(rows, {scene("rest")})[0],
-      "Nothing moves in rest, where no set is ranked; ode:step (default) at 1 ms rests, but is 500 mm off.");
+  rows[1].offset = 0.5;
+  const auto told = headline(rows, {scene("rest")});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0], "With ode:step (default) in rest at 1 ms a block is 500 mm off at the end.");
+  EXPECT_EQ(told[1], "Nothing moves in rest, where no set is ranked.");
 }
 
 TEST(Verdict, SaysHowFewAndHowManyReplicatesThereAre) {
