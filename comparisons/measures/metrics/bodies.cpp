@@ -73,8 +73,9 @@ std::optional<Unrest> unrest_of(const Scene& scene, const History& exact, const 
     if (before.col(k).dot(after.col(k)) > 0)
       unrest.creep = std::max(unrest.creep, std::min(before.col(k).norm(), after.col(k).norm()));
   unrest.offset = (at(last) - rest).colwise().norm().maxCoeff();
-  const auto [low, high] = std::ranges::minmax(std::span(gaps).subspan(first, count - first));
-  if (high - low < 0.01 * high) unrest.hover = low;
+  const auto shown = std::span(gaps).subspan(first, count - first);
+  const auto [low, high] = std::minmax_element(shown.begin(), shown.end());
+  if (*high - *low < 0.01 * *high) unrest.hover = *low;
   return unrest;
 }
 

@@ -19,7 +19,7 @@ using testing::bouncing;
 using testing::gains;
 using testing::released;
 
-constexpr double close = 1e-10;
+constexpr double exactly = 1e-10;
 constexpr double height = 0.1;
 
 Scene with_law(Scene scene, RestitutionLaw law) {
@@ -51,15 +51,15 @@ TEST(Flights, BlocksThrownTogetherFlyAsOneWithNoForceBetweenThem) {
     EXPECT_TRUE(history.events.empty());
     for (const ContactSample<double>& sample : history.samples) {
       const double t = sample.time;
-      EXPECT_NEAR(sample.gaps[0], height + 2 * t - g * t * t / 2, close);
-      EXPECT_NEAR(sample.slips[1], along * t, close);
-      EXPECT_NEAR(sample.slips[2], 0, close);
+      EXPECT_NEAR(sample.gaps[0], height + 2 * t - g * t * t / 2, exactly);
+      EXPECT_NEAR(sample.slips[1], along * t, exactly);
+      EXPECT_NEAR(sample.slips[2], 0, exactly);
       for (std::size_t k = 0; k < three.size(); ++k)
         EXPECT_NEAR(sample.bodies.rate[k].angle, 0, testing::round_off);
     }
     for (const BasicReaction<double>& force : history_of(scene, history).reactions) {
-      EXPECT_NEAR(force.normal, 0, close);
-      EXPECT_NEAR(force.tangential, 0, close);
+      EXPECT_NEAR(force.normal, 0, exactly);
+      EXPECT_NEAR(force.tangential, 0, exactly);
     }
   }
 }
@@ -74,13 +74,13 @@ TEST(Flights, AFlatStackBouncesAsOneBlockDoes) {
       const ContactHistory<> history = solve_unilateral(scene);
       double time = fall;
       for (std::size_t n = 0; n < 8; ++n) {
-        EXPECT_NEAR(history.events.at(n).time, time, close) << e;
+        EXPECT_NEAR(history.events.at(n).time, time, exactly) << e;
         EXPECT_EQ(name(history.events[n].to), "-CC");
         time += 2 * std::pow(e, n + 1.0) * fall;
       }
       const ContactEvent<>& last = history.events.back();
       EXPECT_EQ(last.kind, EventKind::rest);
-      EXPECT_NEAR(last.time, end, close) << e;
+      EXPECT_NEAR(last.time, end, exactly) << e;
       EXPECT_LE(history.events.size(), 2 + std::log(1e-14) / std::log(e)) << e;
     }
   }
@@ -94,13 +94,13 @@ TEST(Flights, ASlidingBlockThatTheLandingStopsStaysOnItsFaceInFlight) {
   const double fall = std::sqrt(2 * height / scene.gravity);
   const ContactHistory<> history = solve_unilateral(scene);
   ASSERT_GT(history.events.size(), 3U);
-  EXPECT_NEAR(history.events[0].time, fall, close);
+  EXPECT_NEAR(history.events[0].time, fall, exactly);
   EXPECT_EQ(name(history.events[0].from), "-C<");
   EXPECT_EQ(name(history.events[0].to), "-C");
-  EXPECT_NEAR(history.events[1].time, fall * (1 + 2 * e), close);
+  EXPECT_NEAR(history.events[1].time, fall * (1 + 2 * e), exactly);
   for (const ContactEvent<>& event : history.events) EXPECT_FALSE(gains(scene, event)) << event.time;
   EXPECT_EQ(history.events.back().kind, EventKind::rest);
-  EXPECT_NEAR(history.events.back().time, fall * (1 + e) / (1 - e), close);
+  EXPECT_NEAR(history.events.back().time, fall * (1 + e) / (1 - e), exactly);
 }
 
 // Impacts of two that fly as one and of a third that comes down on them: what each keeps, in one dimension.
