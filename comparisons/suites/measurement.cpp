@@ -1,9 +1,13 @@
 #include "comparisons/suites/measurement.hpp"
 
+#include <fmt/ranges.h>
+
 #include <numbers>
 #include <tuple>
 
-#include "comparisons/measures/results/csv.hpp"
+#include "analytic/scene/files/file_text.hpp"
+#include "analytic/scene/ground/records/plain_text.hpp"
+#include "analytic/scene/ground/records/table.hpp"
 
 namespace rockstack {
 namespace {
@@ -13,11 +17,49 @@ std::vector<std::string> names_of_columns(const Node& node) {
   return each_of(entries(node, "a name of a column for each block"), text);
 }
 
-/// Of a reading, to rad or m.
-double unit_factor(const Node* unit, bool point) {
-  if (unit == nullptr) return 1;
+/// Factor to rad or m that the key `unit` says.
+std::optional<double> stated_factor(const Node* unit, bool point) {
+  if (unit == nullptr) return std::nullopt;
   if (point) return choice<double>(*unit, {{"m", 1}, {"cm", 0.01}, {"mm", 1e-3}});
   return choice<double>(*unit, {{"rad", 1}, {"mrad", 1e-3}, {"deg", std::numbers::pi / 180}});
+}
+
+/// The column of a name, with or without its unit.
+std::size_t column_named(const records::Table& table, const std::string& name) {
+  const auto& titles = table.titles;
+  for (const auto member : {&records::Title::text, &records::Title::name})
+    if (const auto found = std::ranges::find(titles, name, member); found != titles.end())
+      return static_cast<std::size_t>(found - titles.begin());
+  const auto names = each_of(titles, [](const records::Title& title) { return title.text; });
+  table.cursor.fail_at(table.title_line,
+                       fmt::format("no column {}; its titles are {}", name,
+                                   names.empty() ? "missing" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+/// The factor that a column's title has, which the key `unit` must not contradict; 1 where neither says one.
+double factor_of(const records::Table& table, std::size_t column, records::Quantity quantity,
+                 std::optional<double> stated) {
+  const auto& title = table.titles[column];
+  const bool own = title.unit && title.unit->quantity == quantity;
+  if ((title.unit && !own) || (own && stated && *stated != title.unit->factor))
+    table.cursor.fail_at(table.title_line,
+                         fmt::format("{} has another unit than measured.unit: must be of {}",
+                                     table.column_name(column), records::name(quantity)));
+  return own ? title.unit->factor : stated.value_or(1);
+}
+
+/// Refuses angles that no standing block has, where nobody has said that they are in rad.
+void require_standing(const Measurement& measured, const Scene& scene, const Node& column) {
+  const std::size_t columns = measured.columns.size();
+  for (std::size_t k = 0; k < measured.values.size(); ++k) {
+    const auto block = static_cast<int>(measured.first_block + k % columns);
+    const double least = toppling_angle(scene, block);
+    if (!(std::abs(measured.values[k]) > least)) continue;
+    throw wrong_value(column,
+                      fmt::format("of angles in rad: {:.4g} at {:.6g} s is beyond {:.4g}, where block {} "
+                                  "has toppled; say unit = \"deg\", or unit = \"rad\" where it is meant",
+                                  measured.values[k], measured.times[k / columns], least, block + 1));
+  }
 }
 
 }  // namespace
@@ -40,14 +82,29 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
     if (measured.columns.size() != 1) throw wrong_value(*point, "left out where there are several columns");
     measured.point = {at[0], at[1]};
   }
-  const double factor = unit_factor(find(table, "unit"), measured.point.has_value());
-  if (const Node* node = find(table, "uncertainty")) measured.uncertainty = factor * number_above_zero(*node);
+  const std::optional<double> stated = stated_factor(find(table, "unit"), measured.point.has_value());
   const Node* time = find(table, "time");
-  std::vector<std::string> names{time == nullptr ? "time" : text(*time)};
-  names.insert(names.end(), measured.columns.begin(), measured.columns.end());
   if (!std::filesystem::exists(folder / measured.file))
     throw wrong_value(file, "a CSV file, none is at " + one_line((folder / measured.file).string()));
-  const auto columns = read_columns(folder / measured.file, names);
+  const std::string name = (folder / measured.file).string();
+  const std::string text_of_file = records::plain_text(name, file_text(name));
+  const records::Table readings = records::read_titled(name, text_of_file);
+  readings.check_even(false);
+  const std::size_t time_column = column_named(readings, time == nullptr ? "time" : text(*time));
+  const auto quantity = measured.point ? records::Quantity::displacement : records::Quantity::angle;
+  std::vector<std::vector<double>> columns{readings.column(time_column, true)};
+  const double time_factor = factor_of(readings, time_column, records::Quantity::time, std::nullopt);
+  for (double& at : columns[0]) at *= time_factor;
+  double factor = 1;
+  bool own = false;
+  for (const std::string& one : measured.columns) {
+    const std::size_t index = column_named(readings, one);
+    factor = factor_of(readings, index, quantity, stated);
+    own = own || readings.titles[index].unit;
+    columns.push_back(readings.column(index, true));
+    for (double& value : columns.back()) value = factor * value;
+  }
+  if (const Node* node = find(table, "uncertainty")) measured.uncertainty = factor * number_above_zero(*node);
   const double start = number_or(table, "start", 0);
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
     const double at = columns[0][i] - start;
@@ -56,9 +113,10 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
           file, "a file with times that ascend, those of its reading " + std::to_string(i + 1) + " do not");
     if (at < 0 || at > scene.duration) continue;
     measured.times.push_back(at);
-    for (std::size_t k = 1; k < columns.size(); ++k) measured.values.push_back(factor * columns[k][i]);
+    for (std::size_t k = 1; k < columns.size(); ++k) measured.values.push_back(columns[k][i]);
   }
   if (measured.times.empty()) throw wrong_value(file, "a file with readings within the scene's duration");
+  if (!measured.point && !stated && !own) require_standing(measured, scene, column);
   return measured;
 }
 

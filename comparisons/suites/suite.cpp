@@ -258,7 +258,7 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
       const double factor = peak(motion) / largest;
       for (double& sample : real.samples) sample *= factor;
       real.source =
-          fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(), replacement.format, factor);
+          fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(), description(replacement), factor);
       motion = std::move(real);
       scene.scene.duration = std::max(scene.scene.duration, motion.end());
       replaced = true;

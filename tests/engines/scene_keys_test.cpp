@@ -81,6 +81,7 @@ const std::vector<KeyCase> cases{
     {&record_keys, "scale", "2.0"},
     {&record_keys, "peak", "2.0"},
     {&record_keys, "time_scale", "2.0"},
+    {&record_keys, "limits", ""},
     {&samples_keys, "samples", "[0.0, 3.0, -1.0, 0.0]"},
     {&samples_keys, "interval", "0.2"},
     {&samples_keys, "scale", "2.0"},

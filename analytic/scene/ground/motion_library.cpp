@@ -32,8 +32,8 @@ std::shared_ptr<const GroundMotion> MotionLibrary::kept(const std::string& name,
 
 std::shared_ptr<const GroundMotion> MotionLibrary::record(const std::filesystem::path& name) {
   return kept("record " + name.string(), [&] {
-    Record record = read_record(name);
-    return GroundMotion{record.interval, std::move(record.samples), record.format};
+    Record record = read_record(name, RecordLimits::none);
+    return GroundMotion{record.interval, std::move(record.samples), description(record)};
   });
 }
 

@@ -17,6 +17,9 @@ GroundMotion from_record(const Node& table, const Node& node, const std::filesys
   if (!std::filesystem::is_regular_file(file, ignored))
     throw wrong_value(node, "a record's file, none is at " + one_line(file.string()));
   GroundMotion motion = *library.record(name);
+  const Node* limits = find(table, "limits");
+  if (limits == nullptr || choice<RecordLimits>(*limits, {"usual", "none"}) == RecordLimits::usual)
+    check_usual(file.string(), motion.source, motion.interval, motion.samples);
   motion.source = node.text + " (" + motion.source + ")";
   return motion;
 }

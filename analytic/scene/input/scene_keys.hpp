@@ -94,12 +94,14 @@ inline constexpr KeyTable record_keys{
     "[ground.horizontal]",
     "a record; [ground.vertical] likewise, up positive",
     {{"record", "\"motion.csv\"", "",
-      "a file beside the scene: AT2, COSMOS, ESM, GeoNet, K-NET, SMC, Volume 2, columns", required_key,
+      "a file beside the scene: AT2, COSMOS, ESM, GeoNet, K-NET, ObsPy, SMC, Volume 2, columns", required_key,
       "accelerogram; \"FILE:CHANNEL\" takes one of several channels"},
      {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
      {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"},
      {"time_scale", "1.0", "", "> 0", "1",
-      "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"}}};
+      "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"},
+     {"limits", "\"none\"", "", "\"usual\" or \"none\"", "\"usual\"",
+      "of a record: refuses a step above 0.5 s and a peak above 10 g, or takes them as meant"}}};
 
 inline constexpr KeyTable samples_keys{
     "[ground.horizontal]",

@@ -4,6 +4,7 @@
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/record_limits.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -91,17 +92,16 @@ std::string text_of(const std::vector<Section>& sections, const std::string& sce
 }
 
 /// The motion that a scene has, and the others as comments; with a record the scene lasts as long as it.
-std::vector<Section> scene_sections(const std::optional<std::filesystem::path>& record,
-                                    const std::filesystem::path& folder) {
+std::vector<Section> scene_sections(const std::optional<Record>& motion, const std::string& path,
+                                    RecordLimits limits) {
   std::vector<Section> sections{{&scene_keys, {{"title", "\"A column\""}}}, {&block_keys}, {&block_keys}};
   sections[1].values = {{"width", "0.6"}, {"height", "1.6"}};
   sections[2].values = {{"width", "0.5"}, {"height", "1.2"}};
-  if (record) {
-    const Record motion = read_record(*record);
-    const double length = motion.interval * static_cast<double>(motion.samples.size());
+  if (motion) {
+    const double length = motion->interval * static_cast<double>(motion->samples.size());
     sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
-    const std::string path = std::filesystem::proximate(*record, folder).string();
     sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
+    if (limits == RecordLimits::none) sections.back().values["limits"] = toml_text("none");
   } else {
     sections.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
     sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
@@ -134,14 +134,20 @@ std::string ensemble_text() {
 /// A commented input file of a kind, made of the keys that its reader takes: it is accepted as it stands, and
 /// what may be left out is there as comments. A scene with a record has that record, as a path from the file,
 /// for its ground motion. @throws InputError where the record cannot be read.
-std::string template_text(const NewArguments& arguments) {
+std::string template_text(const NewArguments& arguments, const Common& common) {
   const std::string& kind = arguments.kind;
   if (arguments.record && kind != "scene")
     throw InputError(fmt::format("--record {}: must be left out of a {}", *arguments.record, kind));
+  if (!arguments.record) refuse_overrides(common, "a template is edited");
   if (kind == "suite") return suite_text();
   if (kind == "ensemble") return ensemble_text();
+  if (!arguments.record) return text_of(scene_sections(std::nullopt, "", RecordLimits::usual));
+  const RecordLimits limits = record_limits(common);
+  const Record motion = read_record(*arguments.record, limits);
   const std::filesystem::path folder = arguments.out.parent_path();
-  return text_of(scene_sections(arguments.record, folder.empty() ? "." : folder));
+  const auto path = std::filesystem::proximate(*arguments.record, folder.empty() ? "." : folder).string();
+  return fmt::format("# {}: {}\n", one_line(path), one_line(description(motion))) +
+         text_of(scene_sections(motion, path, limits));
 }
 
 /// What can be named on a command line, and what it is.
@@ -198,11 +204,10 @@ int keys_command(const KindArguments& arguments, const Common& common) {
 }
 
 int new_command(const NewArguments& arguments, const Common& common) {
-  refuse_overrides(common, "a template is edited");
   std::error_code ignored;
   if (!arguments.out.empty() && std::filesystem::exists(arguments.out, ignored))
     throw InputError(fmt::format("--out {}: must be a new file, this one is there", arguments.out.string()));
-  const std::string text = template_text(arguments);
+  const std::string text = template_text(arguments, common);
   if (arguments.out.empty()) {
     fmt::print("{}", text);
     return 0;
@@ -213,7 +218,10 @@ int new_command(const NewArguments& arguments, const Common& common) {
     throw InputError(fmt::format("--out {}: must be a file that can be written, in a folder that is there",
                                  arguments.out.string()));
   }
-  if (!common.quiet) fmt::print("{}: {}\n", arguments.kind, arguments.out.string());
+  if (!common.quiet) {
+    fmt::print("{}: {}\n", arguments.kind, arguments.out.string());
+    if (arguments.record) fmt::print("record: {}\n", text.substr(2, text.find('\n') - 2));
+  }
   return 0;
 }
 

@@ -34,6 +34,8 @@ void print_history(const Scene& scene, const History& history, const Support& su
   json.update(others);
   if (!in_words(json, common)) return;
   fmt::print("{}\n", verdict);
+  for (const GroundMotion* motion : {&scene.horizontal, &scene.vertical})
+    if (!motion->samples.empty() && !motion->made_up) fmt::print("ground: {}\n", motion->source);
   for (const auto& [kind, number] : events) fmt::print("{}: {}\n", kind, number);
   constexpr double rounding = 1e-12;
   for (std::size_t k = 0; const double peak : peaks)

@@ -3,6 +3,7 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/record_limits.hpp"
 #include "comparisons/measures/metrics/ground.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
@@ -15,21 +16,21 @@ constexpr double spectrum_damping = 0.05;
 
 /// A record as the command sees it: where it came from, the motion to be measured and what it measures.
 struct MeasuredRecord {
-  std::string file, channel, format;
+  std::string file, channel, format, taken;
   BaseLine base_line;
   GroundMotion motion;
   GroundMeasures measures;
 };
 
-MeasuredRecord measure_record(const RecordArguments& arguments) {
-  Record record = read_record(arguments.file);
+MeasuredRecord measure_record(const RecordArguments& arguments, RecordLimits limits) {
+  Record record = read_record(arguments.file, limits);
   const std::string file = record_file(arguments.file).string();
   const std::string channel = arguments.file == file ? "1" : arguments.file.substr(file.size() + 1);
   GroundMotion motion{record.interval, std::move(record.samples), arguments.file};
   const BaseLine line = arguments.base_line == "fitted" ? fitted_base_line(motion) : BaseLine{};
   motion = without(motion, line);
   const GroundMeasures measures = measure_ground(motion);
-  return {file, channel, record.format, line, std::move(motion), measures};
+  return {file, channel, record.format, record.taken, line, std::move(motion), measures};
 }
 
 Json to_json(const Peak& peak) {
@@ -45,6 +46,7 @@ Json to_json(const MeasuredRecord& record, const RecordArguments& arguments) {
   return {{"file", record.file},
           {"channel", record.channel},
           {"format", record.format},
+          {"taken", record.taken},
           {"points", measures.points},
           {"interval", measures.interval},
           {"duration", measures.duration},
@@ -75,6 +77,7 @@ void print_text(const MeasuredRecord& record, const std::string& base_line) {
   line("file", record.file);
   line("format", record.format);
   line("channel", record.channel);
+  if (!record.taken.empty()) line("taken", record.taken);
   line("points", fmt::format("{}, {:.12g} s apart, {:.6g} s in all", m.points, m.interval, m.duration));
   line("base line taken off",
        base_line == "none"
@@ -115,8 +118,7 @@ std::string spectrum_csv(const GroundMotion& motion) {
 }  // namespace
 
 int record_command(const RecordArguments& arguments, const Common& common) {
-  refuse_overrides(common, "a record has no scene keys");
-  const MeasuredRecord record = measure_record(arguments);
+  const MeasuredRecord record = measure_record(arguments, record_limits(common));
   const Json json = to_json(record, arguments);
   std::optional<ResultsFolder> folder;
   if (!arguments.out.empty()) {

@@ -18,10 +18,12 @@ namespace rockstack {
 std::filesystem::path record_file(const std::filesystem::path& name) {
   throw InputError(name.string() + ": must be given as samples on a page");
 }
-Record read_record(const std::filesystem::path& name) {
+Record read_record(const std::filesystem::path& name, RecordLimits /*limits*/) {
   record_file(name);
   return {};
 }
+void check_usual(const std::string& /*file*/, const std::string& /*read_as*/, double /*interval*/,
+                 const std::vector<double>& /*samples*/) {}
 
 namespace {
 

@@ -230,7 +230,9 @@ TEST(Suites, ARecordTakesThePlaceOfMotionsBySamplesAtTheirPeak) {
   EXPECT_FALSE(motion(3).made_up);
   EXPECT_EQ(motion(3).source, "new.csv (text columns), scaled by 2");
   const double still = suites[0].scenes[0].scene.duration;
-  replace_motion(suites, folder.write("long.csv", "# units: m/s2\n# dt = 20\n1\n-2\n0.5\n"));
+  std::string longer = "# units: m/s2\n# dt = 0.5\n-2\n";
+  for (int k = 1; k <= 80; ++k) longer += "1\n";
+  replace_motion(suites, folder.write("long.csv", longer));
   EXPECT_EQ(suites[0].scenes[2].scene.duration, 40) << "it lasts as long as the record";
   EXPECT_EQ(suites[0].scenes[0].scene.duration, still);
   std::vector<Suite> unshaken{suite_of(R"("still.toml", "pulse.toml")")};

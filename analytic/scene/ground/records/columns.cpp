@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "analytic/scene/ground/records/format.hpp"
+#include "analytic/scene/ground/records/header.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack::records {
@@ -10,123 +11,31 @@ namespace {
 
 constexpr double step_tolerance = 0.01;
 
-/// A word that stands where a number belongs, right or wrong.
-bool is_numeric(std::string_view word) {
-  const std::string text = lower(word);
-  return (text.front() >= '0' && text.front() <= '9') || text.find_first_of("+-.") == 0 || text == "nan" ||
-         text == "inf" || text == "infinity";
-}
-
-bool is_header(std::string_view line) {
-  const auto fields = words(line);
-  if (fields.empty() || is_numeric(fields.front())) return false;
-  const char first = lower(fields.front()).front();
-  return (first >= 'a' && first <= 'z') || std::string_view("#%!;*/\"").find(first) != std::string_view::npos;
-}
-
-/// Whether the lines up to the first with a number are all header.
+/// Whether a line begins with a number, or tells the number of values.
 bool recognises(Cursor cursor) {
-  while (!cursor.at_end() && (trimmed(cursor.peek()).empty() || is_header(cursor.peek()))) cursor.next({});
-  const auto fields = words(cursor.peek());
-  return !fields.empty() && is_numeric(fields.front());
-}
-
-/// How many columns a line of the header may name: its words, where no number or unit is among them; else 0.
-std::size_t names_in(std::string_view line) {
-  const bool comment = std::string_view("#%!*/").find(trimmed(line).front()) != std::string_view::npos;
-  const bool numbers = line.find_first_of("0123456789") != std::string_view::npos;
-  return comment || numbers || find_unit(line) ? 0 : words(line, ",;").size();
-}
-
-struct Header {
-  HeaderUnit unit;
-  std::optional<double> interval;
-  std::size_t names = 0;  ///< of columns, in the last line; 0: none
-  std::size_t count = 0;  ///< of values, where a line "NPTS dt" says it; else 0
-  std::size_t count_line = 0;
-};
-
-/// A line without what stands in round brackets, such as "(sec)" after a name.
-std::string without_brackets(std::string_view line) {
-  std::string text;
-  int depth = 0;
-  for (const char c : line) {
-    depth += c == '(' ? 1 : 0;
-    if (depth == 0) text += c;
-    depth -= c == ')' && depth > 0 ? 1 : 0;
+  while (!cursor.at_end()) {
+    const std::string_view line = cursor.next({});
+    const auto fields = words(line, ",;\"");
+    if (contains(line, "npts") || std::ranges::any_of(fields, is_numeric)) return true;
   }
-  return text;
+  return false;
 }
 
-void note_interval(const Cursor& cursor, double interval, Header& header) {
-  if (header.interval && *header.interval != interval)
-    cursor.fail("names another time step than a line before");
-  header.interval = interval;
+bool rises(const std::vector<double>& values) {
+  return std::is_sorted(values.begin(), values.end(), std::less_equal<>());
 }
 
-void read_header(const Cursor& cursor, std::string_view line, Header& header) {
-  header.unit.read(cursor, line);
-  header.names = names_in(line);
-  if (contains(line, "(ms)") || contains(line, "[ms]")) cursor.fail("times in ms: must be in s");
-  const std::string plain = without_brackets(line);
-  for (const std::string_view name :
-       {"dt", "time step", "timestep", "interval", "samplerate", "sample rate", "sampling rate"}) {
-    const auto field = field_after(plain, name);
-    if (field.empty() || !is_numeric(field)) continue;
-    const double interval = name.starts_with("sampl") ? checked_interval(cursor, 1 / number(cursor, field))
-                                                      : read_interval(cursor, plain, field);
-    note_interval(cursor, interval, header);
-  }
-}
-
-struct Table {
-  std::vector<std::vector<double>> rows;
-  std::vector<std::size_t> lines;
-
-  std::size_t columns() const { return rows.front().size(); }
-  std::vector<double> column(std::size_t index) const {
-    std::vector<double> values;
-    values.reserve(rows.size());
-    for (const auto& row : rows) values.push_back(row[index]);
-    return values;
-  }
-};
-
-/// The numbers of a line. Where semicolons part them, commas are decimal points.
-std::vector<double> numbers_in(const Cursor& cursor, std::string_view line) {
-  const bool semicolons = line.find(';') != std::string_view::npos;
-  std::vector<double> values;
-  for (const std::string_view field : words(line, semicolons ? ";" : ",")) {
-    std::string text(field);
-    if (semicolons) std::replace(text.begin(), text.end(), ',', '.');
-    values.push_back(number(cursor, text));
-  }
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
   return values;
 }
 
-[[noreturn]] void fail_uneven(const Cursor& cursor, const Table& table) {
-  cursor.fail_at(table.lines.back(), std::to_string(table.rows.back().size()) +
-                                         " columns where lines before have " +
-                                         std::to_string(table.columns()));
-}
-
-/// Rows are of one length, but for the last of a series that goes on from line to line.
-void read_row(const Cursor& cursor, std::string_view line, Table& table) {
-  const auto fields = words(line, ",;");
-  if (table.rows.empty() && !std::all_of(fields.begin(), fields.end(), is_numeric))
-    cursor.fail("not a known format: must be " + std::string(known_formats));
-  if (!table.rows.empty() && table.rows.back().size() < table.columns()) fail_uneven(cursor, table);
-  table.rows.push_back(numbers_in(cursor, line));
-  table.lines.push_back(cursor.line_number());
-  if (table.rows.back().size() > table.columns()) fail_uneven(cursor, table);
-}
-
-/// The mean step, which all others must equal.
-double constant_step(const Cursor& cursor, const Table& table) {
-  const std::vector<double> times = table.column(0);
-  if (times.size() < 2) cursor.fail("one time alone gives no time step");
+/// The mean step, which all others must equal. `times` in s.
+double constant_step(const Table& table, const std::vector<double>& times) {
+  const Cursor& cursor = table.cursor;
+  if (times.size() < 2) cursor.fail_at(table.lines.front(), "one time alone gives no time step");
   const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-  checked_interval(cursor, step);
+  checked_interval(cursor.at_line(table.lines.back()), step);
   for (std::size_t k = 1; k < times.size(); ++k) {
     const double expected = times.front() + static_cast<double>(k) * step;
     if (std::abs(times[k] - expected) > step_tolerance * step)
@@ -136,100 +45,267 @@ double constant_step(const Cursor& cursor, const Table& table) {
   return step;
 }
 
-/// Of two columns the first is time; of more where it rises from row to row, which a series of acceleration
-/// that goes on from line to line does not.
-bool has_times(const Table& table) {
-  if (table.columns() < 3) return table.columns() == 2;
+/// What a table holds: its time step, and columns that are a series each.
+struct Content {
+  double interval = 0;
+  std::vector<std::size_t> columns;
+  std::vector<Unit> units;  ///< of those
+};
+
+/// The step of the header, which times must agree with.
+double interval_of(const Table& table, const Header& header, const std::optional<std::size_t>& time) {
+  if (!time) {
+    if (header.interval) return *header.interval;
+    const std::size_t columns = table.columns();
+    table.cursor.fail_at(
+        table.lines.front(),
+        (columns == 1 ? "one column" : std::to_string(columns) + " columns, none of them times") +
+            std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
+  }
+  const bool titled = !table.titles.empty() && table.titles[*time].unit;
+  const double step =
+      constant_step(table, scaled(table.column(*time), titled ? table.titles[*time].unit->factor : 1));
+  if (header.interval && std::abs(step - *header.interval) > step_tolerance * step)
+    table.cursor.fail_at(header.interval_line, "dt = " + number_text(*header.interval) +
+                                                   " s here, and times step by " + number_text(step) + " s");
+  return step;
+}
+
+/// Whether the numbers of a column count rows, one by one.
+bool counts(const std::vector<double>& values) {
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (values[k] != values[k - 1] + 1) return false;
+  return true;
+}
+
+/// The column of times: the one whose title says so; else the first that no title says to be something else,
+/// where it rises from row to row as no acceleration does.
+std::optional<std::size_t> time_column(const Table& table, const Header& header) {
+  std::optional<std::size_t> time;
+  for (std::size_t k = 0; k < table.titles.size(); ++k) {
+    if (table.titles[k].quantity != Quantity::time) continue;
+    if (time)
+      table.cursor.fail_at(table.title_line, table.column_name(*time) + ", and " + table.column_name(k) +
+                                                 ", are both times: leave one out");
+    time = k;
+  }
+  if (time) {
+    const Title& title = table.titles[*time];
+    if (title.unknown_unit.empty() && (!title.unit || title.unit->quantity == Quantity::time)) return time;
+    table.cursor.fail_at(table.title_line,
+                         table.column_name(*time) + ": its unit is no unit of time: must be s, ms or min");
+  }
+  const bool free = table.titles.empty() || (!table.titles[0].quantity && !table.titles[0].counts);
+  if (!free || table.columns() < 2 || table.rows.size() < (table.columns() > 2 ? 3U : 1U))
+    return std::nullopt;
   const std::vector<double> first = table.column(0);
-  return first.size() > 2 && std::is_sorted(first.begin(), first.end(), std::less_equal<>());
+  const bool numbers = header.interval && counts(first) && *header.interval != 1;
+  if (table.columns() == 2 && !header.interval && table.titles.empty()) return 0;
+  return rises(first) && !numbers ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
-/// What columns hold without times: a component each, or a series from line to line.
-std::vector<std::vector<double>> series_of(const Cursor& cursor, const Table& table, bool times,
-                                           bool one_each) {
-  std::vector<std::vector<double>> series;
-  for (std::size_t k = times ? 1 : 0; one_each && k < table.columns(); ++k) series.push_back(table.column(k));
-  if (one_each) return series;
-  constexpr std::size_t most_components = 4;
-  if (table.columns() <= most_components)
-    cursor.fail_at(table.lines.front(),
-                   std::to_string(table.columns()) +
-                       " columns, none of them times: where each is a component, a line of names must stand "
-                       "above them");
-  series.emplace_back();
-  for (const auto& row : table.rows) series.front().insert(series.front().end(), row.begin(), row.end());
-  return series;
+Unit unit_of_column(const Table& table, const Header& header, std::size_t column) {
+  const Title& title = table.titles[column];
+  const Unit unit = title.unit ? *title.unit : stated_unit(table, header);
+  if (title.quantity && unit.quantity != *title.quantity)
+    table.cursor.fail_at(table.title_line, table.column_name(column) + " has no unit of " +
+                                               std::string(name(*title.quantity)) +
+                                               (title.unit ? "" : ", nor has the header") +
+                                               ": say e.g. \"units: m/s2\", or (m/s2) in its title");
+  return unit;
 }
 
-/// Takes a line "NPTS dt" off the front of the rows: a count and a step, before rows of another length.
-void take_count(const Cursor& cursor, Header& header, Table& table) {
+[[noreturn]] void fail_unknown(const Table& table, std::size_t column) {
+  table.cursor.fail_at(table.title_line,
+                       table.column_name(column) + ": " + quoted(table.titles[column].unknown_unit) +
+                           " is no unit of acceleration: must be e.g. m/s2, cm/s2, gal or g");
+}
+
+/// Columns of the highest derivative that titles name; else those that no title says to be something else.
+std::vector<std::size_t> titled_series(const Table& table, const std::optional<std::size_t>& time) {
+  const auto those = [&](std::optional<Quantity> quantity) {
+    std::vector<std::size_t> list;
+    for (std::size_t k = 0; k < table.columns(); ++k) {
+      const Title& title = table.titles[k];
+      if (k != time && title.quantity == quantity && !title.counts) list.push_back(k);
+    }
+    return list;
+  };
+  for (const Quantity quantity : {Quantity::acceleration, Quantity::velocity, Quantity::displacement})
+    if (const auto list = those(quantity); !list.empty()) return list;
+  return those(std::nullopt);
+}
+
+Content titled_content(const Table& table, const Header& header) {
+  for (std::size_t k = 0; k < table.columns(); ++k)
+    if (table.titles[k].spectral)
+      table.cursor.fail_at(table.title_line,
+                           table.column_name(k) + ": a spectrum is no record: must be a history in time");
+  const auto time = time_column(table, header);
+  Content content{0, titled_series(table, time), {}};
+  if (content.columns.empty())
+    table.cursor.fail_at(table.title_line,
+                         "no column is an acceleration, velocity or displacement by its title");
+  for (const std::size_t column : content.columns) {
+    if (!table.titles[column].unknown_unit.empty() && !table.titles[column].unit) fail_unknown(table, column);
+    content.units.push_back(unit_of_column(table, header, column));
+  }
+  content.interval = interval_of(table, header, time);
+  return content;
+}
+
+Content plain_content(const Table& table, const Header& header) {
+  const Unit unit = stated_unit(table, header);
+  const auto time = time_column(table, header);
+  Content content{interval_of(table, header, time), {}, {}};
+  const bool numbered = !time && table.columns() > 1 && counts(table.column(0));
+  for (std::size_t k = time || numbered ? 1 : 0; k < table.columns(); ++k) content.columns.push_back(k);
+  content.units.assign(content.columns.size(), unit);
+  if (content.columns.size() > 1 && header.mixed_line != 0)
+    table.cursor.fail_at(
+        header.mixed_line,
+        "names an acceleration and a velocity or displacement, and is no line of titles: one "
+        "above the numbers, parted as they are, must say which columns have which");
+  return content;
+}
+
+/// A record of what its unit says, differentiated as often as that takes.
+Record accelerogram(const Cursor& cursor, Record record, Quantity quantity) {
+  if (quantity == Quantity::acceleration) return record;
+  if (record.samples.size() < 2)
+    cursor.fail("one sample of a velocity or displacement gives no acceleration");
+  Record motion = quantity == Quantity::velocity
+                      ? acceleration_of_velocity(record.interval, record.samples)
+                      : acceleration_of_displacement(record.interval, record.samples);
+  motion.format = record.format + " of " + std::string(name(quantity));
+  return motion;
+}
+
+/// Which column a series is, of how many, and what was left out.
+std::string taken_column(const Table& table, const Content& content, std::size_t column) {
+  if (table.columns() == 1) return "";
+  const std::size_t number_length = ("column " + std::to_string(column + 1)).size();
+  std::string text = table.column_name(column);
+  text.insert(number_length, " of " + std::to_string(table.columns()));
+  return content.columns.size() == 1
+             ? text
+             : text + ", one of " + std::to_string(content.columns.size()) + " series";
+}
+
+void add_columns(const Table& table, const Content& content, std::vector<Record>& records) {
+  table.check_even(false);
+  const Cursor last = table.cursor.at_line(table.lines.back());
+  for (std::size_t k = 0; k < content.columns.size(); ++k) {
+    Record record = make_record(content.interval, table.column(content.columns[k]), content.units[k].factor,
+                                "text columns");
+    record = accelerogram(last, std::move(record), content.units[k].quantity);
+    record.taken = taken_column(table, content, content.columns[k]);
+    records.push_back(std::move(record));
+  }
+}
+
+/// All numbers, from line to line.
+std::vector<double> all_numbers(const Table& table) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (std::size_t k = 0; k < table.rows[row].size(); ++k) values.push_back(table.number_at(row, k));
+  return values;
+}
+
+/// A series of as many values as NPTS says, one more or one less.
+void add_counted(const Table& table, const Header& header, std::vector<Record>& records) {
+  const Cursor end = table.cursor.at_line(table.lines.empty() ? header.last_line : table.lines.back());
+  if (!header.interval) end.fail_at(header.count_line, "NPTS without DT: the time step is missing");
+  const Unit unit = stated_unit(table, header);
+  if (unit.quantity != Quantity::acceleration)
+    end.fail_at(
+        header.last_line,
+        "the header up to here names no unit of acceleration: say e.g. \"units: m/s2\" (or cm/s2, gal, g)");
+  std::vector<double> values = all_numbers(table);
+  if (values.size() == header.count + 1) values.pop_back();
+  if (values.empty() || values.size() + 1 != header.count)
+    check_count(end, values.size(), header.count, header.count_line);
+  records.push_back(make_record(*header.interval, std::move(values), unit.factor, "PEER AT2"));
+}
+
+/// Five columns or more without times and titles: one series that goes on from line to line.
+void add_continued(const Table& table, const Header& header, std::vector<Record>& records) {
+  const Unit unit = stated_unit(table, header);
+  const double interval = interval_of(table, header, std::nullopt);
+  Record record = make_record(interval, all_numbers(table), unit.factor, "text columns");
+  records.push_back(accelerogram(table.cursor.at_line(table.lines.back()), std::move(record), unit.quantity));
+}
+
+/// Takes a line "NPTS dt" off the front of the rows: a count of rows or values and their step.
+void take_count_row(Table& table, Header& header) {
   constexpr double longest = 1;  // step, s
-  const std::vector<double>& first = table.rows.front();
-  const bool whole = first.size() == 2 && first[0] >= 2 && first[0] == std::floor(first[0]);
-  if (!whole || !(first[1] > 0) || first[1] > longest) return;
-  header.count = static_cast<std::size_t>(first[0]);
+  if (table.rows.size() < 2 || table.rows.front().size() != 2) return;
+  const double count = table.number_at(0, 0), step = table.number_at(0, 1);
+  if (!(count >= 2) || count != std::floor(count) || !(step > 0) || step > longest) return;
+  const bool pairs = table.rows[1].size() == 2;
+  if (pairs && count != static_cast<double>(table.rows.size() - 1)) return;
+  header.count = static_cast<std::size_t>(count);
   header.count_line = table.lines.front();
-  note_interval(cursor, first[1], header);
+  note_interval(table.cursor.at_line(table.lines.front()), step, header);
   table.rows.erase(table.rows.begin());
   table.lines.erase(table.lines.begin());
 }
 
-/// A record of what its unit says, differentiated as often as that takes.
-Record accelerogram(const Cursor& cursor, Record record, int derivatives) {
-  if (derivatives == 0) return record;
-  if (record.samples.size() < 2)
-    cursor.fail("one sample of a velocity or displacement gives no acceleration");
-  const bool velocity = derivatives == 1;
-  Record motion = velocity ? acceleration_of_velocity(record.interval, record.samples)
-                           : acceleration_of_displacement(record.interval, record.samples);
-  motion.format = record.format + (velocity ? " of velocity" : " of displacement");
-  return motion;
+/// Refuses text between the numbers of a series, which may be the head of another.
+void check_whole(const Table& table) {
+  for (const Line& line : table.header)
+    if (line.number > table.lines.front() && line.number < table.lines.back())
+      table.cursor.fail_at(line.number, "text between the numbers: " + quoted(trimmed(line.text)) +
+                                            "; a second series must be in a file of its own");
 }
 
 void read(Cursor& cursor, std::vector<Record>& records) {
-  Header header;
-  Table table;
-  while (!cursor.at_end()) {
-    const std::string_view line = cursor.next({});
-    if (trimmed(line).empty()) continue;
-    if (is_header(line)) {
-      read_header(cursor, line, header);
-    } else {
-      if (table.rows.size() == 1 && words(line, ",;").size() != table.columns())
-        take_count(cursor, header, table);
-      read_row(cursor, line, table);
-    }
+  Table table = read_rows(cursor.file(), cursor.take_rest());
+  Header header = read_header(table);
+  const std::size_t rows = table.rows.size();
+  if (rows == 0 && header.count == 0)
+    cursor.fail_at(header.last_line, "not a known format: must be " + std::string(known_formats));
+  if (header.count > 0 && (rows == 0 || rows != header.count || table.columns() == 1)) {
+    if (rows > 0) check_whole(table);
+    return add_counted(table, header, records);
   }
-  const Unit unit = header.unit.unit(cursor);
-  const bool times = has_times(table);
-  if (!times && !header.interval)
+  Header counted;
+  take_count_row(table, counted);
+  table.check_even(true);
+  find_titles(table);
+  header = read_header(table);
+  if (counted.interval) note_interval(cursor.at_line(counted.count_line), *counted.interval, header);
+  const bool one_each = !table.titles.empty() || table.columns() == 1 || time_column(table, header);
+  constexpr std::size_t most_components = 4;
+  if (!one_each && header.interval && table.columns() <= most_components && !counts(table.column(0)))
     cursor.fail_at(table.lines.front(),
-                   (table.columns() == 1 ? "one column" : std::to_string(table.columns()) + " columns") +
-                       std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
-  const bool one_each = times || table.columns() == 1 || header.names == table.columns();
-  if (one_each && table.rows.back().size() < table.columns()) fail_uneven(cursor, table);
-  const double step = times ? constant_step(cursor, table) : *header.interval;
-  if (header.interval && std::abs(step - *header.interval) > step_tolerance * step)
-    cursor.fail("times step by " + number_text(step) +
-                " s, the header says dt = " + number_text(*header.interval));
-  std::vector<std::vector<double>> series = series_of(cursor, table, times, one_each);
-  if (header.count > 0) check_count(cursor, series.front().size(), header.count, header.count_line);
-  for (auto& samples : series)
-    records.push_back(accelerogram(cursor, make_record(step, std::move(samples), unit.factor, "text columns"),
-                                   unit.derivatives));
+                   std::to_string(table.columns()) +
+                       " columns, none of them times: where each is a component, a line of names must stand "
+                       "above them");
+  const std::size_t first = records.size();
+  if (!table.titles.empty())
+    add_columns(table, titled_content(table, header), records);
+  else if (one_each || table.columns() <= most_components)
+    add_columns(table, plain_content(table, header), records);
+  else
+    add_continued(table, header, records);
+  if (!one_each || !time_column(table, header)) check_whole(table);
+  if (counted.count > 0)
+    check_count(cursor.at_line(table.lines.back()), records[first].samples.size(), counted.count,
+                counted.count_line);
 }
 
 }  // namespace
 
-/// Plain text in columns, separated by blanks, commas or semicolons; beside semicolons a comma is a decimal
-/// point. Lines that start with # % ! ; * / or a letter are header, which names the unit ("# units: m/s2", or
-/// a column title such as "acceleration [g]"); a velocity or a displacement, as that of a shake table
-/// ("units: mm"), is differentiated. Several columns are time (s) and a component each. Times must have a
-/// constant step, up to 1 % of it where they are rounded; it is their mean step, and the record starts at its
-/// first line whatever time that has. Without times the header, or a line "NPTS dt" above the numbers, names
-/// the step ("# dt = 0.01", in s; also "time step", "interval", "sampling rate" in Hz); columns are then
-/// components where a line of names stands above them, and else, five or more, one series that goes on from
-/// line to line.
-const Format plain_columns{recognises, read};
+/// Plain text in columns. Titles above the columns say which are times and which an acceleration, velocity or
+/// displacement, and in which unit; else lines of the header do ("# units: m/s2", "# dt = 0.01"). The highest
+/// derivative is taken; of a velocity or a displacement, as that of a shake table, it is differentiated.
+/// Without titles the first of several columns is time where it rises from row to row, and the others are a
+/// component each. Times must have a constant step, up to 1 % of it where they are rounded; it is their mean
+/// step, and the record starts at its first line whatever time that has. NPTS and DT, as in PEER's AT2,
+/// announce a series that goes on from line to line: NGA files exist whose last line is filled up with one
+/// value more, and others that lack one; a surplus value is dropped, a missing one shortens the record. A
+/// line "NPTS dt" above the numbers does so too, and five columns or more without times and names are one.
+const Format columns{recognises, read};
 
 }  // namespace rockstack::records

@@ -7,52 +7,6 @@
 namespace rockstack::records {
 namespace {
 
-constexpr int longest_peer_header = 60;
-
-/// Whether a line, which is no comment, tells the number of values.
-bool announces_values(std::string_view line) {
-  return contains(line, "npts") && trimmed(line).find_first_of("#%!/;") != 0;
-}
-
-bool is_peer(Cursor cursor) {
-  for (int k = 0; k < longest_peer_header && !cursor.at_end(); ++k)
-    if (announces_values(cursor.next({}))) return true;
-  return false;
-}
-
-void read_peer(Cursor& cursor, std::vector<Record>& series) {
-  HeaderUnit unit;
-  std::string_view line;
-  while (!announces_values(line)) {
-    line = cursor.next("NPTS and DT");
-    unit.read(cursor, line);
-  }
-  // "NPTS=  4000, DT= .01000 SEC", or the older "4000  .01000  NPTS, DT".
-  const auto fields = words(line);
-  const bool older = field_after(line, "npts").empty() && fields.size() > 2;
-  const std::string_view step = older ? fields[1] : field_after(line, "dt");
-  if (step.empty()) cursor.fail("NPTS without DT: the time step is missing");
-  const std::size_t announced = count(cursor, older ? fields[0] : field_after(line, "npts"));
-  const double interval = read_interval(cursor, line, step);
-  const double factor = unit.factor(cursor);
-  const std::size_t header_end = cursor.line_number();
-  std::vector<double> values = read_values(cursor, true);
-  if (values.size() == announced + 1) values.pop_back();
-  if (values.empty() || values.size() + 1 != announced)
-    check_count(cursor, values.size(), announced, header_end);
-  series.push_back(make_record(interval, std::move(values), factor, "PEER AT2"));
-}
-
-}  // namespace
-
-/// PEER AT2 and files like it: any number of header lines up to one that names NPTS and DT, then values in
-/// free layout. The unit must be named in the header ("UNITS OF G"), g being 9.80665 m/s². NGA files exist
-/// whose last line is filled up with one value more than NPTS, and others that lack one: a surplus value is
-/// dropped, a missing one shortens the record; any larger difference is refused.
-const Format peer{is_peer, read_peer};
-
-namespace {
-
 /// A key is in capitals, with digits and a few signs.
 bool is_esm_field(std::string_view line) {
   const std::size_t colon = line.find(':');
@@ -146,5 +100,37 @@ void read_knet(Cursor& cursor, std::vector<Record>& series) {
 /// gal is count × "Scale Factor"; the recorder's offset is the mean of the record and is taken off, as the
 /// network does for its "Max. Acc.". The number of samples is that of the duration.
 const Format knet{[](Cursor cursor) { return starts_with(cursor.peek(), "origin time"); }, read_knet};
+
+namespace {
+
+/// "TIMESERIES NET_STA_LOC_CHA_Q, 40 samples, 40 sps, START, SLIST, FLOAT, M/S**2".
+void read_obspy(Cursor& cursor, std::vector<Record>& series) {
+  const std::string_view line = cursor.next("a line TIMESERIES");
+  const auto fields = words(line, ",");
+  const bool whole = fields.size() >= 9 && fields[3] == "samples" && fields[5] == "sps";
+  if (!whole || !starts_with(line, "timeseries"))
+    cursor.fail("expected \"TIMESERIES NAME, n samples, r sps, START, SLIST or TSPAIR, FLOAT, UNIT\"");
+  const std::size_t announced = count(cursor, fields[2]), announced_in = cursor.line_number();
+  const double interval = checked_interval(cursor, 1 / number(cursor, fields[4]));
+  const std::string_view unit = trimmed(line.substr(line.rfind(',') + 1));
+  const auto factor = unit_factor(unit);
+  if (!factor)
+    cursor.fail(quoted(unit) + " at the end of this line is no unit of acceleration: must be e.g. M/S**2");
+  const bool pairs = fields[7] == "TSPAIR";
+  std::vector<double> samples;
+  while (!cursor.at_end() && !starts_with(cursor.peek(), "timeseries")) {
+    const auto values = words(cursor.next({}), ",");
+    if (pairs && values.size() == 1) cursor.fail("expected a time and a value");
+    for (std::size_t k = pairs ? 1 : 0; k < values.size(); ++k) samples.push_back(number(cursor, values[k]));
+  }
+  check_count(cursor, samples.size(), announced, announced_in);
+  series.push_back(make_record(interval, std::move(samples), *factor, "ObsPy " + std::string(fields[7])));
+}
+
+}  // namespace
+
+/// ASCII of ObsPy and of IRIS, SLIST and TSPAIR: a line for each series that tells samples, rate and unit,
+/// then values in free layout, or a time and a value a line.
+const Format obspy{[](Cursor cursor) { return starts_with(cursor.peek(), "timeseries"); }, read_obspy};
 
 }  // namespace rockstack::records

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -50,6 +51,16 @@ std::string_view Cursor::next(std::string_view expected) {
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
   ++line_;
   return line;
+}
+
+std::string_view Cursor::take_rest() {
+  return std::exchange(rest_, {});
+}
+
+Cursor Cursor::at_line(std::size_t line) const {
+  Cursor other = *this;
+  other.line_ = line;
+  return other;
 }
 
 void Cursor::skip(std::size_t lines, std::string_view expected) {

@@ -21,12 +21,18 @@ class Cursor {
   std::string_view next(std::string_view expected);
   void skip(std::size_t lines, std::string_view expected);
   void skip_blank();
+  /// At the end, as the whole text.
+  std::string_view take_rest();
   /// Number of the line that next() gave last, from 1.
   std::size_t line_number() const { return line_ == 0 ? 1 : line_; }
 
   /// @throws InputError "file:line: message" for the line that next() gave last.
   [[noreturn]] void fail(const std::string& message) const { fail_at(line_number(), message); }
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const;
+  /// The same that fails at another line.
+  Cursor at_line(std::size_t line) const;
+
+  std::string_view file() const { return file_; }
 
  private:
   std::string_view file_;

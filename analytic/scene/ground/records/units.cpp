@@ -1,111 +1,250 @@
-#include "analytic/scene/ground/records/format.hpp"
+#include "analytic/scene/ground/records/units.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <numbers>
+
+#include "analytic/scene/ground/records/text.hpp"
 
 namespace rockstack::records {
 namespace {
 
-bool is_keyword(std::string_view word) {
-  constexpr std::array keywords{"unit", "units", "acc", "accel", "acceleration"};
-  return std::ranges::find(keywords, word) != keywords.end() || word.ends_with("unit");
+/// A unit on the way: factor times m^length s^time rad^angle.
+struct Power {
+  double factor = 1;
+  int length = 0, time = 0, angle = 0;
+};
+
+struct Symbol {
+  std::string_view name;
+  Power power;
+};
+
+constexpr Power length(double metres) {
+  return {metres, 1, 0, 0};
 }
 
-/// Words that may stand between "acceleration" or "units" and the unit.
-bool is_filler(std::string_view word) {
-  constexpr std::array fillers{"of",     "in",      "is",   "are",    "and",  "the",    "s",      "sec",
-                               "second", "seconds", "time", "ground", "data", "series", "history"};
-  return is_keyword(word) || std::ranges::find(fillers, word) != fillers.end();
+constexpr Power duration(double seconds) {
+  return {seconds, 0, 1, 0};
 }
 
-/// A unit as files spell it.
-std::optional<Unit> unit_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> spellings{
-      {{"\u00b2", "2"}, {"^", ""}, {"**", ""}, {"sec", "s"}, {"/s/s", "/s2"}, {"cms", "cm"}}};
-  constexpr std::array<std::pair<std::string_view, Unit>, 12> units{
-      {{"g", {standard_gravity, 0}},
-       {"gal", {centimetre_per_second_squared, 0}},
-       {"gals", {centimetre_per_second_squared, 0}},
-       {"cm/s2", {centimetre_per_second_squared, 0}},
-       {"mm/s2", {1e-3, 0}},
-       {"m/s2", {1.0, 0}},
-       {"m/s", {1.0, 1}},
-       {"cm/s", {0.01, 1}},
-       {"mm/s", {1e-3, 1}},
-       {"m", {1.0, 2}},
-       {"cm", {0.01, 2}},
-       {"mm", {1e-3, 2}}}};
-  constexpr std::size_t longest = 16;
-  if (name.size() > longest) return std::nullopt;
-  std::string plain = records::lower(name);
+constexpr Power gravity(double share) {
+  return {share, 1, -2, 0};
+}
+
+constexpr Power rate(double hertz) {
+  return {hertz, 0, -1, 0};
+}
+
+constexpr Power angle(double radians) {
+  return {radians, 0, 0, 1};
+}
+
+constexpr Symbol symbols[] = {{"m", length(1)},
+                              {"meter", length(1)},
+                              {"metre", length(1)},
+                              {"cm", length(0.01)},
+                              {"centimeter", length(0.01)},
+                              {"centimetre", length(0.01)},
+                              {"mm", length(1e-3)},
+                              {"millimeter", length(1e-3)},
+                              {"millimetre", length(1e-3)},
+                              {"um", length(1e-6)},
+                              {"nm", length(1e-9)},
+                              {"in", length(0.0254)},
+                              {"inch", length(0.0254)},
+                              {"inche", length(0.0254)},
+                              {"ft", length(0.3048)},
+                              {"foot", length(0.3048)},
+                              {"feet", length(0.3048)},
+                              {"s", duration(1)},
+                              {"sec", duration(1)},
+                              {"sek", duration(1)},
+                              {"second", duration(1)},
+                              {"sekunde", duration(1)},
+                              {"seconde", duration(1)},
+                              {"ms", duration(1e-3)},
+                              {"msec", duration(1e-3)},
+                              {"millisecond", duration(1e-3)},
+                              {"us", duration(1e-6)},
+                              {"usec", duration(1e-6)},
+                              {"microsecond", duration(1e-6)},
+                              {"min", duration(60)},
+                              {"minute", duration(60)},
+                              {"g", gravity(standard_gravity)},
+                              {"%g", gravity(0.01 * standard_gravity)},
+                              {"mg", gravity(1e-3 * standard_gravity)},
+                              {"milli-g", gravity(1e-3 * standard_gravity)},
+                              {"ug", gravity(1e-6 * standard_gravity)},
+                              {"gal", gravity(centimetre_per_second_squared)},
+                              {"mgal", gravity(1e-5)},
+                              {"hz", rate(1)},
+                              {"hertz", rate(1)},
+                              {"khz", rate(1e3)},
+                              {"sps", rate(1)},
+                              {"sample", {}},
+                              {"point", {}},
+                              {"rad", angle(1)},
+                              {"radian", angle(1)},
+                              {"mrad", angle(1e-3)},
+                              {"deg", angle(std::numbers::pi / 180)},
+                              {"degree", angle(std::numbers::pi / 180)}};
+
+/// One spelling of signs that have several, in lower case.
+std::string plain_spelling(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 29> spellings{
+      {{"\u00a0", " "},    {"\u2009", " "},  {"\u202f", " "},   {"\u2212", "-"},  {"\u2013", "-"},
+       {"\u207b", "-"},    {"\u00b9", "1"},  {"\u00b2", "2"},   {"\u00b7", "*"},  {"\u22c5", "*"},
+       {"\u2219", "*"},    {"\u2022", "*"},  {"\u00d7", "*"},   {"\u2215", "/"},  {"\u2044", "/"},
+       {"\u00b5", "u"},    {"\u03bc", "u"},  {"\u00b0", "deg"}, {"**", "^"},      {"^{2}", "^2"},
+       {"^{-2}", "^-2"},   {"^{-1}", "^-1"}, {"^(2)", "^2"},    {"^(-2)", "^-2"}, {"^(-1)", "^-1"},
+       {" squared", "^2"}, {" per ", "/"},   {"g's", "g"},      {"$", ""}}};
+  std::string plain = lower(text);
   for (const auto& [from, to] : spellings)
     for (std::size_t at = plain.find(from); at != std::string::npos; at = plain.find(from, at + to.size()))
       plain.replace(at, from.size(), to);
+  return std::string(trimmed(plain));
+}
+
+void skip_blanks(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+}
+
+/// Takes a sign off the front, with the blanks around it.
+bool take(std::string_view& rest, char sign) {
+  std::string_view after = rest;
+  skip_blanks(after);
+  if (!after.starts_with(sign)) return false;
+  rest = after.substr(1);
+  skip_blanks(rest);
+  return true;
+}
+
+/// The power that a symbol is raised to, 1 without one; 0 where there is none to be read.
+int take_exponent(std::string_view& rest) {
+  const bool caret = take(rest, '^');
+  const bool negative = rest.starts_with('-');
+  const std::size_t at = negative ? 1 : 0;
+  const bool digit = rest.size() > at && rest[at] >= '1' && rest[at] <= '3';
+  if (!digit) return caret || negative ? 0 : 1;
+  const int power = rest[at] - '0';
+  rest.remove_prefix(at + 1);
+  return negative ? -power : power;
+}
+
+std::optional<Power> symbol_of(std::string_view name) {
+  const auto found = std::ranges::find(symbols, name, &Symbol::name);
+  if (found != std::end(symbols)) return found->power;
+  // Plurals: "gals", "seconds", "cms".
+  if (name.size() < 2 || name.back() != 's') return std::nullopt;
+  const auto one = std::ranges::find(symbols, name.substr(0, name.size() - 1), &Symbol::name);
+  return one == std::end(symbols) ? std::nullopt : std::optional(one->power);
+}
+
+std::string_view take_name(std::string_view& rest) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
+  const std::size_t start = rest.starts_with('%') ? 1 : 0;
+  std::size_t end = std::min(rest.find_first_not_of(letters, start), rest.size());
+  if (rest.starts_with("milli-g")) end = std::string_view("milli-g").size();
+  const std::string_view name = rest.substr(0, end);
+  rest.remove_prefix(end);
+  return name;
+}
+
+void multiply(Power& product, const Power& by, int times) {
+  for (int k = 0; k < std::abs(times); ++k) {
+    if (times > 0)
+      product.factor *= by.factor;
+    else
+      product.factor /= by.factor;
+  }
+  product.length += by.length * times;
+  product.time += by.time * times;
+  product.angle += by.angle * times;
+}
+
+std::optional<Power> take_product(std::string_view& rest);
+
+/// A symbol, or a product in brackets, with its power.
+std::optional<Power> take_factor(std::string_view& rest) {
+  std::optional<Power> base;
+  if (take(rest, '(')) {
+    base = take_product(rest);
+    if (!base || !take(rest, ')')) return std::nullopt;
+  } else {
+    base = symbol_of(take_name(rest));
+  }
+  const int power = take_exponent(rest);
+  if (!base || power == 0) return std::nullopt;
+  Power raised;
+  multiply(raised, *base, power);
+  return raised;
+}
+
+/// A product after a quotient would be of its dividend to some and of its divisor to others.
+std::optional<Power> take_product(std::string_view& rest) {
+  Power product;
+  bool divided = rest.starts_with("1/");
+  if (divided) rest.remove_prefix(2);
+  for (bool over = divided;;) {
+    const auto factor = take_factor(rest);
+    if (!factor) return std::nullopt;
+    multiply(product, *factor, over ? -1 : 1);
+    const bool blank = rest.starts_with(' ');
+    over = take(rest, '/');
+    divided = divided || over;
+    if (over) continue;
+    if (rest.empty() || rest.starts_with(')')) return product;
+    if (divided || !(take(rest, '*') || take(rest, '.') || blank)) return std::nullopt;
+    skip_blanks(rest);
+  }
+}
+
+std::optional<Power> read_power(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  if (text.size() > longest) return std::nullopt;
+  std::string plain = plain_spelling(text);
   if (plain.ends_with('.')) plain.pop_back();
-  const auto found = std::ranges::find(units, plain, &std::pair<std::string_view, Unit>::first);
-  return found == units.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::vector<std::string_view> in_brackets(std::string_view line) {
-  std::vector<std::string_view> list;
-  for (std::size_t open = line.find_first_of("(["); open != std::string_view::npos;
-       open = line.find_first_of("([", open + 1)) {
-    const std::string_view inside = line.substr(open + 1);
-    list.push_back(trimmed(inside.substr(0, inside.find_first_of(")]"))));
-  }
-  return list;
-}
-
-/// The first of those that a line's keywords or brackets name that is of an acceleration, or is not.
-std::optional<Unit> find_unit(const std::string& text, bool acceleration) {
-  const auto wanted = [&](std::string_view name) {
-    const auto unit = unit_of(name);
-    return unit && (unit->derivatives == 0) == acceleration ? unit : std::nullopt;
-  };
-  bool expected = false;
-  for (const std::string_view word : words(text, ",;:=()[]#")) {
-    const std::size_t end = static_cast<std::size_t>(word.data() - text.data()) + word.size();
-    const bool defined = end < text.size() && text[end] == '=';  // as in "g=981 cm/s2"
-    if (const auto unit = wanted(word); unit && expected && !defined) return unit;
-    expected = is_keyword(word) || (expected && is_filler(word));
-  }
-  const auto inside = in_brackets(text);
-  const bool beside_time =
-      std::ranges::any_of(inside, [](auto name) { return name == "s" || name == "sec"; });
-  for (const std::string_view name : inside)
-    if (const auto unit = wanted(name); unit && (acceleration || beside_time)) return unit;
-  return std::nullopt;
+  std::string_view rest = plain;
+  const auto power = take_product(rest);
+  return rest.empty() ? power : std::nullopt;
 }
 
 }  // namespace
 
+std::optional<Unit> read_unit(std::string_view text) {
+  const auto power = read_power(text);
+  if (!power) return std::nullopt;
+  constexpr std::array<std::pair<std::array<int, 3>, Quantity>, 6> dimensions{
+      {{{1, -2, 0}, Quantity::acceleration},
+       {{1, -1, 0}, Quantity::velocity},
+       {{1, 0, 0}, Quantity::displacement},
+       {{0, 1, 0}, Quantity::time},
+       {{0, -1, 0}, Quantity::frequency},
+       {{0, 0, 1}, Quantity::angle}}};
+  for (const auto& [dimension, quantity] : dimensions)
+    if (dimension == std::array{power->length, power->time, power->angle})
+      return Unit{power->factor, quantity};
+  return std::nullopt;
+}
+
+bool resembles_unit(std::string_view text) {
+  const std::string plain = plain_spelling(text);
+  std::string_view rest = plain;
+  const auto power = symbol_of(take_name(rest));
+  return power && power->length != 0 &&
+         (rest.empty() || std::string_view("/^*.-1234567890 ").find(rest.front()) != std::string_view::npos);
+}
+
 std::optional<double> unit_factor(std::string_view name) {
-  const auto unit = unit_of(name);
-  return unit && unit->derivatives == 0 ? std::optional(unit->factor) : std::nullopt;
+  const auto unit = read_unit(name);
+  return unit && unit->quantity == Quantity::acceleration ? std::optional(unit->factor) : std::nullopt;
 }
 
-std::optional<Unit> find_unit(std::string_view line) {
-  const std::string text = lower(line);
-  const auto unit = find_unit(text, true);
-  return unit ? unit : find_unit(text, false);
-}
-
-void HeaderUnit::read(const Cursor& cursor, std::string_view line) {
-  const std::optional<Unit> unit = find_unit(line);
-  if (!unit) return;
-  auto& named = unit->derivatives == 0 ? acceleration_ : other_;
-  if (named && named->unit != *unit)
-    cursor.fail(std::string("names another unit of ") +
-                (unit->derivatives == 0 ? "acceleration" : "velocity or displacement") + " than line " +
-                std::to_string(named->line));
-  if (!named) named = {*unit, cursor.line_number()};
-}
-
-double HeaderUnit::factor(const Cursor& cursor) const {
-  if (!acceleration_)
-    cursor.fail(
-        "the header up to here names no unit of acceleration: say e.g. \"units: m/s2\" (or cm/s2, gal, g)");
-  return acceleration_->unit.factor;
+std::string_view name(Quantity quantity) {
+  constexpr std::array names{"acceleration", "velocity", "displacement", "time", "frequency", "angle"};
+  return names[static_cast<std::size_t>(quantity)];
 }
 
 }  // namespace rockstack::records

@@ -56,6 +56,14 @@ TEST(GroundReading, ARecordIsFoundBesideTheSceneFile) {
   EXPECT_TRUE(scene.horizontal.empty());
 }
 
+TEST(GroundReading, AStepBeyondTheUsualLimitsIsReadWhereTheyAreNone) {
+  const TemporaryFolder folder;
+  folder.write("slow.csv", "# units: m/s2\n# dt = 1\n0\n1\n");
+  const std::string lines = two_blocks() + "[ground.horizontal]\nrecord = \"slow.csv\"\n";
+  EXPECT_THROW(read_scene(folder.write("scene.toml", lines)), InputError);
+  EXPECT_EQ(read_scene(folder.write("scene.toml", lines + "limits = \"none\"\n")).horizontal.interval, 1);
+}
+
 TEST(GroundReading, AChannelAfterTheRecordsNameIsNoPartOfItsPath) {
   EXPECT_EQ(
       error_in("record = \"none.v2:2\"\n"),
@@ -79,10 +87,10 @@ TEST(GroundReading, ScaleAndPeakExcludeEachOther) {
 TEST(GroundReading, RecordAndSamplesExcludeEachOther) {
   EXPECT_EQ(
       error_in("record = \"a\"\nsamples = [1, 2]\ninterval = 1\n"),
-      "scene.toml:16: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale");
+      "scene.toml:16: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale, limits");
   EXPECT_EQ(
       error_in("record = \"a\"\ninterval = 1\n"),
-      "scene.toml:15: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale");
+      "scene.toml:15: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale, limits");
 }
 
 TEST(GroundReading, OneSourceIsNeeded) {

@@ -371,6 +371,31 @@ TEST(Measured, IsOfItsColumnUnitAndStart) {
   EXPECT_EQ(fitted.places(), (std::vector<std::size_t>{0, 2}));
 }
 
+TEST(Measured, IsReadAsRecordsAre) {
+  const std::string head = "\xEF\xBB\xBF";
+  for (const std::string& readings :
+       {head + "time,angle\r\n0,0.5\r\n0.5,-0.25\r\n",
+        std::string("Zeit;time (s);angle (rad)\n1;0,0;0,5\n2;0,5;-0,25\n"),
+        std::string("time\tangle\n0,0\t0,5\n0,5\t-0,25\n"),
+        std::string("# a test\n\"time\",\"angle\"\nms,mrad\n0,500\n500,-250\n")}) {
+    const Tested test(measured_block, readings);
+    EXPECT_EQ(test.measured.times, (std::vector<double>{0, 0.5})) << readings;
+    EXPECT_EQ(test.measured.values, (std::vector<double>{0.5, -0.25})) << readings;
+  }
+}
+
+TEST(Measured, AnglesBeyondTopplingNeedAUnit) {
+  const std::string lines = "file = \"test.csv\"\ncolumn = \"angle\"\n";
+  const std::string readings = "time,angle\n0,0.2\n0.5,6\n";
+  // Halfway from the slenderness angle, 0.245, to π/2.
+  EXPECT_EQ(
+      error_of(lines, readings),
+      "measured.column = \"angle\": must be of angles in rad: 6 at 0.5 s is beyond 0.9079, where block 1 has "
+      "toppled; say unit = \"deg\", or unit = \"rad\" where it is meant");
+  EXPECT_EQ(error_of(lines + "unit = \"rad\"\n", readings), "");
+  EXPECT_EQ(error_of(lines + "unit = \"deg\"\n", readings), "");
+}
+
 TEST(Measured, MistakesAreRefused) {
   const std::string file = "file = \"test.csv\"\n", angle = "column = \"angle\"\n";
   EXPECT_EQ(error_of(file, "time,angle\n0,1\n"), "measured.column: missing, must be the name of a column");

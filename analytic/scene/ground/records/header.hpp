@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "analytic/scene/ground/records/table.hpp"
+
+namespace rockstack::records {
+
+/// A unit that lines of text name, and the line that names another.
+struct Stated {
+  std::optional<Unit> unit = {};
+  std::size_t line = 0, contradicted = 0;
+};
+
+/// What the lines of text of a file say of all its numbers.
+struct Header {
+  Stated acceleration = {};  ///< after "units" or "acceleration": "IN UNITS OF G"
+  Stated other = {};         ///< a velocity's or displacement's, after "units"
+  Stated aside = {};         ///< an acceleration's in brackets elsewhere: "RAW VALUES (gal)"; never g
+  std::string unknown = {};  ///< stands after "units" or "acceleration", and is no unit of acceleration
+  std::size_t unknown_line = 0;
+  std::size_t acceleration_line = 0;  ///< that has that word; 0: none
+  std::size_t mixed_line = 0;  ///< that has a velocity or a displacement, beside an acceleration; 0: none
+  std::optional<double> interval = {};  ///< s
+  std::size_t interval_line = 0;
+  std::size_t count = 0, count_line = 0;  ///< of values, after NPTS; else 0
+  std::size_t last_line = 0;              ///< above the numbers
+};
+
+/// @throws InputError at a step or count that is none, and at a second one that differs.
+Header read_header(const Table& table);
+
+/// Of all columns that have none of their own. @throws InputError where it is not named, or twice.
+Unit stated_unit(const Table& table, const Header& header);
+
+/// Sets the time step. @throws InputError at the cursor's line where another was set before.
+void note_interval(const Cursor& cursor, double interval, Header& header);
+
+}  // namespace rockstack::records

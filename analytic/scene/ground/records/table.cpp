@@ -1,0 +1,284 @@
+#include "analytic/scene/ground/records/table.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace rockstack::records {
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::string_view unquoted(std::string_view cell) {
+  cell = trimmed(cell);
+  if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return cell;
+  return trimmed(cell.substr(1, cell.size() - 2));
+}
+
+/// The pieces between separators that stand outside quotes.
+Cells pieces(std::string_view line, char separator) {
+  Cells cells;
+  std::size_t start = 0;
+  bool quoted = false;
+  for (std::size_t k = 0; k <= line.size(); ++k) {
+    if (k < line.size() && line[k] == '"') quoted = !quoted;
+    if (k < line.size() && (quoted || line[k] != separator)) continue;
+    cells.push_back(unquoted(line.substr(start, k - start)));
+    start = k + 1;
+  }
+  return cells;
+}
+
+/// Takes the numbers of a word apart that Fortran's columns leave no blank between: "-.1E-03-.2E-03".
+void split_run(std::string_view word, Cells& cells) {
+  for (std::size_t k = 1; k < word.size(); ++k) {
+    const std::string_view first = word.substr(0, k), rest = word.substr(k);
+    const bool sign = (word[k] == '-' || word[k] == '+') && is_digit(word[k - 1]);
+    if (!sign || first.find('.') == first.npos || rest.find('.') == rest.npos) continue;
+    cells.push_back(first);
+    return split_run(rest, cells);
+  }
+  cells.push_back(word);
+}
+
+Cells split(std::string_view line, const Dialect& dialect) {
+  if (dialect.separator != ' ') return pieces(line, dialect.separator);
+  Cells cells;
+  for (const std::string_view word : words(line, dialect.decimal_comma ? "\"" : ",\""))
+    split_run(word, cells);
+  return cells;
+}
+
+/// Whether a cell is a date or a time of day, or both: "2014-08-24T10:20:44.025", "10:20:44.025".
+bool is_clock(std::string_view cell) {
+  return std::count(cell.begin(), cell.end(), ':') == 2 && is_digit(cell.front()) && cell.find(':') > 0 &&
+         cell.find_first_not_of("0123456789:.,-/TZ ") == cell.npos;
+}
+
+bool is_date(std::string_view cell) {
+  return cell.size() >= 8 && is_digit(cell.front()) && is_digit(cell.back()) &&
+         cell.find_first_not_of("0123456789-/.") == cell.npos &&
+         (std::count(cell.begin(), cell.end(), '-') == 2 || std::count(cell.begin(), cell.end(), '/') == 2 ||
+          std::count(cell.begin(), cell.end(), '.') == 2);
+}
+
+/// A cell that is made as a number is, right or wrong.
+bool is_number(std::string_view cell) {
+  const std::string plain = lower(cell);
+  return is_numeric(cell) && !is_date(cell) &&
+         (plain.find_first_not_of("0123456789+-.,ed") == plain.npos || plain.ends_with("nan") ||
+          plain.ends_with("inf") || plain.ends_with("infinity"));
+}
+
+/// A row has numbers; beside them it may have times and empty cells.
+bool is_row(std::string_view line, const Dialect& dialect) {
+  const Cells cells = split(line, dialect);
+  return std::ranges::any_of(cells, is_number) && std::ranges::all_of(cells, [](std::string_view cell) {
+           return cell.empty() || is_number(cell) || is_clock(cell) || is_date(cell);
+         });
+}
+
+/// What the lines of numbers of a file have among them.
+struct Signs {
+  bool semicolon = false, tab = false, comma = false, point = false, quoted_comma = false;
+  bool blank = false;        ///< inside what commas or tabs part
+  bool loose_comma = false;  ///< beside which there is no digit
+};
+
+bool has_blank_inside(std::string_view line, char separator) {
+  return std::ranges::any_of(pieces(line, separator), [](std::string_view cell) {
+    return !is_clock(cell) && cell.find_first_of(" \t") != cell.npos;
+  });
+}
+
+void note_commas(std::string_view line, Signs& signs) {
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (line[k] == '"') quoted = !quoted;
+    if (line[k] != ',') continue;
+    signs.comma = true;
+    signs.quoted_comma = signs.quoted_comma || quoted;
+    if (k + 1 >= line.size() || !is_digit(line[k + 1])) signs.loose_comma = true;
+  }
+}
+
+bool is_line_of_numbers(std::string_view line) {
+  line = trimmed(line);
+  return line.find_first_of("0123456789") != line.npos &&
+         line.find_first_not_of("0123456789+-.,;:/eEdDTZ \t\"") == line.npos;
+}
+
+/// Whether each line is a number with a decimal comma: digits after it of one length, a number before it that
+/// does not count the lines.
+bool is_one_decimal(const std::vector<Line>& lines) {
+  std::size_t digits = 0;
+  bool rising = true;
+  double before = -std::numeric_limits<double>::infinity();
+  for (const Line& line : lines) {
+    const std::string_view text = trimmed(line.text);
+    const std::size_t comma = text.find(',');
+    if (comma == text.npos || text.find_first_not_of("0123456789", comma + 1) != text.npos) return false;
+    const std::size_t after = text.size() - comma - 1;
+    if (after < 2 || (digits != 0 && after != digits)) return false;
+    digits = after;
+    double whole = 0;
+    for (const char c : text.substr(0, comma)) whole = is_digit(c) ? 10 * whole + (c - '0') : whole;
+    if (text.starts_with('-')) whole = -whole;
+    rising = rising && whole > before;
+    before = whole;
+  }
+  return digits > 0 && !rising;
+}
+
+Dialect dialect_of(const std::vector<Line>& lines) {
+  Signs signs;
+  std::vector<Line> numbers;
+  std::ranges::copy_if(lines, std::back_inserter(numbers),
+                       [](const Line& line) { return is_line_of_numbers(line.text); });
+  for (const Line& line : numbers) {
+    signs.semicolon = signs.semicolon || line.text.find(';') != line.text.npos;
+    signs.tab = signs.tab || trimmed(line.text).find('\t') != line.text.npos;
+    signs.point = signs.point || line.text.find('.') != line.text.npos;
+    note_commas(line.text, signs);
+  }
+  if (signs.semicolon) return {';', true};
+  const bool decimals = signs.comma && !signs.point && !signs.loose_comma;
+  const auto blank_in = [&](char separator) {
+    return std::ranges::any_of(
+        numbers, [&](const Line& line) { return has_blank_inside(trimmed(line.text), separator); });
+  };
+  if (signs.tab && !blank_in('\t') && (decimals || !signs.comma)) return {'\t', decimals};
+  if (signs.quoted_comma) return {',', true};
+  if (!signs.comma) return {};
+  if (!blank_in(',')) return is_one_decimal(numbers) && decimals ? Dialect{' ', true} : Dialect{',', false};
+  return {' ', decimals};
+}
+
+std::vector<Line> lines_of(std::string_view file, std::string_view text) {
+  std::vector<Line> lines;
+  for (Cursor cursor(file, text); !cursor.at_end();) {
+    const std::string_view line = cursor.next({});
+    if (!trimmed(line).empty()) lines.push_back({cursor.line_number(), line});
+  }
+  return lines;
+}
+
+/// Whether a line below the first row is of text: "*** End Data ***" is, numbers that overflowed are not.
+bool is_text(std::string_view line) {
+  const Cells fields = words(line, ",;\"");
+  if (fields.empty() || is_numeric(fields.front())) return false;
+  return fields.front().find_first_not_of('*') != line.npos || (fields.size() > 1 && contains(line, "end"));
+}
+
+/// A time of day, and the day where it has one: "2014-08-24T10:20:44.025".
+struct Clock {
+  double seconds = 0;
+  std::optional<std::chrono::sys_days> day = {};
+};
+
+Clock read_clock(const Cursor& cursor, std::string_view cell) {
+  const std::size_t start = cell.substr(0, cell.find(':')).find_last_of("T ") + 1;  // 0 without a date
+  const auto parts = words(cell.substr(start), ":Z");
+  if (parts.size() != 3) cursor.fail(quoted(cell) + " is no time of day");
+  Clock clock{3600 * number(cursor, parts[0]) + 60 * number(cursor, parts[1]) + number(cursor, parts[2])};
+  const auto date = words(cell.substr(0, start), "-/T");
+  if (date.size() != 3 || date[0].size() != 4) return clock;
+  const auto part = [&](std::size_t k) {
+    return static_cast<int>(count(cursor, date[k].substr(date[k].find_first_not_of('0'))));
+  };
+  const std::chrono::year_month_day day{std::chrono::year(part(0)),
+                                        std::chrono::month(static_cast<unsigned>(part(1))),
+                                        std::chrono::day(static_cast<unsigned>(part(2)))};
+  if (!day.ok()) cursor.fail(quoted(cell) + " has no day of the calendar");
+  clock.day = std::chrono::sys_days(day);
+  return clock;
+}
+
+/// Seconds since the beginning of the day of the first time.
+double seconds_since(const Clock& first, const Clock& clock) {
+  constexpr double day = 86400;
+  return clock.seconds +
+         (first.day && clock.day ? day * static_cast<double>((*clock.day - *first.day).count()) : 0);
+}
+
+/// Takes off an empty last column, of separators at the ends of lines.
+void drop_empty_column(Table& table) {
+  const auto has_end = [](const Cells& row) { return row.size() > 1 && row.back().empty(); };
+  if (!std::ranges::all_of(table.rows, has_end)) return;
+  for (Cells& row : table.rows) row.pop_back();
+}
+
+}  // namespace
+
+bool is_numeric(std::string_view word) {
+  if (word.empty()) return false;
+  const std::string text = lower(word);
+  return is_digit(text.front()) || (text.find_first_of("+-.,") == 0 && text.size() > 1) || text == "nan" ||
+         text == "inf" || text == "infinity";
+}
+
+double Table::number_at(std::size_t row, std::size_t index) const {
+  const Cursor place = cursor.at_line(lines[row]);
+  const std::string_view cell = rows[row][index];
+  if (is_clock(cell))
+    return seconds_since(read_clock(cursor.at_line(lines[0]), rows[0][index]), read_clock(place, cell));
+  if (!dialect.decimal_comma) return number(place, cell);
+  std::string text(cell);
+  std::ranges::replace(text, ',', '.');
+  return number(place, text);
+}
+
+std::vector<double> Table::column(std::size_t index, bool may_be_empty) const {
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].size() <= index) break;
+    const bool empty = may_be_empty && rows[k][index].empty();
+    values.push_back(empty ? std::numeric_limits<double>::quiet_NaN() : number_at(k, index));
+  }
+  return values;
+}
+
+void Table::check_even(bool but_last) const {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bool short_last = but_last && k + 1 == rows.size() && rows[k].size() < columns();
+    if (rows[k].size() != columns() && !short_last)
+      cursor.fail_at(lines[k], std::to_string(rows[k].size()) + " columns where lines before have " +
+                                   std::to_string(columns()));
+  }
+}
+
+std::string Table::column_name(std::size_t index) const {
+  const std::string name = "column " + std::to_string(index + 1);
+  return titles.empty() || titles[index].text.empty() ? name : name + ", \"" + titles[index].text + "\"";
+}
+
+Table read_rows(std::string_view file, std::string_view text) {
+  const std::vector<Line> lines = lines_of(file, text);
+  Table table{Cursor(file, text)};
+  table.dialect = dialect_of(lines);
+  for (const Line& line : lines) {
+    if (table.rows.empty() ? !is_row(line.text, table.dialect) : is_text(line.text)) {
+      table.header.push_back(line);
+      continue;
+    }
+    table.rows.push_back(split(line.text, table.dialect));
+    table.lines.push_back(line.number);
+  }
+  if (!table.rows.empty()) drop_empty_column(table);
+  return table;
+}
+
+Table read_titled(std::string_view file, std::string_view text) {
+  Table table = read_rows(file, text);
+  if (table.rows.empty()) table.cursor.fail("no line of numbers");
+  find_titles(table);
+  return table;
+}
+
+}  // namespace rockstack::records

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analytic/scene/ground/records/text.hpp"
+#include "analytic/scene/ground/records/units.hpp"
+
+namespace rockstack::records {
+
+/// A line of a file, its number from 1.
+struct Line {
+  std::size_t number = 0;
+  std::string_view text;
+};
+
+/// How a file parts its columns and writes its numbers.
+struct Dialect {
+  char separator = ' ';  ///< ' ': blanks, and commas where these are no decimal points
+  bool decimal_comma = false;
+};
+
+/// Title of a column: what it holds by its words and by its own unit.
+struct Title {
+  std::string text;
+  std::string name = {};  ///< of the column alone, without its unit
+  std::optional<Unit> unit = {};
+  std::string unknown_unit = {};          ///< stands where the unit does, and is none
+  std::optional<Quantity> quantity = {};  ///< by words, else by the unit
+  bool counts = false;                    ///< numbers of samples, dates
+  bool spectral = false;                  ///< of a spectrum: its periods or ordinates
+};
+
+/// A text of columns. The text of the file must outlive it.
+struct Table {
+  Cursor cursor;  ///< for errors
+  Dialect dialect = {};
+  std::vector<Line> header = {};   ///< lines of text, without that of titles and that of units
+  std::vector<Title> titles = {};  ///< of each column, or none
+  std::size_t title_line = 0;
+  std::vector<std::vector<std::string_view>> rows = {};  ///< cells, at least one
+  std::vector<std::size_t> lines = {};                   ///< of the rows
+
+  std::size_t columns() const { return rows.front().size(); }
+  /// Numbers of a column, times of day in s; a row that is too short ends it. Empty cells are not a number
+  /// where they may be.
+  /// @throws InputError at a cell that is no number.
+  std::vector<double> column(std::size_t index, bool may_be_empty = false) const;
+  /// @throws InputError at a row of another length than the first; the last may be shorter.
+  void check_even(bool but_last) const;
+  double number_at(std::size_t row, std::size_t index) const;
+  /// "column 2, \"Acceleration (g)\"".
+  std::string column_name(std::size_t index) const;
+};
+
+/// Whether a text begins as numbers do, right or wrong.
+bool is_numeric(std::string_view word);
+
+/// Rows and lines of text, without titles. Columns are parted by semicolons, tabs, commas or blanks; commas
+/// are decimal points beside semicolons, in quotes, and beside tabs or blanks where no number has a point.
+/// @throws InputError where there is no row.
+Table read_rows(std::string_view file, std::string_view text);
+
+/// Finds the line of titles, and the row of units under it: the last lines above the numbers that have as
+/// many cells as there are columns, and words or units that titles have.
+void find_titles(Table& table);
+
+/// Both: the table of a file. @throws InputError as read_rows().
+Table read_titled(std::string_view file, std::string_view text);
+
+}  // namespace rockstack::records

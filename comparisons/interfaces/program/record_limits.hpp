@@ -1,0 +1,16 @@
+#pragma once
+
+#include "analytic/scene/ground/records/record.hpp"
+#include "comparisons/interfaces/program/commands.hpp"
+
+namespace rockstack {
+
+/// RecordLimits of a record that a command reads itself: none with --set limits=none.
+/// @throws InputError where other keys are set.
+inline RecordLimits record_limits(const Common& common) {
+  if (common.overrides == std::vector<std::string>{"limits=none"}) return RecordLimits::none;
+  refuse_overrides(common, "a record has no key but limits");
+  return RecordLimits::usual;
+}
+
+}  // namespace rockstack
