@@ -91,7 +91,9 @@ std::optional<std::size_t> time_column(const Table& table, const Header& header)
   }
   if (time) {
     const Title& title = table.titles[*time];
-    if (title.unknown_unit.empty() && (!title.unit || title.unit->quantity == Quantity::time)) return time;
+    const bool clock = table.rows.front()[*time].find(':') != std::string_view::npos;
+    if (clock || (title.unknown_unit.empty() && (!title.unit || title.unit->quantity == Quantity::time)))
+      return time;
     table.cursor.fail_at(table.title_line,
                          table.column_name(*time) + ": its unit is no unit of time: must be s, ms or min");
   }
@@ -259,8 +261,21 @@ void check_whole(const Table& table) {
                                             "; a second series must be in a file of its own");
 }
 
+/// Refuses numbers such as 025 between commas: what parts columns may be a decimal point as well.
+void check_commas(const Table& table) {
+  const auto is_cut = [](std::string_view cell) {
+    return cell.size() > 1 && cell.front() == '0' && cell.find_first_not_of("0123456789") == cell.npos;
+  };
+  for (std::size_t k = 0; k < table.rows.size() && table.dialect.separator == ','; ++k)
+    if (std::ranges::any_of(table.rows[k], is_cut))
+      table.cursor.fail_at(table.lines[k],
+                           "commas part columns and may be decimal points: columns must be parted by "
+                           "semicolons or tabs");
+}
+
 void read(Cursor& cursor, std::vector<Record>& records) {
   Table table = read_rows(cursor.file(), cursor.take_rest());
+  check_commas(table);
   Header header = read_header(table);
   const std::size_t rows = table.rows.size();
   if (rows == 0 && header.count == 0)

@@ -72,6 +72,12 @@ std::optional<Quantity> quantity_in(std::string_view text) {
   return has_word(name, times) ? std::optional(Quantity::time) : std::nullopt;
 }
 
+/// Whether a text has signs of a unit in it, as "m/s 2" and "x10^-2 g".
+bool has_unit(std::string_view text) {
+  return resembles_unit(text) || text.find_first_of("/^*%") != text.npos ||
+         read_unit(text.substr(text.find_last_of(' ') + 1));
+}
+
 /// Takes the unit off the end of a title: what stands in brackets, or else its last words.
 void take_unit(std::string& name, Title& title) {
   if (title.unit = read_unit(name); title.unit) return;
@@ -80,7 +86,8 @@ void take_unit(std::string& name, Title& title) {
   if (open != name.npos) {
     const std::string inside(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
     title.unit = read_unit(inside);
-    if (!title.unit && (resembles_unit(inside) || is_other_unit(inside))) title.unknown_unit = inside;
+    const bool time = quantity_in(name.substr(0, open)) == Quantity::time;
+    if (!title.unit && (time || is_other_unit(inside) || has_unit(inside))) title.unknown_unit = inside;
     name.resize(open);
     return;
   }

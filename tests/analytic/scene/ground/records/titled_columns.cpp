@@ -14,7 +14,9 @@ void expect_read(const std::string& text, double unit = 1, const std::string& ta
   ASSERT_EQ(series.front().samples.size(), 2U) << text;
   EXPECT_NEAR(series.front().samples[0], 0.5 * unit, 1e-15) << text;
   EXPECT_NEAR(series.front().samples[1], unit, 1e-14) << text;
-  if (!taken.empty()) EXPECT_EQ(series.front().taken, taken) << text;
+  if (!taken.empty()) {
+    EXPECT_EQ(series.front().taken, taken) << text;
+  }
 }
 
 TEST(Units, AreReadInAllSpellingsOrNotAtAll) {
@@ -41,6 +43,10 @@ TEST(TitledColumns, AfterTheWordAccelerationNothingButAnAccelerationIsRead) {
       error_of_text("time (s),acceleration (m/s)\n" + rows),
       "file:1: column 2, \"acceleration (m/s)\" has no unit of acceleration: say e.g. \"units: m/s2\", or "
       "(m/s2) in its title");
+  EXPECT_NE(error_of_text("# units: g\ntime (s),acceleration (x10^-2 g)\n" + rows).find("is no unit"),
+            std::string::npos);
+  EXPECT_NE(error_of_text("time (h),acceleration (g)\n" + rows).find("no unit of time"), std::string::npos);
+  EXPECT_NE(error_of_text("# units: g\n0,000,0,5\n0,020,1,0\n").find("commas"), std::string::npos);
   EXPECT_EQ(error_of_text("# acceleration in m\n" + rows),
             "file:1: 'm' is no unit of acceleration: say e.g. \"units: m/s2\" (or cm/s2, gal, g)");
   EXPECT_EQ(
