@@ -52,6 +52,12 @@ class ContactChatter {
   /// What parts no faster has not parted, m/s.
   Real slow_speed(int interface) const { return slow_speed_ * stack_.half_width(interface); }
 
+  /// What touches and parts faster than this, m/s, has bounced and takes no part in an impact. Without
+  /// restitution all that touches takes part, as Moreau's law has it.
+  Real bounced_speed(int interface) const {
+    return stack_.restitution > 0 ? slow_speed(interface) : std::numeric_limits<Real>::infinity();
+  }
+
   /// Open by what rounding makes of angles and speeds.
   bool negligibly_open(const Joint<Real>& joint, const Real& angle, const Real& angle_rate) const {
     return joint.pivots() && abs(angle_rate) <= slow_speed_ &&
@@ -201,7 +207,7 @@ void close_negligible(const ContactModel<Real>& stack, const ContactChatter<Real
   for (int k = 0; k < stack.size(); ++k) {
     const Real gap = chatter.negligible_gap() * stack.half_width(k);
     if (!joints[k].touches() && !stack.soft(k))
-      land_negligible(stack, bodies, k, gap, chatter.slow_speed(k), joints);
+      land_negligible(stack, bodies, k, gap, chatter.bounced_speed(k), joints);
     if (chatter.negligibly_open(joints[k], relative_angle(bodies.at, k), relative_angle(bodies.rate, k)))
       joints[k].touch = Contact::closed;
   }
@@ -218,7 +224,7 @@ bool apply(const FirstChange<Real>& found, const ContactModel<Real>& stack,
     if (guard.change == Change::halt) joint.slip = 0;
     const bool lands = guard.change == Change::landing;
     if (lands && !joint.touches())
-      land(stack, bodies, guard.interface, guard.below, chatter.slow_speed(guard.interface), joints);
+      land(stack, bodies, guard.interface, guard.below, chatter.bounced_speed(guard.interface), joints);
     if (lands || guard.change == Change::closing ||
         (guard.change == Change::corner && pass_corner(stack, bodies, guard.interface, joints)))
       meets = true;
