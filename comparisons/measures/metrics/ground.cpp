@@ -73,7 +73,7 @@ std::vector<double> energies(const GroundMotion& motion) {
 /// When the integral passes that share of its end: bisection inside the piece, until a double holds no more.
 double time_of_share(const GroundMotion& motion, const std::vector<double>& energy, double share) {
   const double wanted = share * energy.back();
-  const auto next = std::ranges::lower_bound(energy, wanted);
+  const auto next = std::lower_bound(energy.begin(), energy.end(), wanted);
   if (next == energy.begin()) return 0;
   const auto piece = static_cast<std::size_t>(next - energy.begin()) - 1;
   const double from = motion.samples[piece];

@@ -119,7 +119,7 @@ Unit unit_of_column(const Table& table, const Header& header, std::size_t column
 
 [[noreturn]] void fail_unknown(const Table& table, std::size_t column) {
   table.cursor.fail_at(table.title_line,
-                       table.column_name(column) + ": " + quoted(table.titles[column].unknown_unit) +
+                       table.column_name(column) + ": " + in_quotes(table.titles[column].unknown_unit) +
                            " is no unit of acceleration: must be e.g. m/s2, cm/s2, gal or g");
 }
 
@@ -257,7 +257,7 @@ void take_count_row(Table& table, Header& header) {
 void check_whole(const Table& table) {
   for (const Line& line : table.header)
     if (line.number > table.lines.front() && line.number < table.lines.back())
-      table.cursor.fail_at(line.number, "text between the numbers: " + quoted(trimmed(line.text)) +
+      table.cursor.fail_at(line.number, "text between the numbers: " + in_quotes(trimmed(line.text)) +
                                             "; a second series must be in a file of its own");
 }
 

@@ -60,10 +60,10 @@ double data_factor(const Cursor& cursor, std::string_view line, const std::vecto
   const std::string_view field = field_after(line, "units");
   const std::string_view unit = field.substr(0, field.find('('));
   const auto factor = unit_factor(unit);
-  if (!factor) cursor.fail("units " + quoted(unit) + " are not known as acceleration: g and cm/sec2 are");
+  if (!factor) cursor.fail("units " + in_quotes(unit) + " are not known as acceleration: g and cm/sec2 are");
   const double code = integers.size() < units_code_place ? 0 : integers[units_code_place - 1];
   if ((code == 2 && *factor != standard_gravity) || (code == 4 && *factor != centimetre_per_second_squared))
-    cursor.fail("units " + quoted(unit) + " contradict the integer header's unit code");
+    cursor.fail("units " + in_quotes(unit) + " contradict the integer header's unit code");
   return *factor;
 }
 
@@ -121,7 +121,7 @@ std::string_view smc_field(std::string_view line, std::size_t place) {
 void read_smc(Cursor& cursor, std::vector<Record>& series) {
   const std::string_view title = cursor.next("the title");
   if (!contains(title, "accelerogram"))
-    cursor.fail("holds " + quoted(trimmed(title)) + ": only an accelerogram can be used");
+    cursor.fail("holds " + in_quotes(trimmed(title)) + ": only an accelerogram can be used");
   cursor.skip(smc_text_lines - 1, "the header");
   std::size_t comments = 0, announced = 0;
   for (std::size_t k = 1; k <= integer_lines; ++k) {

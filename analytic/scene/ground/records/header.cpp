@@ -217,7 +217,8 @@ double interval_of(const Cursor& cursor, const Setting& setting, bool rate) {
   const double value = plain_number(cursor, setting.number);
   std::optional<Unit> unit = read_unit(setting.unit_before);
   if (!setting.unit_before.empty() && !unit)
-    cursor.fail(quoted(setting.unit_before) + " is no unit of a time step or rate: must be s, ms, min or Hz");
+    cursor.fail(in_quotes(setting.unit_before) +
+                " is no unit of a time step or rate: must be s, ms, min or Hz");
   std::string_view after = setting.after;
   if (after.starts_with('(') || after.starts_with('[')) after.remove_prefix(1);
   if (!after.empty() && std::string_view(",;").find(after.front()) == after.npos)
@@ -294,7 +295,7 @@ Unit stated_unit(const Table& table, const Header& header) {
                        (&stated == &header.other ? "velocity or displacement" : "acceleration") +
                        " than line " + std::to_string(stated.line));
   if (!header.acceleration.unit && !header.unknown.empty())
-    cursor.fail_at(header.unknown_line, quoted(header.unknown) +
+    cursor.fail_at(header.unknown_line, in_quotes(header.unknown) +
                                             " is no unit of acceleration: say e.g. \"units: m/s2\" (or "
                                             "cm/s2, gal, g)");
   if (&stated == &header.other && stated.unit && header.acceleration_line != 0)

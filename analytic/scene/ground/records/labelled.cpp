@@ -21,10 +21,10 @@ void read_esm(Cursor& cursor, std::vector<Record>& series) {
     const std::string_view key = line.substr(0, line.find(':'));
     const std::string_view value = trimmed(line.substr(key.size() + 1));
     if (key == "DATA_TYPE" && lower(value) != "acceleration")
-      cursor.fail("DATA_TYPE is " + quoted(value) + ": must be ACCELERATION");
+      cursor.fail("DATA_TYPE is " + in_quotes(value) + ": must be ACCELERATION");
     if (key == "UNITS") factor = unit_factor(value);
     if (key == "UNITS" && !factor)
-      cursor.fail("UNITS " + quoted(value) + " are not known as acceleration: cm/s^2, m/s^2, g are");
+      cursor.fail("UNITS " + in_quotes(value) + " are not known as acceleration: cm/s^2, m/s^2, g are");
     if (key == "SAMPLING_INTERVAL_S") interval = checked_interval(cursor, number(cursor, value));
     if (key == "NDATA") {
       announced = count(cursor, value);
@@ -49,7 +49,7 @@ namespace {
 
 double positive(const Cursor& cursor, std::string_view field) {
   const double value = number(cursor, field);
-  if (!(value > 0)) cursor.fail(quoted(field) + ": must be > 0");
+  if (!(value > 0)) cursor.fail(in_quotes(field) + ": must be > 0");
   return value;
 }
 
@@ -58,7 +58,7 @@ double scale_factor(const Cursor& cursor, std::string_view field) {
   constexpr std::string_view middle = "(gal)/";
   const std::size_t cut = field.find(middle);
   if (cut == std::string_view::npos)
-    cursor.fail("scale factor " + quoted(field) + ": must be like 3920(gal)/6182761");
+    cursor.fail("scale factor " + in_quotes(field) + ": must be like 3920(gal)/6182761");
   return positive(cursor, field.substr(0, cut)) / positive(cursor, field.substr(cut + middle.size()));
 }
 
@@ -115,7 +115,7 @@ void read_obspy(Cursor& cursor, std::vector<Record>& series) {
   const std::string_view unit = trimmed(line.substr(line.rfind(',') + 1));
   const auto factor = unit_factor(unit);
   if (!factor)
-    cursor.fail(quoted(unit) + " at the end of this line is no unit of acceleration: must be e.g. M/S**2");
+    cursor.fail(in_quotes(unit) + " at the end of this line is no unit of acceleration: must be e.g. M/S**2");
   const bool pairs = fields[7] == "TSPAIR";
   std::vector<double> samples;
   while (!cursor.at_end() && !starts_with(cursor.peek(), "timeseries")) {

@@ -184,7 +184,7 @@ struct Clock {
 Clock read_clock(const Cursor& cursor, std::string_view cell) {
   const std::size_t start = cell.substr(0, cell.find(':')).find_last_of("T ") + 1;  // 0 without a date
   const auto parts = words(cell.substr(start), ":Z");
-  if (parts.size() != 3) cursor.fail(quoted(cell) + " is no time of day");
+  if (parts.size() != 3) cursor.fail(in_quotes(cell) + " is no time of day");
   Clock clock{3600 * number(cursor, parts[0]) + 60 * number(cursor, parts[1]) + number(cursor, parts[2])};
   const auto date = words(cell.substr(0, start), "-/T");
   if (date.size() != 3 || date[0].size() != 4) return clock;
@@ -194,7 +194,7 @@ Clock read_clock(const Cursor& cursor, std::string_view cell) {
   const std::chrono::year_month_day day{std::chrono::year(part(0)),
                                         std::chrono::month(static_cast<unsigned>(part(1))),
                                         std::chrono::day(static_cast<unsigned>(part(2)))};
-  if (!day.ok()) cursor.fail(quoted(cell) + " has no day of the calendar");
+  if (!day.ok()) cursor.fail(in_quotes(cell) + " has no day of the calendar");
   clock.day = std::chrono::sys_days(day);
   return clock;
 }

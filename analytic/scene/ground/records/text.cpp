@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view blanks = " \t\r\f\v";
 constexpr double largest = 1e100;
 
-char lower(char c) {
+char lower_letter(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
@@ -75,7 +75,7 @@ void Cursor::fail_at(std::size_t line, const std::string& message) const {
   throw InputError(std::string(file_) + ":" + std::to_string(line) + ": " + message);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string shown(text.substr(0, longest));
   std::ranges::replace_if(
@@ -85,7 +85,7 @@ std::string quoted(std::string_view text) {
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  for (char& c : result) c = lower(c);
+  for (char& c : result) c = lower_letter(c);
   return result;
 }
 
@@ -125,9 +125,9 @@ double number(const Cursor& cursor, std::string_view field) {
   double value = 0;
   const auto [rest, error] = std::from_chars(text.data() + plus, end, value);
   if (error == std::errc::invalid_argument || rest != end)
-    cursor.fail(quoted(trimmed(field)) + " is not a number");
+    cursor.fail(in_quotes(trimmed(field)) + " is not a number");
   if (error != std::errc() || !(std::abs(value) < largest))
-    cursor.fail(quoted(trimmed(field)) + " is not a finite number below 1e100");
+    cursor.fail(in_quotes(trimmed(field)) + " is not a finite number below 1e100");
   return value;
 }
 
@@ -136,7 +136,7 @@ std::size_t count(const Cursor& cursor, std::string_view field) {
   std::string_view digits = trimmed(field);
   const std::size_t value = take_digits(digits);
   if (value == 0 || value > most || !digits.empty())
-    cursor.fail(quoted(trimmed(field)) + " is not a count: must be an integer from 1 to 1000000000");
+    cursor.fail(in_quotes(trimmed(field)) + " is not a count: must be an integer from 1 to 1000000000");
   return value;
 }
 
@@ -165,11 +165,11 @@ Columns fortran_columns(const Cursor& cursor, std::string_view line) {
     columns.per_line = take_digits(rest);
   }
   const bool has_type =
-      !rest.empty() && std::string_view("fegid").find(lower(rest.front())) != std::string_view::npos;
+      !rest.empty() && std::string_view("fegid").find(lower_letter(rest.front())) != std::string_view::npos;
   rest = without_first(rest, 1);
   columns.width = take_digits(rest);
   if (!has_type || columns.per_line == 0 || columns.width == 0)
-    cursor.fail(quoted(format) + " is not a Fortran format of the kind (8F10.5)");
+    cursor.fail(in_quotes(format) + " is not a Fortran format of the kind (8F10.5)");
   return columns;
 }
 
@@ -184,10 +184,11 @@ std::vector<double> read_columns(Cursor& cursor, std::size_t count, Columns colu
       if (trimmed(rest).empty()) cursor.fail("this line has " + std::to_string(k) + " values, too few");
       values.push_back(number(cursor, rest.substr(0, columns.width)));
       if (null && values.back() == *null)
-        cursor.fail(quoted(trimmed(rest.substr(0, columns.width))) + " marks missing data");
+        cursor.fail(in_quotes(trimmed(rest.substr(0, columns.width))) + " marks missing data");
       rest = without_first(rest, columns.width);
     }
-    if (!trimmed(rest).empty()) cursor.fail("surplus " + quoted(trimmed(rest)) + " at the end of this line");
+    if (!trimmed(rest).empty())
+      cursor.fail("surplus " + in_quotes(trimmed(rest)) + " at the end of this line");
   }
   return values;
 }

@@ -47,7 +47,7 @@ struct Columns {
 };
 
 /// A piece of the file for an error message: printable, in quotes, cut after 40 characters.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 std::string lower(std::string_view text);  ///< A–Z only, whatever the locale
 std::string_view trimmed(std::string_view text);
