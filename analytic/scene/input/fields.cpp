@@ -74,7 +74,8 @@ const std::string& text(const Node& node) {
 std::ptrdiff_t place_among(const Node& node, const std::vector<const char*>& names) {
   const auto found = std::find(names.begin(), names.end(), node.text);
   if (node.kind != Node::Kind::text || found == names.end())
-    throw wrong_value(node, text_of_each(names, quoted, " or "));
+    throw wrong_value(
+        node, text_of_each(names, quoted, " or ") + did_you_mean(node.text, {names.begin(), names.end()}));
   return found - names.begin();
 }
 

@@ -1,8 +1,6 @@
 #include "analytic/scene/input/json_reader.hpp"
 
-#include <fstream>
-#include <iterator>
-
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/input/document.hpp"
 
 namespace rockstack {
@@ -63,10 +61,7 @@ Json parse_json(std::string_view text, const std::string& subject) {
 }
 
 Json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(one_line(file.string()) + ": cannot be read");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse_json(text, one_line(file.string()) + ": ");
+  return parse_json(file_text(file, largest_results), one_line(file.string()) + ": ");
 }
 
 }  // namespace rockstack

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analytic/scene/files/file_text.hpp"
+#include "analytic/scene/input/block_lists.hpp"
 #include "analytic/scene/input/whole_number.hpp"
 
 // The library's only use: compiled in whole here, so that nobody who links this library needs it.
@@ -123,7 +124,10 @@ Node& child(Node& parent, const std::string& name, const std::string& place) {
 /// The node of a dotted key, made where it is missing, under the place given.
 Node& target(Node& root, const std::vector<std::string>& path, const std::string& place) {
   Node* node = &root;
-  for (const std::string& part : path) node = &child(*node, part, place);
+  for (const std::string& part : path) {
+    if (part.find_first_not_of("0123456789") == std::string::npos) list_blocks(root, *node, place);
+    node = &child(*node, part, place);
+  }
   return *node;
 }
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/input/scene_file.hpp"
@@ -125,7 +126,17 @@ TEST(Json, WhatIsWrongInAFileIsOneLineThatNamesIt) {
   EXPECT_EQ(said("{}"), "key 'key' not found");
   EXPECT_EQ(said(R"({"key": "1"})"), "type must be number, but is string");
   EXPECT_EQ(complaint([&] { read_json(folder.path() / "none"); }),
-            (folder.path() / "none").string() + ": cannot be read");
+            (folder.path() / "none").string() + ": must be a file, nothing is there");
+}
+
+TEST(Json, FilesWithoutAnEndAreRefused) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/zero", folder.path() / "device");
+  std::filesystem::create_directory(folder.path() / "folder");
+  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"device", "folder", "pipe"})
+    EXPECT_EQ(complaint([&] { read_json(folder.path() / name); }),
+              (folder.path() / name).string() + ": must be a file, this is a folder, a pipe or a device");
 }
 
 TEST(MotionLibrary, SharedSyntheticMotionsAreThoseOfTheirOwnScenes) {

@@ -239,6 +239,9 @@ TEST(SceneErrors, WrongTypes) {
       {1, "duration = 1\nengine = [1]", "scene.toml:2: engine = an array of 1: must be a table"},
       {1, "duration = 1\nlaw = \"papr\"",
        "scene.toml:2: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\" or "
+       "\"compliant\"; did you mean paper?"},
+      {1, "duration = 1\nlaw = \"Coulomb\"",
+       "scene.toml:2: law = \"Coulomb\": must be \"paper\" or \"consistent\" or \"unilateral\" or "
        "\"compliant\""},
       {1, "duration = 1\nequations = 2",
        "scene.toml:2: equations = 2: must be \"nonlinear\" or \"linear\" or \"small-angle\""},

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "analytic/scene/input/scene_file.hpp"
 #include "tests/analytic/scene/input/scene_text.hpp"
 
@@ -26,6 +28,31 @@ TEST(Overrides, ReplaceValuesOfBlocksCountedFromOne) {
 TEST(Overrides, ReplaceWholeArraysAndSingleEntries) {
   EXPECT_EQ(read_with({"initial.angles=[0.05,0.02]"}).initial.angles, (std::vector<double>{0.05, 0.02}));
   EXPECT_EQ(read_with({"initial.angles.2=0.2"}).initial.angles, (std::vector<double>{0.15, 0.2}));
+}
+
+TEST(Overrides, SetOneBlockOfAListThatIsLeftOutBesideItsDefault) {
+  EXPECT_EQ(read_with({"initial.velocities.2=0.3"}).initial.velocities, (std::vector<double>{0, 0.3}));
+  EXPECT_EQ(read_with({"contact.friction.1=0.4"}).friction, (std::vector<double>{0.4, 1000}));
+  EXPECT_EQ(read_with({"contact.friction=0.4", "contact.friction.2=0.5"}).friction,
+            (std::vector<double>{0.4, 0.5}));
+  const Scene soft = read_with(
+      {"law=compliant", "contact.stiffness.2=1e8", "contact.damping.1=1e3", "contact.damping.2=2e3"});
+  EXPECT_EQ(soft.springs.stiffness, (std::vector<double>{std::numeric_limits<double>::infinity(), 1e8}));
+  EXPECT_EQ(soft.springs.damping, (std::vector<double>{1e3, 2e3}));
+}
+
+TEST(Overrides, SetAllBlocksOfAListWithoutADefault) {
+  const TemporaryFolder folder;
+  const auto one = folder.write("one.toml", "duration = 1\n[[blocks]]\nwidth = 1\nheight = 2\nmass = 1\n");
+  EXPECT_EQ(read_scene(one, {"restitution.1=0.9"}).restitution, std::vector<double>{0.9});
+  EXPECT_EQ(error_with("restitution.1=0.9"),
+            "--set restitution.1=0.9: restitution.2 = missing: must be a number");
+  EXPECT_EQ(read_with({"restitution.1=0.9", "restitution.2=0.8"}).restitution,
+            (std::vector<double>{0.9, 0.8}));
+  EXPECT_EQ(error_with("initial.angles.3=0.1"),
+            "--set initial.angles.3=0.1: initial.angles.3: there are 2 entries, must be 1 to 2");
+  EXPECT_EQ(error_with("initial.gaps.3=0.1"),
+            "--set initial.gaps.3=0.1: initial.gaps.3: there are 2 entries, must be 1 to 2");
 }
 
 TEST(Overrides, MakeTablesThatAreMissing) {
@@ -61,7 +88,7 @@ TEST(Overrides, AreThePlaceOfTheirErrors) {
             "--set blocks.1.height=3 m: blocks.1.height = \"3 m\": must be a number");
   EXPECT_EQ(error_with("law=papr"),
             "--set law=papr: law = \"papr\": must be \"paper\" or \"consistent\" or \"unilateral\" or "
-            "\"compliant\"");
+            "\"compliant\"; did you mean paper?");
   EXPECT_EQ(error_with("engine.grip=1"),
             "--set engine.grip=1: engine.grip: unknown key, must be one of friction, depth");
   EXPECT_EQ(error_with("ground.vertical.scale=2"),
