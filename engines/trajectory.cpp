@@ -69,7 +69,7 @@ void ContactWatch::add_forces(const std::vector<ContactPoint>& points) {
     if (push == 0) continue;
     record_.complementarity = std::max(record_.complementarity, point.gap * push / dt_);
     pushed_ += push;
-    rigid_ |= std::isinf(point.stiffness);
+    rigid_ |= std::isinf(point.stiffness) || std::isinf(point.damping);
     given_ += point.normal / point.stiffness;
     damped_ += point.normal * point.damping;
   }

@@ -134,7 +134,9 @@ void add_bodies(const Scene& scene, const BodyRecord& bodies, RunMetrics& row) {
   row.contact_stiffness = bodies.contacts->stiffness;
   row.contact_damping = bodies.contacts->damping;
   row.contact_points = bodies.contacts->points;
-  row.contact_damping_ratio = damping_ratio(corner_of(*bodies.contacts), scene.blocks.front());
+  const double ratio = damping_ratio(corner_of(*bodies.contacts), scene.blocks.front());
+  if (!std::isfinite(ratio)) return;  // dashpots without springs
+  row.contact_damping_ratio = ratio;
   row.contact_restitution = restitution_of(*row.contact_damping_ratio);
 }
 

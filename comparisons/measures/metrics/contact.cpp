@@ -186,6 +186,7 @@ double damping_ratio(const CornerSpring& spring, const Block& block) {
 double restitution_of(double damping_ratio) {
   const double z = damping_ratio, under = 1 - z * z;
   if (std::abs(under) < 1e-9) return std::exp(-2.0);
+  if (std::isinf(under)) return 0;
   const double s = std::sqrt(std::abs(under));
   const double time = under > 0 ? std::acos(-1.0) - std::atan2(2 * z * s, 1 - 2 * z * z)
                                 : 2 * std::log(z + s);  // (ζ + s)/(ζ − s) = (ζ + s)², without cancelling

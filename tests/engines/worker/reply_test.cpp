@@ -62,7 +62,7 @@ struct Field {
 };
 
 const std::vector<Field>& fields() {
-  constexpr double any = largest_number;
+  constexpr double any = largest_number, largest = std::numeric_limits<double>::max();
   static const std::vector<Field> list{
       {"/angles", -0.8, 0.8},
       {"/velocities", -any},
@@ -78,8 +78,8 @@ const std::vector<Field>& fields() {
       {"/contacts/elastic"},
       {"/contacts/complementarity"},
       {"/contacts/friction_excess"},
-      {.path = "/contacts/stiffness", .least = 1e-20, .optional = true, .may_be_infinite = true},
-      {.path = "/contacts/damping", .optional = true},
+      {.path = "/contacts/stiffness", .most = largest, .optional = true, .may_be_infinite = true},
+      {.path = "/contacts/damping", .most = largest, .optional = true},
       {.path = "/contacts/points", .least = 1, .optional = true},
       {"/contacts/impacts/0/time", 0, 1},
       {.path = "/contacts/impacts/0/interface", .least = 1, .most = 1, .whole = true},
