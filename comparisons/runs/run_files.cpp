@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
 #include <mutex>
-#include <sstream>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "engines/worker/installation.hpp"
@@ -80,9 +79,11 @@ Json fields_of(const Parameters& parameters) {
 }  // namespace
 
 std::string bytes_of(const std::filesystem::path& file) {
-  std::ostringstream bytes;  // by blocks, as a program may have a hundred megabytes
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
-  return std::move(bytes).str();
+  try {
+    return file_text(file, largest_results);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 void thin_histories(RunFiles& files, double interval) {

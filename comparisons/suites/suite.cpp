@@ -216,9 +216,9 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   for (const Node& scene : entries(required(root, "scenes", scenes), scenes)) {
     const std::filesystem::path scene_file = named_file(scene, "scenes", file.parent_path());
     for (const SceneChange& change : list) {
-      suite.scenes.push_back(read_changed_scene(scene_file, change));
-      suite.scenes.back().name += change.name;
-      suite.scenes.back().scene.title += change.title;
+      NamedScene& added = suite.scenes.emplace_back(read_changed_scene(scene_file, change));
+      added.name = folder_name(added.name + change.name);
+      added.scene.title += change.title;
     }
   }
   if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);

@@ -3,6 +3,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
 
@@ -138,9 +139,7 @@ std::string drawn_figure(const fs::path& results, const std::string& stem, const
   const std::string words = figure == nullptr ? "" : figure->question + " " + figure->explanation;
   const auto drawing = [&](const std::string& part, const std::string& before) {
     const fs::path file = results / "figures" / (stem + part + ".svg");
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw InputError(file.string() + ": cannot be read; figures are drawn before the report");
-    return inline_svg({std::istreambuf_iterator<char>(in), {}}, before + prefix, label);
+    return inline_svg(file_text(file), before + prefix, label);
   };
   const std::string narrow = std::string(".") + narrow_part;
   const std::string drawings = fs::exists(results / "figures" / (stem + narrow + ".svg"))

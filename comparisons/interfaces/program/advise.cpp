@@ -82,7 +82,8 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
   require_above_zero("--within", arguments.within);
   require_above_zero("--time-limit", arguments.time_limit);
   const NamedScene scene = read_one_scene(arguments.scene, common);
-  const ResultsFolder folder(arguments.out, Results::advice);
+  const ResultsFolder folder(arguments.out, Results::advice, scene.name, common.replace);
+  warn_of_sizes(scene.scene, common);
   AdviceRequest request{.error = arguments.error,
                         .within = arguments.within,
                         .engines = engines_named(arguments.engines, usual_engines)};

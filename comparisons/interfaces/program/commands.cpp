@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "comparisons/measures/metrics/sizes.hpp"
+#include "comparisons/measures/results/files.hpp"
 #include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
@@ -57,6 +59,15 @@ NamedScene read_one_scene(const std::string& input, const Common& common) {
   return read_named_scene(file, common.overrides);
 }
 
+std::string subject_of(const std::filesystem::path& input) {
+  return folder_name(input.stem().string());
+}
+
+void warn_of_sizes(const Scene& scene, const Common& common) {
+  if (common.quiet) return;
+  for (const std::string& warning : size_warnings(scene)) fmt::print(stderr, "warning: {}\n", warning);
+}
+
 void refuse_overrides(const Common& common, const char* reason) {
   if (!common.overrides.empty())
     throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
@@ -104,9 +115,9 @@ int end_of_runs(std::size_t failed, std::size_t runs, const char* file, const st
 void print_report(const std::filesystem::path& folder, const Common& common) {
   if (!common.talks()) return;
 #ifdef ROCKSTACK_WITH_PLOTS
-  fmt::print("report: {}\n", (folder / "report.html").string());
+  fmt::print("report: {}\n", one_line((folder / "report.html").string()));
 #else
-  fmt::print("left out of this build: figures and the report in {}\n", folder.string());
+  fmt::print("left out of this build: figures and the report in {}\n", one_line(folder.string()));
 #endif
 }
 

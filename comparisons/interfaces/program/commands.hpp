@@ -15,6 +15,7 @@ struct Common {
   std::vector<std::string> overrides;  ///< key=value, of scenes
   bool quiet = false;                  ///< print nothing but errors
   bool json = false;                   ///< print the result as JSON
+  bool replace = false;                ///< results of another scene in the folder for results
   std::string workers;                 ///< folders of more engines
   std::string command;                 ///< the whole command line, for the results
 
@@ -164,6 +165,12 @@ void require_kind(const std::string& input, const std::filesystem::path& file, c
 
 /// @throws InputError also where the input names a suite or an ensemble.
 NamedScene read_one_scene(const std::string& input, const Common& common);
+
+/// What results of an input say they are of: its name, without folder and ending.
+std::string subject_of(const std::filesystem::path& input);
+
+/// Says on standard error of which blocks the sizes seem to be in mm.
+void warn_of_sizes(const Scene& scene, const Common& common);
 
 /// @throws InputError with the reason where there are overrides.
 void refuse_overrides(const Common& common, const char* reason);

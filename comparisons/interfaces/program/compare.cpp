@@ -123,13 +123,13 @@ void print_impact_laws(const ImpactLawResults& results, const std::vector<std::s
       "\ndiffer: the laws choose different patterns; none: no pattern is consistent; below: whose "
       "pattern the\nengines show where the laws differ\n");
   print_left_out(left_out);
-  fmt::print("results: {}\n", folder.string());
+  fmt::print("results: {}\n", one_line(folder.string()));
 }
 
 int study_command(const std::filesystem::path& file, const std::filesystem::path& out, const Common& common) {
   refuse_overrides(common, "a study of impact laws makes its own scenes");
   const ImpactLawStudy study = read_impact_law_study(file);
-  const ResultsFolder folder(out, Results::impact_laws);
+  const ResultsFolder folder(out, Results::impact_laws, subject_of(file), common.replace);
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
   print_impact_laws(results, study.engines.left_out, out, common);
@@ -149,7 +149,7 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
   if (!in_words({{"verdicts", counts}, {"folder", out.string()}}, common)) return;
   for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
-  fmt::print("{}\n{}\n", (out / "stability.csv").string(), (out / "steps.csv").string());
+  fmt::print("{}\n{}\n", one_line((out / "stability.csv").string()), one_line((out / "steps.csv").string()));
 }
 
 int stability_command(const std::filesystem::path& file, const CompareArguments& arguments,
@@ -157,7 +157,7 @@ int stability_command(const std::filesystem::path& file, const CompareArguments&
   StabilityStudy study = read_stability_study(file, common.overrides);
   apply(arguments.choice, study.suite);
   require_comparable({study.suite});
-  const ResultsFolder folder(arguments.out, Results::stability);
+  const ResultsFolder folder(arguments.out, Results::stability, subject_of(file), common.replace);
   const std::vector<StabilityRun> rows = run_stability(
       study, arguments.out, executor, {.command = common.command, .progress = progress(common)});
   print_verdicts(rows, arguments.out, common);
@@ -177,7 +177,7 @@ void print_comparison(const CompareResult& result, const std::vector<std::string
     fmt::print("times are those of runs that shared the machine\n");
   if (result.reused > 0) fmt::print("{} of {} runs were there already\n", result.reused, result.rows.size());
   print_left_out(left_out);
-  fmt::print("results: {}\n\n", folder.string());
+  fmt::print("results: {}\n\n", one_line(folder.string()));
   for (const std::string& sentence : result.verdict.headline) fmt::print("{}\n", sentence);
 }
 
@@ -208,7 +208,10 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   }
   const std::vector<Suite> suites = read_inputs(arguments, common);
   require_comparable(suites);
-  const ResultsFolder folder(arguments.out, Results::comparison);
+  const std::string inputs = fmt::format("{}", fmt::join(each_of(arguments.inputs, subject_of), ", "));
+  const ResultsFolder folder(arguments.out, Results::comparison, inputs, common.replace);
+  for (const Suite& suite : suites)
+    for (const NamedScene& scene : suite.scenes) warn_of_sizes(scene.scene, common);
   announce_disk_use(suites, arguments.out, common);
   announce_undecided(suites, common);
   print_legend(suites, common);

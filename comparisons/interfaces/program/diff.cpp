@@ -129,7 +129,7 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
   }
   if (in_words(json, common)) {
     print_change(result, options);
-    if (!arguments.out.empty()) fmt::print("results: {}\n", arguments.out.string());
+    if (!arguments.out.empty()) fmt::print("results: {}\n", one_line(arguments.out.string()));
     fmt::print("\n{}\n", result.headline());
   }
   constexpr int undecided = 3;

@@ -219,7 +219,7 @@ int new_command(const NewArguments& arguments, const Common& common) {
                                  arguments.out.string()));
   }
   if (!common.quiet) {
-    fmt::print("{}: {}\n", arguments.kind, arguments.out.string());
+    fmt::print("{}: {}\n", arguments.kind, one_line(arguments.out.string()));
     if (arguments.record) fmt::print("record: {}\n", text.substr(2, text.find('\n') - 2));
   }
   return 0;

@@ -76,6 +76,8 @@ int run(int count, char** arguments) {
           ->allow_extra_args(false),
       app.add_flag("--quiet", common.quiet, "print nothing but errors"),
       app.add_flag("--json", common.json, "print the result as JSON"),
+      app.add_flag("--replace", common.replace,
+                   "put the results in the place of those of another scene in the folder for results"),
       app.add_option("--workers", common.workers,
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
   const auto commands = add_commands(app, common);

@@ -2,6 +2,7 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
+#include "comparisons/measures/metrics/sizes.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/runs/measure.hpp"
@@ -24,7 +25,8 @@ void print_history(const Scene& scene, const History& history, const Support& su
   for (const Event& event : history.events) ++events[name(event.kind)];
   const std::string verdict = motion_verdict(scene, history, support);
   const std::vector<double> peaks = peak_angles(history);
-  const std::vector<std::string> warnings = validity_warnings(scene, history);
+  std::vector<std::string> warnings = size_warnings(scene);
+  for (std::string& warning : validity_warnings(scene, history)) warnings.push_back(std::move(warning));
   Json json = outcome_json(run_outcome(scene, history), sampled);
   json.update({{"verdict", verdict},
                {"events", events},
@@ -42,7 +44,7 @@ void print_history(const Scene& scene, const History& history, const Support& su
     fmt::print("peak angle of block {}: {:.6g} rad\n", ++k, peak < rounding ? 0 : peak);
   for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
   for (const std::string& line : lines_of_others) fmt::print("{}\n", line);
-  fmt::print("results: {}\n", folder.string());
+  fmt::print("results: {}\n", one_line(folder.string()));
 }
 
 /// Follows all motions; returns 1 where one was given up.
@@ -74,7 +76,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
       .resolution = arguments.tolerance,
       .tolerance = arguments.tolerance,
       .step = arguments.step};
-  const ResultsFolder folder(arguments.out, Results::motion);
+  const ResultsFolder folder(arguments.out, Results::motion, scene.name, common.replace);
   const SolveJob job{scene, options, arguments.histories, arguments.out, common.command};
   int code = 0;
   if (arguments.branches)
@@ -92,7 +94,7 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   const Parameters changes = read_parameters(arguments.parameters, engine);
   const auto scene = read_one_scene(arguments.scene, common);
   check_step(arguments.dt, scene.scene.duration);
-  const ResultsFolder folder(arguments.out, Results::motion);
+  const ResultsFolder folder(arguments.out, Results::motion, scene.name, common.replace);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
   if (named.size() > 1 && common.talks())
@@ -115,7 +117,7 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   print_report(results, common);
   if (!arguments.animate) return 0;
   for (const auto& film : plots::draw_animations(results))
-    if (common.talks()) fmt::print("film: {}\n", film.string());
+    if (common.talks()) fmt::print("film: {}\n", one_line(film.string()));
   return 0;
 #else
   static_cast<void>(common);

@@ -11,6 +11,16 @@ namespace {
 
 constexpr const char* scene_help = "scene file, or a name from `rockstack list scenes`";
 
+/// One of some words; of what is none of them the nearest is named.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const CLI::IsMember listed(words);
+  const auto check = [listed, words](std::string& given) {
+    const std::string complaint = listed(given);
+    return complaint.empty() ? complaint : complaint + did_you_mean(given, words);
+  };
+  return {check, listed.get_description()};
+}
+
 constexpr const char* usual_folder = "rockstack-results";
 
 /// The folder for results of a command; where none is given, its name is of the command and its input.
@@ -37,7 +47,7 @@ void add_solve(CLI::App& command, SolveArguments& arguments) {
   command.add_option("scene", arguments.scene, scene_help)->required();
   add_results(command, arguments.out, [&] { return arguments.scene; });
   command.add_option("--integrator", arguments.integrator, "what makes the steps; rk4 is the baseline")
-      ->check(CLI::IsMember({"taylor", "rk4"}))
+      ->check(one_of({"taylor", "rk4"}))
       ->capture_default_str();
   command.add_option("--step", arguments.step, "longest step of rk4, s")->capture_default_str();
   command.add_option("--interval", arguments.interval, "interval of samples in history.csv, s")
@@ -50,7 +60,7 @@ void add_solve(CLI::App& command, SolveArguments& arguments) {
       ->capture_default_str();
   command.add_option("--histories", arguments.histories, "what else to write at each sample")
       ->delimiter(',')
-      ->check(CLI::IsMember(kinds_of_histories()));
+      ->check(one_of(kinds_of_histories()));
   command.add_flag("--branches", arguments.branches,
                    "follow every motion where contact has several solutions, each into DIR/branches");
   command.add_option("--most-branches", arguments.most_branches, "bound of --branches")
@@ -65,7 +75,7 @@ void add_simulate(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--engine", arguments.engine, "engine, or engine:solver")->required();
   command.add_option("--dt", arguments.dt, "time step, s")->required();
   command.add_option("--settings", arguments.settings, "parameter set")
-      ->check(CLI::IsMember({"default", "tuned"}))
+      ->check(one_of({"default", "tuned"}))
       ->capture_default_str();
   command
       .add_option("--parameter", arguments.parameters,
@@ -159,7 +169,7 @@ void add_record(CLI::App& command, RecordArguments& arguments) {
   command.add_option("file", arguments.file, "record, or record:channel")->required();
   command.add_option("--out", arguments.out, "folder for results; left out: none are written");
   command.add_option("--base-line", arguments.base_line, "line to take off the accelerations first")
-      ->check(CLI::IsMember({"none", "fitted"}))
+      ->check(one_of({"none", "fitted"}))
       ->capture_default_str();
 }
 
@@ -181,7 +191,7 @@ void add_diff(CLI::App& command, DiffArguments& arguments) {
       "apart; left out: none is");
   command.add_option("--across", options.across, "what may differ between two rows that are held together")
       ->delimiter(',')
-      ->check(CLI::IsMember(row_names()));
+      ->check(one_of(row_names()));
   command.add_option("--out", arguments.out, "folder for diff.json and diff.csv; left out: none are written");
 }
 
@@ -212,13 +222,13 @@ void add_live(CLI::App& command, LiveArguments& arguments) {
 
 void add_list(CLI::App& command, KindArguments& arguments) {
   command.add_option("what", arguments.kind, "scenes, suites, ensembles, lessons or engines; left out: all")
-      ->check(CLI::IsMember({"scenes", "suites", "ensembles", "lessons", "engines"}));
+      ->check(one_of({"scenes", "suites", "ensembles", "lessons", "engines"}));
 }
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings) {
   command.add_option("--settings", settings, "parameter sets; left out: both")
       ->delimiter(',')
-      ->check(CLI::IsMember({"default", "tuned"}));
+      ->check(one_of({"default", "tuned"}));
 }
 
 void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
@@ -241,12 +251,12 @@ void add_canon(CLI::App& command, CanonArguments& arguments) {
 
 void add_keys(CLI::App& command, KindArguments& arguments) {
   command.add_option("kind", arguments.kind, "scene, suite or ensemble; left out: all")
-      ->check(CLI::IsMember({"scene", "suite", "ensemble"}));
+      ->check(one_of({"scene", "suite", "ensemble"}));
 }
 
 void add_new(CLI::App& command, NewArguments& arguments) {
   command.add_option("kind", arguments.kind, "scene, suite or ensemble")
-      ->check(CLI::IsMember({"scene", "suite", "ensemble"}))
+      ->check(one_of({"scene", "suite", "ensemble"}))
       ->capture_default_str();
   command.add_option("--record", arguments.record, "record that shakes the scene");
   command.add_option("--out", arguments.out, "new file to write; left out: standard output");

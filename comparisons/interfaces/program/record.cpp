@@ -122,7 +122,7 @@ int record_command(const RecordArguments& arguments, const Common& common) {
   const Json json = to_json(record, arguments);
   std::optional<ResultsFolder> folder;
   if (!arguments.out.empty()) {
-    folder.emplace(arguments.out, Results::record);
+    folder.emplace(arguments.out, Results::record, subject_of(arguments.file), common.replace);
     Json whole = json;
     whole["spectrum_damping"] = spectrum_damping;
     whole["command"] = common.command;
@@ -133,7 +133,7 @@ int record_command(const RecordArguments& arguments, const Common& common) {
   }
   if (in_words(json, common)) {
     print_text(record, arguments.base_line);
-    if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", arguments.out.string());
+    if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", one_line(arguments.out.string()));
   }
   if (!arguments.out.empty()) show_report(arguments.out, common);
   return 0;

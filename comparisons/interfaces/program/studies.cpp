@@ -14,12 +14,28 @@
 namespace rockstack {
 namespace {
 
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+std::atomic<int> interruption = 0;  ///< the signal that asked for it
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may set it");
 
-extern "C" void interrupt(int /*signal*/) {
-  interrupted = true;
+extern "C" void interrupt(int signal) {
+  interruption = signal;
 }
+
+/// For as long as it lives, a signal that would end the program asks runs to stop.
+class Interruptible {
+ public:
+  Interruptible() = default;
+  ~Interruptible() {
+    std::signal(SIGINT, of_sigint_);
+    std::signal(SIGTERM, of_sigterm_);
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  void (*of_sigint_)(int) = std::signal(SIGINT, interrupt);
+  void (*of_sigterm_)(int) = std::signal(SIGTERM, interrupt);
+};
 
 Ensemble read_ensemble(const SweepArguments& arguments, const Common& common, MotionLibrary& library) {
   return read_ensemble(input_file(arguments.ensemble, {"ensembles"}), common.overrides, library);
@@ -69,7 +85,7 @@ void print_sweep(const SweepResult& result, const std::filesystem::path& folder,
     return;
   fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
   for (const std::string& sentence : result.headline) fmt::print("{}\n", sentence);
-  fmt::print("results: {}\n", folder.string());
+  fmt::print("results: {}\n", one_line(folder.string()));
 }
 
 void print(const CanonRow& row, const CanonAnswer& answer) {
@@ -81,21 +97,22 @@ void print(const CanonRow& row, const CanonAnswer& answer) {
 }  // namespace
 
 int sweep_command(const SweepArguments& arguments, const Common& common) {
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  std::optional<Interruptible> signals(std::in_place);
   const auto executor = make_executor(arguments.threads > 0 ? arguments.threads : all_cores());
   if (!executor->leads()) return serve(*executor, arguments, common);
   MotionLibrary library;
   const Ensemble ensemble = read_ensemble(arguments, common, library);
-  const ResultsFolder folder(arguments.out, Results::sweep);
+  const ResultsFolder folder(arguments.out, Results::sweep, subject_of(arguments.ensemble), common.replace);
   const SweepResult result =
       sweep(ensemble, library, *executor,
-            {arguments.out, common.command, sweep_progress(common), [] { return interrupted.load(); }});
+            {arguments.out, common.command, sweep_progress(common), [] { return interruption.load() != 0; }});
   if (!result.finished()) {
     fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
                shows_progress(common) ? "\n" : "", result.done, result.runs);
     return 1;
   }
+  signals.reset();
+  if (interruption != 0) std::raise(interruption);
   print_sweep(result, arguments.out, common);
   show_report(arguments.out, common);
   return end_of_runs(result.failed, result.runs, "runs.csv", result.reason);
@@ -108,7 +125,8 @@ int fit_command(const FitArguments& arguments, const Common& common) {
   MotionLibrary library;
   const Scene scene = make_scene(document, library);
   const Measurement measured = read_measurement(document.measured.value(), document.folder, scene);
-  const ResultsFolder folder(arguments.out, Results::fit);
+  const ResultsFolder folder(arguments.out, Results::fit, subject_of(arguments.scene), common.replace);
+  warn_of_sizes(scene, common);
   const Fit found = fit(document, measured, parameters);
   write_fit(scene.title, measured, found, arguments.out, common.command);
   if (in_words(fit_json(scene.title, measured, found, common.command), common)) {

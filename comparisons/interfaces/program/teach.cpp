@@ -44,7 +44,7 @@ Json write_pages(const fs::path& out, bool pdf) {
 
 /// Runs a lesson into a folder of its own. Returns 1 where one of its runs failed, else 0.
 int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& arguments, const Common& common) {
-  const ResultsFolder folder(out, Results::lesson);
+  const ResultsFolder folder(out, Results::lesson, lesson.name, common.replace);
   const std::vector<RunMetrics> rows = run_lesson(lesson, out, arguments.lesson == "all",
                                                   {.command = common.command, .progress = progress(common)});
   print_files(write_pages(out, arguments.pdf), common);

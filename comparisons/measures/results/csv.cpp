@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/lists.hpp"
 
 namespace rockstack {
@@ -59,7 +60,7 @@ Table read_table(const std::filesystem::path& file) {
   return table;
 }
 
-CsvLine::CsvLine(const std::filesystem::path& file) : file_(file), in_(file) {
+CsvLine::CsvLine(const std::filesystem::path& file) : file_(file), in_(regular_file(file)) {
   if (!in_) throw InputError(file.string() + ": cannot be read");
   if (!next()) throw InputError(fmt::format("{}:1: empty; must start with a header line", file.string()));
   names_ = cells_;

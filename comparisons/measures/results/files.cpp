@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 
 namespace rockstack {
 namespace {
@@ -69,6 +70,20 @@ constexpr Kind kinds[]{
 namespace fs = std::filesystem;
 
 constexpr const char* mark_name = ".results";
+
+/// What a command that was stopped goes on from.
+constexpr std::initializer_list<const char*> gone_on_from{"runs", "runs.journal", "answers"};
+
+/// The kind of results that a folder holds, and what they are of; empty where it says neither.
+std::pair<std::string, std::string> read_mark(const fs::path& folder) {
+  std::pair<std::string, std::string> mark;
+  std::error_code ignored;
+  if (!fs::is_regular_file(folder / mark_name, ignored)) return mark;
+  std::ifstream in(folder / mark_name);
+  std::getline(in, mark.first);
+  std::getline(in, mark.second);
+  return mark;
+}
 
 InputError no_folder(const fs::path& folder, const std::string& why) {
   return InputError(fmt::format("--out {}: must be a folder that can be written: {}", folder.string(), why));
@@ -137,10 +152,14 @@ std::uint64_t checksum(std::string_view text) {
 
 std::string folder_name(const std::string& text) {
   constexpr std::size_t longest = 128, front = 100;
-  if (text.size() <= longest) return text;
-  std::size_t end = front;
-  while ((static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;  // not inside a letter of UTF-8
-  return fmt::format("{}-{:016x}", text.substr(0, end), checksum(text));
+  std::string name = one_line(text);
+  for (const char leading : {'/', '\\'}) std::ranges::replace(name, leading, '-');
+  if (name.starts_with('.')) name.front() = '-';
+  if (name == text && !text.empty() && text.size() <= longest) return text;
+  std::size_t end = std::min(front, name.size());
+  while (end < name.size() && (static_cast<unsigned char>(name[end]) & 0xc0U) == 0x80)
+    --end;  // not inside a letter
+  return fmt::format("{}-{:016x}", name.substr(0, end), checksum(text));
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {
@@ -164,23 +183,31 @@ void write_file(const std::filesystem::path& file, const std::function<void(cons
   }
 }
 
-ResultsFolder::ResultsFolder(const fs::path& folder, Results results)
+ResultsFolder::ResultsFolder(const fs::path& folder, Results results, const std::string& subject,
+                             bool replace)
     : folder_(folder), made_(make_folders(folder)), lock_(folder) {
   const Kind& kind = kinds[static_cast<std::size_t>(results)];
-  std::string found;
-  std::getline(std::ifstream(folder / mark_name), found);
+  const auto [found, of] = read_mark(folder);
   if (!found.empty() && found != kind.name)
     throw InputError(
         fmt::format("--out {}: must be a folder of its own: it holds {}", folder.string(), found));
+  const bool other = !of.empty() && !subject.empty() && of != one_line(subject);
+  if (other && !replace)
+    throw InputError(fmt::format(
+        "--out {}: must be a folder of its own: it holds {} of {}; --replace puts {} in its place",
+        folder.string(), found, of, subject));
   if (const auto foreign = foreign_file(folder); foreign && found.empty())
     throw InputError(fmt::format("--out {}: must be empty or hold results: {} is there, and is not ours",
                                  folder.string(), *foreign));
   try {
-    write_file(folder / mark_name, std::string(kind.name) + "\n");
+    write_file(folder / mark_name,
+               fmt::format("{}\n{}\n", kind.name, subject.empty() ? of : one_line(subject)));
   } catch (const std::runtime_error& failure) {
     throw no_folder(folder, failure.what());
   }
   for (const char* name : kind.derived) fs::remove_all(folder / name);
+  if (other)
+    for (const char* name : gone_on_from) fs::remove_all(folder / name);
 }
 
 ResultsFolder::~ResultsFolder() {

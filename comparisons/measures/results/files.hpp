@@ -36,8 +36,8 @@ class FolderLock : Descriptor {
 /// The 64-bit checksum FNV-1a of Fowler, Noll & Vo.
 std::uint64_t checksum(std::string_view text);
 
-/// A text as the name of a file or folder, with room for an ending: itself where it is short, else its front
-/// and a checksum of the whole.
+/// A text as the name of a file or folder, with room for an ending: itself where it is short and plain, else
+/// its front and a checksum of the whole. Plain: one line that leads to no other folder and is not hidden.
 std::string folder_name(const std::string& text);
 
 /// Takes text piece by piece.
@@ -74,9 +74,12 @@ enum class Results {
 /// into goes again.
 class ResultsFolder {
  public:
+  /// `subject`: the name of the scene or suite that the results are of; empty: of none. `replace`: those of
+  /// another one go, runs too.
   /// @throws InputError where the folder cannot be written, is being written by another process, or holds
-  /// results of another kind or files of others.
-  ResultsFolder(const std::filesystem::path& folder, Results kind);
+  /// results of another kind or, unless they are to be replaced, of another subject, or files of others.
+  ResultsFolder(const std::filesystem::path& folder, Results kind, const std::string& subject = "",
+                bool replace = false);
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;

@@ -123,7 +123,9 @@ TEST(Table, OpenQuotesEmptyFilesAndMissingFilesAreErrors) {
   expect_part(error_of([] { read_table(file_with("a\n\"b\n")); }), ":2: a quote is not closed");
   expect_part(error_of([] { read_table(file_with("a\n\"b\"c\n")); }), ":2: text after a closing quote");
   expect_part(error_of([] { read_table(file_with("")); }), ":1: empty");
-  expect_part(error_of([] { read_table("no/such.csv"); }), "no/such.csv: cannot be read");
+  expect_part(error_of([] { read_table("no/such.csv"); }), "no/such.csv: must be a file, nothing is there");
+  for (const char* name : {"/dev/zero", "/dev/null", "/tmp"})
+    expect_part(error_of([&] { read_table(name); }), "must be a file, this is a folder, a pipe or a device");
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "analytic/scene/messages/input_error.hpp"
+#include "analytic/scene/messages/one_line.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -61,10 +63,26 @@ TEST(Files, NamesOfFoldersAreShortAndStillTellTextsApart) {
   }
 }
 
+TEST(Files, NamesOfFoldersLeadNowhereElseAndAreOneLine) {
+  std::set<std::string> names;
+  const std::vector<std::string> texts{"..",  ".",   "",     ".hidden",  "../a",
+                                       "a/b", "a-b", "a\nb", "a\x1b[2J", "/"};
+  for (const std::string& text : texts) {
+    const std::string name = folder_name(text);
+    EXPECT_EQ(std::filesystem::path(name).filename(), name);
+    EXPECT_FALSE(name.empty() || name.starts_with('.')) << name;
+    EXPECT_EQ(one_line(name), name);
+    names.insert(name);
+  }
+  EXPECT_EQ(names.size(), texts.size());
+  for (const char* plain : {"a-b", "Säule 1", "a.b", "friction=0.5"}) EXPECT_EQ(folder_name(plain), plain);
+}
+
 /// Why a folder cannot take results; empty where it can.
-std::string refusal(const std::filesystem::path& folder, Results kind) {
+std::string refusal(const std::filesystem::path& folder, Results kind, const std::string& subject = "",
+                    bool replace = false) {
   try {
-    const ResultsFolder results(folder, kind);
+    const ResultsFolder results(folder, kind, subject, replace);
     return "";
   } catch (const InputError& error) {
     return error.what();
@@ -90,6 +108,24 @@ TEST(Files, AFolderHoldsResultsOfOneKindWithoutThoseOfBefore) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / "a"));
   EXPECT_EQ(refusal(folder.path(), Results::sweep),
             "--out " + folder.path().string() + ": must be a folder of its own: it holds a comparison");
+}
+
+TEST(Files, AFolderHoldsResultsOfOneSceneUnlessTheyAreToBeReplaced) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(refusal(folder.path(), Results::comparison), "");  // as before folders said what they are of
+  EXPECT_EQ(refusal(folder.path(), Results::comparison, "column"), "");
+  folder.write("comparison.csv", "of the column");
+  std::filesystem::create_directories(folder.path() / "runs" / "column.exact");
+  EXPECT_EQ(refusal(folder.path(), Results::comparison, "shed"),
+            "--out " + folder.path().string() +
+                ": must be a folder of its own: it holds a comparison of column; "
+                "--replace puts shed in its place");
+  EXPECT_EQ(content(folder.path() / "comparison.csv"), "of the column");
+  EXPECT_EQ(refusal(folder.path(), Results::comparison, "column"), "");
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs" / "column.exact"));
+  EXPECT_EQ(refusal(folder.path(), Results::comparison, "shed", true), "");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "runs"));
+  EXPECT_NE(refusal(folder.path(), Results::comparison, "column"), "");
 }
 
 TEST(Files, AFolderWithFilesOfOthersIsLeftAlone) {
