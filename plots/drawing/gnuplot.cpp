@@ -77,10 +77,11 @@ void make_film(const Animation& animation, const fs::path& folder, const fs::pat
 /// Has gnuplot draw into a folder. @throws std::runtime_error where it did not run, or failed.
 void run_gnuplot(const fs::path& folder, const std::string& script, const fs::path& stem, double time_limit) {
   // The shell outlives gnuplot and takes what gnuplot left unread: a pipe that breaks would end this process.
-  // What the user's environment says about gnuplot's terminal does not count.
+  // Where this process has been killed meanwhile, it clears up. What the user's environment says about
+  // gnuplot's terminal does not count.
   const std::string command = fmt::format(
       "cd {0}; unset GNUTERM; LC_ALL=C.UTF-8 /usr/bin/timeout -k 1 {1} gnuplot -d - 2>{0}/errors >&2; "
-      "echo $? >{0}/status; while read -r _; do :; done",
+      "echo $? >{0}/status; while read -r _; do :; done; kill -0 $PPID 2>{0}/gone || rm -rf {0}",
       quoted_for_shell(folder.string()), time_limit);
   {
     Gnuplot pipe(command);
