@@ -1,14 +1,17 @@
 #include <fmt/format.h>
+#include <httplib.h>
+#include <poll.h>
 
 #include "analytic/scene/input/json_words.hpp"
 #include "analytic/scene/messages/one_line.hpp"
-#include "comparisons/interfaces/live/connections.hpp"
+#include "comparisons/interfaces/live/lobby.hpp"
 #include "comparisons/interfaces/live/requests.hpp"
 
 namespace rockstack::live {
 namespace {
 
 constexpr const char* home = "127.0.0.1";
+constexpr std::size_t longest_request = std::size_t{512} << 10U;  // bytes, headers included
 constexpr std::size_t readers = 32;  // threads beside those of requests that wait or run
 
 /// Lessons lie under this, a token and a sign, so that links between them keep the token.
@@ -29,6 +32,90 @@ bool is_same(const std::string& given, const std::string& token) {
         static_cast<unsigned char>(token[i]) ^ static_cast<unsigned char>(i < given.size() ? given[i] : 0);
   return different == 0;
 }
+
+/// A connection that gives up: reads end after so many bytes or so long, whatever they hold. The socket is
+/// not closed with this.
+class BoundedStream : public httplib::Stream {
+ public:
+  /// `begun`: what has been read of it.
+  BoundedStream(int socket, std::string begun) : socket_(socket), begun_(std::move(begun)) {}
+
+  bool is_readable() const override {
+    return heard_ < begun_.size() || (left_ > 0 && wait_for(socket_, POLLIN, end_));
+  }
+
+  /// Whether the other side has not closed it.
+  bool is_writable() const override {
+    char byte = 0;
+    const ssize_t count = recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+    return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
+  }
+
+  ssize_t read(char* to, std::size_t size) override {
+    if (heard_ < begun_.size()) {
+      const std::size_t count = begun_.copy(to, size, heard_);
+      heard_ += count;
+      return static_cast<ssize_t>(count);
+    }
+    if (!is_readable()) return -1;
+    const ssize_t count = recv(socket_, to, std::min(size, left_), 0);
+    if (count > 0) left_ -= static_cast<std::size_t>(count);
+    return count;
+  }
+
+  /// All of it, or −1.
+  ssize_t write(const char* from, std::size_t size) override {
+    const Clock::time_point end = Clock::now() + reading_time;
+    for (std::size_t done = 0; done < size;) {
+      if (!wait_for(socket_, POLLOUT, end)) return -1;
+      const ssize_t count = send(socket_, from + done, size - done, MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+      if (count <= 0) return -1;
+      done += static_cast<std::size_t>(count);
+    }
+    return static_cast<ssize_t>(size);
+  }
+
+  void get_remote_ip_and_port(std::string& ip, int& port) const override {
+    ip = home;
+    port = 0;
+  }
+  void get_local_ip_and_port(std::string& ip, int& port) const override { get_remote_ip_and_port(ip, port); }
+  socket_t socket() const override { return socket_; }
+
+ private:
+  int socket_;
+  std::string begun_;
+  std::size_t heard_ = 0;  ///< of that
+  std::size_t left_ = longest_request;
+  Clock::time_point end_ = Clock::now() + reading_time;
+};
+
+/// Threads for those who may come in; the others wait in a lobby.
+class Connections : public httplib::TaskQueue {
+ public:
+  /// `door.let_in` serves.
+  Connections(std::size_t threads, Lobby::Door door)
+      : pool_(threads), lobby_(std::in_place, in_a_thread(std::move(door))) {}
+
+  void add(int socket) { lobby_->add(socket); }
+  void enqueue(std::function<void()> accepted) override { accepted(); }
+  void shutdown() override {
+    lobby_.reset();
+    pool_.shutdown();
+  }
+
+ private:
+  Lobby::Door in_a_thread(Lobby::Door door) {
+    door.let_in = [this, serve = std::move(door.let_in)](int socket, std::string begun) {
+      pool_.enqueue([serve, socket, begun = std::move(begun)] { serve(socket, begun); });
+    };
+    return door;
+  }
+
+  httplib::ThreadPool pool_;
+  std::optional<Lobby> lobby_;
+};
 
 /// The connection that this thread serves.
 thread_local const BoundedStream* current = nullptr;
@@ -68,7 +155,9 @@ const char* media_type(const std::filesystem::path& file) {
 class LiveServer : public httplib::Server {
  public:
   LiveServer(LivePage page, int port) : page_(std::move(page)) {
-    new_task_queue = [this] { return lobby_ = new Lobby(readers + requests_.most_at_once(), door()); };
+    new_task_queue = [this] {
+      return connections_ = new Connections(readers + requests_.most_at_once(), door());
+    };
     // Without the port being shared, which is what the library sets.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
@@ -159,7 +248,7 @@ class LiveServer : public httplib::Server {
 
   /// In the place of the library's own: its first line decides who is served.
   bool process_and_close_socket(socket_t socket) override {
-    lobby_->add(socket);
+    connections_->add(socket);
     return true;
   }
 
@@ -177,7 +266,7 @@ class LiveServer : public httplib::Server {
 
   LivePage page_;
   Requests requests_{page_.records};
-  Lobby* lobby_ = nullptr;  ///< the library's, for as long as it serves
+  Connections* connections_ = nullptr;  ///< the library's, for as long as it serves
   std::string token_ = drawn_token();
   int port_ = 0;
 };

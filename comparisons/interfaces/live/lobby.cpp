@@ -1,10 +1,13 @@
-#include "comparisons/interfaces/live/connections.hpp"
+#include "comparisons/interfaces/live/lobby.hpp"
 
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <stdexcept>
 #include <utility>
 
@@ -16,7 +19,8 @@ std::int64_t milliseconds_to(Clock::time_point end) {
   return std::max<std::int64_t>(0, left);
 }
 
-/// Waits for an event on a socket. @return whether it came before the end.
+}  // namespace
+
 bool wait_for(int socket, short event, Clock::time_point end) {
   for (;;) {
     pollfd watched{socket, event, 0};
@@ -26,54 +30,12 @@ bool wait_for(int socket, short event, Clock::time_point end) {
   }
 }
 
-}  // namespace
-
 void close_both_ways(int socket) {
   ::shutdown(socket, SHUT_RDWR);
   close(socket);
 }
 
-bool BoundedStream::is_readable() const {
-  return heard_ < begun_.size() || (left_ > 0 && wait_for(socket_, POLLIN, end_));
-}
-
-bool BoundedStream::is_writable() const {
-  char byte = 0;
-  const ssize_t count = recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
-  return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
-}
-
-ssize_t BoundedStream::read(char* to, std::size_t size) {
-  if (heard_ < begun_.size()) {
-    const std::size_t count = begun_.copy(to, size, heard_);
-    heard_ += count;
-    return static_cast<ssize_t>(count);
-  }
-  if (!is_readable()) return -1;
-  const ssize_t count = recv(socket_, to, std::min(size, left_), 0);
-  if (count > 0) left_ -= static_cast<std::size_t>(count);
-  return count;
-}
-
-ssize_t BoundedStream::write(const char* from, std::size_t size) {
-  const Clock::time_point end = Clock::now() + reading_time;
-  for (std::size_t done = 0; done < size;) {
-    if (!wait_for(socket_, POLLOUT, end)) return -1;
-    const ssize_t count = send(socket_, from + done, size - done, MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
-    if (count <= 0) return -1;
-    done += static_cast<std::size_t>(count);
-  }
-  return static_cast<ssize_t>(size);
-}
-
-void BoundedStream::get_remote_ip_and_port(std::string& ip, int& port) const {
-  ip = "127.0.0.1";
-  port = 0;
-}
-
-Lobby::Lobby(std::size_t threads, Door door)
-    : door_(std::move(door)), pool_(threads), bell_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+Lobby::Lobby(Door door) : door_(std::move(door)), bell_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   if (bell_ < 0) throw std::runtime_error("the live page's server: no event can be waited for");
   watching_ = std::thread([this] { watch(); });
 }
@@ -86,7 +48,7 @@ void Lobby::add(int socket) {
   eventfd_write(bell_, 1);
 }
 
-void Lobby::shutdown() {
+Lobby::~Lobby() {
   {
     const std::lock_guard lock(mutex_);
     over_ = true;
@@ -94,7 +56,6 @@ void Lobby::shutdown() {
   eventfd_write(bell_, 1);
   watching_.join();
   close(bell_);
-  pool_.shutdown();
 }
 
 /// What has come of the first line, or of what a refused one still says, which is dropped.
@@ -108,10 +69,8 @@ void Lobby::hear(Guest& guest) {
   guest.begun.append(bytes.data(), static_cast<std::size_t>(count));
   const std::size_t end = guest.begun.find('\n');
   if (end == std::string::npos && guest.begun.size() < longest_line) return;
-  if (door_.admits(guest.begun.substr(0, end))) {
-    const int socket = std::exchange(guest.socket, -1);
-    return pool_.enqueue([this, socket, begun = std::move(guest.begun)] { door_.serve(socket, begun); });
-  }
+  if (door_.admits(guest.begun.substr(0, end)))
+    return door_.let_in(std::exchange(guest.socket, -1), std::move(guest.begun));
   guest.refused = true;
   send(guest.socket, door_.refusal.data(), door_.refusal.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   // Were it closed before the other side has done so, what it still sends would undo the answer.
