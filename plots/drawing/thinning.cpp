@@ -69,8 +69,8 @@ Curve thin(const Curve& curve, double end, std::size_t bins) {
   Curve points = shown_points(curve, end);
   if (points.size() <= 2 * bins) return points;
   std::vector<std::size_t> kept{0};
-  for_bins(points, bins, [&](const double* begin, const double* end) {
-    const auto [low, high] = std::minmax_element(begin, end);
+  for_bins(points, bins, [&](const double* first, const double* past) {
+    const auto [low, high] = std::minmax_element(first, past);
     for (const double* found : {std::min(low, high), std::max(low, high)})
       kept.push_back(static_cast<std::size_t>(found - points.values.data()));
   });
@@ -107,8 +107,8 @@ Curve envelope(const Curve& curve, double end, std::size_t bins, double floor) {
   Curve points = shown_points(curve, end);
   for (double& value : points.values) value = std::max(std::abs(value), floor);
   std::vector<std::size_t> kept;
-  for_bins(points, bins, [&](const double* begin, const double* end) {
-    kept.push_back(static_cast<std::size_t>(std::max_element(begin, end) - points.values.data()));
+  for_bins(points, bins, [&](const double* first, const double* past) {
+    kept.push_back(static_cast<std::size_t>(std::max_element(first, past) - points.values.data()));
   });
   return pick(points, kept);
 }
