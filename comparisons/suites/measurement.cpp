@@ -25,7 +25,7 @@ std::optional<double> stated_factor(const Node* unit, bool point) {
 }
 
 /// The column of a name, with or without its unit.
-std::size_t column_named(const records::Table& table, const std::string& name) {
+std::size_t column_named(const records::RecordTable& table, const std::string& name) {
   const auto& titles = table.titles;
   for (const auto member : {&records::Title::text, &records::Title::name})
     if (const auto found = std::ranges::find(titles, name, member); found != titles.end())
@@ -37,7 +37,7 @@ std::size_t column_named(const records::Table& table, const std::string& name) {
 }
 
 /// The factor that a column's title has, which the key `unit` must not contradict; 1 where neither says one.
-double factor_of(const records::Table& table, std::size_t column, records::Quantity quantity,
+double factor_of(const records::RecordTable& table, std::size_t column, records::Quantity quantity,
                  std::optional<double> stated) {
   const auto& title = table.titles[column];
   const bool own = title.unit && title.unit->quantity == quantity;
@@ -88,7 +88,7 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
     throw wrong_value(file, "a CSV file, none is at " + one_line((folder / measured.file).string()));
   const std::string name = (folder / measured.file).string();
   const std::string text_of_file = records::plain_text(name, file_text(name));
-  const records::Table readings = records::read_titled(name, text_of_file);
+  const records::RecordTable readings = records::read_titled(name, text_of_file);
   readings.check_even(false);
   const std::size_t time_column = column_named(readings, time == nullptr ? "time" : text(*time));
   const auto quantity = measured.point ? records::Quantity::displacement : records::Quantity::angle;

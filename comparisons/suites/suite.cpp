@@ -257,8 +257,8 @@ void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& rec
       GroundMotion real{replacement.interval, replacement.samples, ""};
       const double factor = peak(motion) / largest;
       for (double& sample : real.samples) sample *= factor;
-      real.source =
-          fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(), description(replacement), factor);
+      real.source = fmt::format("{} ({}), scaled by {:.4g}", record.filename().string(),
+                                description(replacement), factor);
       motion = std::move(real);
       scene.scene.duration = std::max(scene.scene.duration, motion.end());
       replaced = true;

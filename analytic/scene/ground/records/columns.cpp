@@ -31,7 +31,7 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 }
 
 /// The mean step, which all others must equal. `times` in s.
-double constant_step(const Table& table, const std::vector<double>& times) {
+double constant_step(const RecordTable& table, const std::vector<double>& times) {
   const Cursor& cursor = table.cursor;
   if (times.size() < 2) cursor.fail_at(table.lines.front(), "one time alone gives no time step");
   const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
@@ -53,7 +53,7 @@ struct Content {
 };
 
 /// The step of the header, which times must agree with.
-double interval_of(const Table& table, const Header& header, const std::optional<std::size_t>& time) {
+double interval_of(const RecordTable& table, const Header& header, const std::optional<std::size_t>& time) {
   if (!time) {
     if (header.interval) return *header.interval;
     const std::size_t columns = table.columns();
@@ -80,7 +80,7 @@ bool counts(const std::vector<double>& values) {
 
 /// The column of times: the one whose title says so; else the first that no title says to be something else,
 /// where it rises from row to row as no acceleration does.
-std::optional<std::size_t> time_column(const Table& table, const Header& header) {
+std::optional<std::size_t> time_column(const RecordTable& table, const Header& header) {
   std::optional<std::size_t> time;
   for (std::size_t k = 0; k < table.titles.size(); ++k) {
     if (table.titles[k].quantity != Quantity::time) continue;
@@ -106,7 +106,7 @@ std::optional<std::size_t> time_column(const Table& table, const Header& header)
   return rises(first) && !numbers ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
-Unit unit_of_column(const Table& table, const Header& header, std::size_t column) {
+Unit unit_of_column(const RecordTable& table, const Header& header, std::size_t column) {
   const Title& title = table.titles[column];
   const Unit unit = title.unit ? *title.unit : stated_unit(table, header);
   if (title.quantity && unit.quantity != *title.quantity)
@@ -117,14 +117,14 @@ Unit unit_of_column(const Table& table, const Header& header, std::size_t column
   return unit;
 }
 
-[[noreturn]] void fail_unknown(const Table& table, std::size_t column) {
+[[noreturn]] void fail_unknown(const RecordTable& table, std::size_t column) {
   table.cursor.fail_at(table.title_line,
                        table.column_name(column) + ": " + in_quotes(table.titles[column].unknown_unit) +
                            " is no unit of acceleration: must be e.g. m/s2, cm/s2, gal or g");
 }
 
 /// Columns of the highest derivative that titles name; else those that no title says to be something else.
-std::vector<std::size_t> titled_series(const Table& table, const std::optional<std::size_t>& time) {
+std::vector<std::size_t> titled_series(const RecordTable& table, const std::optional<std::size_t>& time) {
   const auto those = [&](std::optional<Quantity> quantity) {
     std::vector<std::size_t> list;
     for (std::size_t k = 0; k < table.columns(); ++k) {
@@ -138,7 +138,7 @@ std::vector<std::size_t> titled_series(const Table& table, const std::optional<s
   return those(std::nullopt);
 }
 
-Content titled_content(const Table& table, const Header& header) {
+Content titled_content(const RecordTable& table, const Header& header) {
   for (std::size_t k = 0; k < table.columns(); ++k)
     if (table.titles[k].spectral)
       table.cursor.fail_at(table.title_line,
@@ -156,7 +156,7 @@ Content titled_content(const Table& table, const Header& header) {
   return content;
 }
 
-Content plain_content(const Table& table, const Header& header) {
+Content plain_content(const RecordTable& table, const Header& header) {
   const Unit unit = stated_unit(table, header);
   const auto time = time_column(table, header);
   Content content{interval_of(table, header, time), {}, {}};
@@ -184,7 +184,7 @@ Record accelerogram(const Cursor& cursor, Record record, Quantity quantity) {
 }
 
 /// Which column a series is, of how many, and what was left out.
-std::string taken_column(const Table& table, const Content& content, std::size_t column) {
+std::string taken_column(const RecordTable& table, const Content& content, std::size_t column) {
   if (table.columns() == 1) return "";
   const std::size_t number_length = ("column " + std::to_string(column + 1)).size();
   std::string text = table.column_name(column);
@@ -194,7 +194,7 @@ std::string taken_column(const Table& table, const Content& content, std::size_t
              : text + ", one of " + std::to_string(content.columns.size()) + " series";
 }
 
-void add_columns(const Table& table, const Content& content, std::vector<Record>& records) {
+void add_columns(const RecordTable& table, const Content& content, std::vector<Record>& records) {
   table.check_even(false);
   const Cursor last = table.cursor.at_line(table.lines.back());
   for (std::size_t k = 0; k < content.columns.size(); ++k) {
@@ -207,7 +207,7 @@ void add_columns(const Table& table, const Content& content, std::vector<Record>
 }
 
 /// All numbers, from line to line.
-std::vector<double> all_numbers(const Table& table) {
+std::vector<double> all_numbers(const RecordTable& table) {
   std::vector<double> values;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
     for (std::size_t k = 0; k < table.rows[row].size(); ++k) values.push_back(table.number_at(row, k));
@@ -215,7 +215,7 @@ std::vector<double> all_numbers(const Table& table) {
 }
 
 /// A series of as many values as NPTS says, one more or one less.
-void add_counted(const Table& table, const Header& header, std::vector<Record>& records) {
+void add_counted(const RecordTable& table, const Header& header, std::vector<Record>& records) {
   const Cursor end = table.cursor.at_line(table.lines.empty() ? header.last_line : table.lines.back());
   if (!header.interval) end.fail_at(header.count_line, "NPTS without DT: the time step is missing");
   const Unit unit = stated_unit(table, header);
@@ -231,7 +231,7 @@ void add_counted(const Table& table, const Header& header, std::vector<Record>& 
 }
 
 /// Five columns or more without times and titles: one series that goes on from line to line.
-void add_continued(const Table& table, const Header& header, std::vector<Record>& records) {
+void add_continued(const RecordTable& table, const Header& header, std::vector<Record>& records) {
   const Unit unit = stated_unit(table, header);
   const double interval = interval_of(table, header, std::nullopt);
   Record record = make_record(interval, all_numbers(table), unit.factor, "text columns");
@@ -239,7 +239,7 @@ void add_continued(const Table& table, const Header& header, std::vector<Record>
 }
 
 /// Takes a line "NPTS dt" off the front of the rows: a count of rows or values and their step.
-void take_count_row(Table& table, Header& header) {
+void take_count_row(RecordTable& table, Header& header) {
   constexpr double longest = 1;  // step, s
   if (table.rows.size() < 2 || table.rows.front().size() != 2) return;
   const double count = table.number_at(0, 0), step = table.number_at(0, 1);
@@ -254,7 +254,7 @@ void take_count_row(Table& table, Header& header) {
 }
 
 /// Refuses text between the numbers of a series, which may be the head of another.
-void check_whole(const Table& table) {
+void check_whole(const RecordTable& table) {
   for (const Line& line : table.header)
     if (line.number > table.lines.front() && line.number < table.lines.back())
       table.cursor.fail_at(line.number, "text between the numbers: " + in_quotes(trimmed(line.text)) +
@@ -262,7 +262,7 @@ void check_whole(const Table& table) {
 }
 
 /// Refuses numbers such as 025 between commas: what parts columns may be a decimal point as well.
-void check_commas(const Table& table) {
+void check_commas(const RecordTable& table) {
   const auto is_cut = [](std::string_view cell) {
     return cell.size() > 1 && cell.front() == '0' && cell.find_first_not_of("0123456789") == cell.npos;
   };
@@ -274,7 +274,7 @@ void check_commas(const Table& table) {
 }
 
 void read(Cursor& cursor, std::vector<Record>& records) {
-  Table table = read_rows(cursor.file(), cursor.take_rest());
+  RecordTable table = read_rows(cursor.file(), cursor.take_rest());
   check_commas(table);
   Header header = read_header(table);
   const std::size_t rows = table.rows.size();

@@ -267,7 +267,7 @@ void note_interval(const Cursor& cursor, double interval, Header& header) {
   header.interval_line = cursor.line_number();
 }
 
-Header read_header(const Table& table) {
+Header read_header(const RecordTable& table) {
   Header header;
   for (const Line& line : table.header) {
     const Cursor cursor = table.cursor.at_line(line.number);
@@ -284,7 +284,7 @@ Header read_header(const Table& table) {
   return header;
 }
 
-Unit stated_unit(const Table& table, const Header& header) {
+Unit stated_unit(const RecordTable& table, const Header& header) {
   const Cursor cursor = table.cursor.at_line(std::max<std::size_t>(header.last_line, 1));
   const Stated& stated = header.acceleration.unit                      ? header.acceleration
                          : header.aside.unit && header.unknown.empty() ? header.aside

@@ -29,10 +29,10 @@ struct Header {
 };
 
 /// @throws InputError at a step or count that is none, and at a second one that differs.
-Header read_header(const Table& table);
+Header read_header(const RecordTable& table);
 
 /// Of all columns that have none of their own. @throws InputError where it is not named, or twice.
-Unit stated_unit(const Table& table, const Header& header);
+Unit stated_unit(const RecordTable& table, const Header& header);
 
 /// Sets the time step. @throws InputError at the cursor's line where another was set before.
 void note_interval(const Cursor& cursor, double interval, Header& header);

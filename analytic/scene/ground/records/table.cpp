@@ -207,7 +207,7 @@ double seconds_since(const Clock& first, const Clock& clock) {
 }
 
 /// Takes off an empty last column, of separators at the ends of lines.
-void drop_empty_column(Table& table) {
+void drop_empty_column(RecordTable& table) {
   const auto has_end = [](const Cells& row) { return row.size() > 1 && row.back().empty(); };
   if (!std::ranges::all_of(table.rows, has_end)) return;
   for (Cells& row : table.rows) row.pop_back();
@@ -222,7 +222,7 @@ bool is_numeric(std::string_view word) {
          text == "inf" || text == "infinity";
 }
 
-double Table::number_at(std::size_t row, std::size_t index) const {
+double RecordTable::number_at(std::size_t row, std::size_t index) const {
   const Cursor place = cursor.at_line(lines[row]);
   const std::string_view cell = rows[row][index];
   if (is_clock(cell))
@@ -233,7 +233,7 @@ double Table::number_at(std::size_t row, std::size_t index) const {
   return number(place, text);
 }
 
-std::vector<double> Table::column(std::size_t index, bool may_be_empty) const {
+std::vector<double> RecordTable::column(std::size_t index, bool may_be_empty) const {
   std::vector<double> values;
   values.reserve(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -244,7 +244,7 @@ std::vector<double> Table::column(std::size_t index, bool may_be_empty) const {
   return values;
 }
 
-void Table::check_even(bool but_last) const {
+void RecordTable::check_even(bool but_last) const {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool short_last = but_last && k + 1 == rows.size() && rows[k].size() < columns();
     if (rows[k].size() != columns() && !short_last)
@@ -253,14 +253,14 @@ void Table::check_even(bool but_last) const {
   }
 }
 
-std::string Table::column_name(std::size_t index) const {
+std::string RecordTable::column_name(std::size_t index) const {
   const std::string name = "column " + std::to_string(index + 1);
   return titles.empty() || titles[index].text.empty() ? name : name + ", \"" + titles[index].text + "\"";
 }
 
-Table read_rows(std::string_view file, std::string_view text) {
+RecordTable read_rows(std::string_view file, std::string_view text) {
   const std::vector<Line> lines = lines_of(file, text);
-  Table table{Cursor(file, text)};
+  RecordTable table{Cursor(file, text)};
   table.dialect = dialect_of(lines);
   for (const Line& line : lines) {
     if (table.rows.empty() ? !is_row(line.text, table.dialect) : is_text(line.text)) {
@@ -274,8 +274,8 @@ Table read_rows(std::string_view file, std::string_view text) {
   return table;
 }
 
-Table read_titled(std::string_view file, std::string_view text) {
-  Table table = read_rows(file, text);
+RecordTable read_titled(std::string_view file, std::string_view text) {
+  RecordTable table = read_rows(file, text);
   if (table.rows.empty()) table.cursor.fail("no line of numbers");
   find_titles(table);
   return table;

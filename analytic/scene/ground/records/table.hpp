@@ -34,7 +34,7 @@ struct Title {
 };
 
 /// A text of columns. The text of the file must outlive it.
-struct Table {
+struct RecordTable {
   Cursor cursor;  ///< for errors
   Dialect dialect = {};
   std::vector<Line> header = {};   ///< lines of text, without that of titles and that of units
@@ -61,13 +61,13 @@ bool is_numeric(std::string_view word);
 /// Rows and lines of text, without titles. Columns are parted by semicolons, tabs, commas or blanks; commas
 /// are decimal points beside semicolons, in quotes, and beside tabs or blanks where no number has a point.
 /// @throws InputError where there is no row.
-Table read_rows(std::string_view file, std::string_view text);
+RecordTable read_rows(std::string_view file, std::string_view text);
 
 /// Finds the line of titles, and the row of units under it: the last lines above the numbers that have as
 /// many cells as there are columns, and words or units that titles have.
-void find_titles(Table& table);
+void find_titles(RecordTable& table);
 
 /// Both: the table of a file. @throws InputError as read_rows().
-Table read_titled(std::string_view file, std::string_view text);
+RecordTable read_titled(std::string_view file, std::string_view text);
 
 }  // namespace rockstack::records

@@ -269,7 +269,7 @@ std::optional<std::vector<Title>> units_in(const Line& line, std::size_t columns
 }
 
 /// Whether the numbers of the first column count the rows.
-bool counts_rows(const Table& table) {
+bool counts_rows(const RecordTable& table) {
   const std::vector<double> first = table.column(0, true);
   for (std::size_t k = 1; k < first.size(); ++k)
     if (first[k] != first[k - 1] + 1) return false;
@@ -277,14 +277,14 @@ bool counts_rows(const Table& table) {
 }
 
 /// Whether times rise where titles say they are: a sentence may name quantities in another order.
-bool has_rising_times(const Table& table, const std::vector<Title>& titles) {
+bool has_rising_times(const RecordTable& table, const std::vector<Title>& titles) {
   const auto time = std::ranges::find(titles, std::optional(Quantity::time), &Title::quantity);
   if (time == titles.end()) return true;
   const std::vector<double> values = table.column(static_cast<std::size_t>(time - titles.begin()), true);
   return std::ranges::is_sorted(values);
 }
 
-std::optional<std::vector<Title>> titles_in(const Line& line, bool last, const Table& table) {
+std::optional<std::vector<Title>> titles_in(const Line& line, bool last, const RecordTable& table) {
   const std::size_t columns = table.columns();
   auto cells = cells_of(line.text, columns, table.dialect);
   // Tables of R have no title above the numbers of their rows.
@@ -303,7 +303,7 @@ std::optional<std::vector<Title>> titles_in(const Line& line, bool last, const T
   return known >= std::min<std::size_t>(2, columns) || names ? std::optional(titles) : std::nullopt;
 }
 
-void add_units(const Table& table, std::size_t line, const std::vector<Title>& units,
+void add_units(const RecordTable& table, std::size_t line, const std::vector<Title>& units,
                std::vector<Title>& titles) {
   for (std::size_t k = 0; k < titles.size(); ++k) {
     Title& title = titles[k];
@@ -332,7 +332,7 @@ void name_letters(std::vector<Title>& titles) {
 
 }  // namespace
 
-void find_titles(Table& table) {
+void find_titles(RecordTable& table) {
   std::optional<std::pair<std::size_t, std::vector<Title>>> units;  // line among the header, and they
   const auto above = std::ranges::count_if(
       table.header, [&](const Line& line) { return line.number < table.lines.front(); });
