@@ -88,9 +88,12 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
     throw wrong_value(file, "a CSV file, none is at " + one_line((folder / measured.file).string()));
   const std::string name = (folder / measured.file).string();
   const std::string text_of_file = records::plain_text(name, file_text(name));
-  const records::RecordTable readings = records::read_titled(name, text_of_file);
+  const std::string time_name = time == nullptr ? "time" : text(*time);
+  std::vector<std::string> names = measured.columns;
+  names.push_back(time_name);
+  const records::RecordTable readings = records::read_titled(name, text_of_file, names);
   readings.check_even(false);
-  const std::size_t time_column = column_named(readings, time == nullptr ? "time" : text(*time));
+  const std::size_t time_column = column_named(readings, time_name);
   const auto quantity = measured.point ? records::Quantity::displacement : records::Quantity::angle;
   std::vector<std::vector<double>> columns{readings.column(time_column, true)};
   const double time_factor = factor_of(readings, time_column, records::Quantity::time, std::nullopt);

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -101,6 +102,10 @@ std::vector<Engine> make_faulty() {
       {"killed", [](double&) { std::raise(SIGKILL); }},
       {"exit", [](double&) { std::_Exit(7); }},
       {"loop", loop},
+      {"half-a-second",
+       [](double&) {
+         while (std::clock() < CLOCKS_PER_SEC / 2) continue;
+       }},
       {"memory", eat_memory},
       {"reserves", reserve_memory},
       {"talk", talk},

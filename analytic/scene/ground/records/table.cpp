@@ -213,6 +213,33 @@ void drop_empty_column(RecordTable& table) {
   for (Cells& row : table.rows) row.pop_back();
 }
 
+bool has_columns(const RecordTable& table, const std::vector<std::string>& names) {
+  return std::ranges::all_of(names, [&](const std::string& name) {
+    return std::ranges::any_of(table.titles,
+                               [&](const Title& title) { return name == title.text || name == title.name; });
+  });
+}
+
+std::optional<RecordTable> read_below_names(std::string_view file, std::string_view text,
+                                            const std::vector<std::string>& names) {
+  const std::vector<Line> lines = lines_of(file, text);
+  for (auto line = lines.begin(); line != lines.end(); ++line) {
+    for (const char separator : {';', '\t', ','}) {
+      RecordTable table{.cursor = Cursor(file, text), .dialect = {separator, separator != ','}};
+      for (const std::string_view cell : split(line->text, table.dialect))
+        table.titles.push_back(read_title(cell));
+      if (!has_columns(table, names)) continue;
+      table.title_line = line->number;
+      for (auto row = line + 1; row != lines.end(); ++row) {
+        table.rows.push_back(split(row->text, table.dialect));
+        table.lines.push_back(row->number);
+      }
+      return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_numeric(std::string_view word) {
@@ -274,10 +301,14 @@ RecordTable read_rows(std::string_view file, std::string_view text) {
   return table;
 }
 
-RecordTable read_titled(std::string_view file, std::string_view text) {
+RecordTable read_titled(std::string_view file, std::string_view text, const std::vector<std::string>& names) {
   RecordTable table = read_rows(file, text);
+  if (!table.rows.empty()) {
+    find_titles(table);
+    if (has_columns(table, names)) return table;
+  }
+  if (std::optional<RecordTable> named = read_below_names(file, text, names)) return *std::move(named);
   if (table.rows.empty()) table.cursor.fail("no line of numbers");
-  find_titles(table);
   return table;
 }
 

@@ -67,7 +67,13 @@ RecordTable read_rows(std::string_view file, std::string_view text);
 /// many cells as there are columns, and words or units that titles have.
 void find_titles(RecordTable& table);
 
-/// Both: the table of a file. @throws InputError as read_rows().
-RecordTable read_titled(std::string_view file, std::string_view text);
+/// Reads the title of one column.
+Title read_title(std::string_view text);
+
+/// The table of a file that has columns of these names, with or without their units. Where no titles that are
+/// found so have them, the first line that has them between semicolons, tabs or commas is that of titles, and
+/// cells of other columns may be texts.
+/// @throws InputError where there is no row.
+RecordTable read_titled(std::string_view file, std::string_view text, const std::vector<std::string>& names);
 
 }  // namespace rockstack::records

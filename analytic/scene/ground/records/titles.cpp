@@ -118,17 +118,6 @@ void name_quantity(const Words& name, Title& title) {
   if (!title.quantity && title.unit && title.unknown_unit.empty()) title.quantity = title.unit->quantity;
 }
 
-Title read_title(std::string_view text) {
-  Title title{std::string(text)};
-  std::string name(text);
-  take_unit(name, title);
-  const bool unit_alone = title.unit && name == text;
-  const std::string plain = lower(name);
-  title.name = trimmed(name);
-  name_quantity(unit_alone ? Words{} : words_of(plain), title);
-  return title;
-}
-
 /// A percent sign begins a comment, and the unit %g.
 bool is_comment(std::string_view line) {
   line = trimmed(line);
@@ -331,6 +320,17 @@ void name_letters(std::vector<Title>& titles) {
 }
 
 }  // namespace
+
+Title read_title(std::string_view text) {
+  Title title{std::string(text)};
+  std::string name(text);
+  take_unit(name, title);
+  const bool unit_alone = title.unit && name == text;
+  const std::string plain = lower(name);
+  title.name = trimmed(name);
+  name_quantity(unit_alone ? Words{} : words_of(plain), title);
+  return title;
+}
 
 void find_titles(RecordTable& table) {
   std::optional<std::pair<std::size_t, std::vector<Title>>> units;  // line among the header, and they

@@ -376,6 +376,7 @@ TEST(Measured, IsReadAsRecordsAre) {
   for (const std::string& readings :
        {head + "time,angle\r\n0,0.5\r\n0.5,-0.25\r\n",
         std::string("Zeit;time (s);angle (rad)\n1;0,0;0,5\n2;0,5;-0,25\n"),
+        std::string("time,angle,pattern\n0,0.5,R\n0.5,-0.25,rest\n"),
         std::string("time\tangle\n0,0\t0,5\n0,5\t-0,25\n"),
         std::string("# a test\n\"time\",\"angle\"\nms,mrad\n0,500\n500,-250\n")}) {
     const Tested test(measured_block, readings);
