@@ -28,8 +28,11 @@ std::optional<double> stated_factor(const Node* unit, bool point) {
 std::size_t column_named(const records::RecordTable& table, const std::string& name) {
   const auto& titles = table.titles;
   for (const auto member : {&records::Title::text, &records::Title::name})
-    if (const auto found = std::ranges::find(titles, name, member); found != titles.end())
+    if (const auto found = std::ranges::find(titles, name, member); found != titles.end()) {
+      if (std::ranges::count(titles, name, member) > 1)
+        table.cursor.fail_at(table.title_line, fmt::format("several columns are {}: must be one", name));
       return static_cast<std::size_t>(found - titles.begin());
+    }
   const auto names = each_of(titles, [](const records::Title& title) { return title.text; });
   table.cursor.fail_at(table.title_line,
                        fmt::format("no column {}; its titles are {}", name,

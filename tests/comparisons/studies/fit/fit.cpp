@@ -346,14 +346,14 @@ TEST(Fit, TakesParametersOfOneForm) {
     EXPECT_THROW(fit_parameter(wrong), InputError) << wrong;
 }
 
-/// The error of a table [measured] with those lines, without its place.
+/// The error of a table [measured] with those lines, without its place where it is of the table.
 std::string error_of(const std::string& lines, const std::string& readings) {
   std::string scene = measured_block;
   try {
     Tested(scene.erase(scene.find("file =")) + lines, readings);
   } catch (const InputError& error) {
     const std::string line = error.what();
-    return line.substr(line.find("measured"));
+    return line.substr(line.find("measured") == std::string::npos ? 0 : line.find("measured"));
   }
   return {};
 }
@@ -403,6 +403,10 @@ TEST(Measured, MistakesAreRefused) {
   EXPECT_EQ(
       error_of(file + "column = [\"angle\", \"b\"]\n", "time,angle,b\n0,1,1\n"),
       "measured.column = an array of 2: must be as many names as there are blocks from `block` up, or fewer");
+  for (const char* titles : {"time,angle,angle", "time,angle (rad),angle (deg)", "time,time,angle"})
+    EXPECT_NE(error_of(file + angle, std::string(titles) + "\n0,1,2\n").find("several columns are "),
+              std::string::npos)
+        << titles;
   EXPECT_EQ(error_of(file + angle + "unit = \"mm\"\n", "time,angle\n0,1\n"),
             "measured.unit = \"mm\": must be \"rad\" or \"mrad\" or \"deg\"");
   EXPECT_EQ(
