@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -66,6 +67,8 @@ struct BasicEvent {
   /// How many impacts in a row it stands for, each of which throws the interface to its other side, and
   /// changes no other; it tells the first pattern, and the last time (EventsKept::summed).
   std::size_t count = 1;
+  /// How fast the gap closes where an impact strikes, m/s; of laws that leave pivots alone.
+  std::optional<Real> approach = {};
 };
 
 /// An opening angle, or the margin of a closed interface, that touched zero to rounding: whether there was an

@@ -159,6 +159,7 @@ inline Gravity gravity_of(const Scene& scene) {
 }
 
 /// Half-width of interface k, from 0: that of the narrower block that meets there; the ground is endless.
+double interface_half_width(const std::vector<Block>& blocks, int interface);
 double interface_half_width(const Scene& scene, int interface);
 
 /// The angle of a block's unstable balance over its pivot on level ground, atan(w/h) with w that of its lower

@@ -28,6 +28,11 @@ SpringEnergy in_double(const BasicSpringEnergy<Real>& energy) {
 }
 
 template <class Real>
+std::optional<double> in_double(const std::optional<Real>& number) {
+  return number ? std::optional(in_double(*number)) : std::nullopt;
+}
+
+template <class Real>
 BasicGraze<double> in_double(const BasicGraze<Real>& graze) {
   return {in_double(graze.time), graze.kind, graze.interface};
 }
@@ -55,7 +60,7 @@ History to_double(const BasicHistory<Real>& history) {
   for (const BasicEvent<Real>& event : history.events)
     result.events.push_back({in_double(event.time), event.kind, event.interface, event.from, event.to,
                              in_double(event.angles), in_double(event.before), in_double(event.after),
-                             event.consistency, event.count});
+                             event.consistency, event.count, in_double(event.approach)});
   result.grazes = in_double(history.grazes);
   result.choices = in_double(history.choices);
   result.slips = in_double(history.slips);

@@ -23,6 +23,20 @@ bool parts(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int inte
   return kinematics_of(stack, bodies, interface, joint).gap_row.dot(vector_of(bodies.rate)) > speed;
 }
 
+/// How fast the gap of a joint that comes to touch closes, m/s: at the end of it where that is fastest.
+template <class Real>
+Real closing_speed(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
+                   const Joint<Real>& joint) {
+  Real fastest = 0;
+  for (const int side : {-1, 1}) {
+    if (joint.pivots() && side != joint.side()) continue;
+    const Joint<Real> end = end_of(stack, interface, joint, side);
+    const Real opening = kinematics_of(stack, bodies, interface, end).gap_row.dot(vector_of(bodies.rate));
+    fastest = std::max<Real>(fastest, -opening);
+  }
+  return fastest;
+}
+
 /// The end of the motion that a change is, if it is one.
 inline std::optional<EventKind> ending(Change change) {
   static constexpr std::array kinds{EventKind::topple, EventKind::fall, EventKind::strike};

@@ -17,6 +17,7 @@ struct ContactEvent {
   /// What theory has to say: one motion; several, of which the one named by find_mode() follows; or none
   /// without an impulse, of which the limit of Moreau's time steps follows.
   Consistency consistency = Consistency::consistent;
+  std::optional<Real> approach = {};  ///< as BasicEvent::approach
 };
 
 /// The motion at one time.
@@ -127,7 +128,7 @@ BasicHistory<Real> history_of(const Scene& scene, const ContactHistory<Real>& mo
   for (const ContactEvent<Real>& event : motion.events)
     history.events.push_back({event.time, event.kind, event.interface, pattern_of(event.from),
                               pattern_of(event.to), angles_of(event.at), angles_of(event.before),
-                              angles_of(event.after), event.consistency});
+                              angles_of(event.after), event.consistency, 1, event.approach});
   history.peaks = motion.peaks;
   history.slips_left = motion.slips_left;
   history.lifts = motion.lifts;

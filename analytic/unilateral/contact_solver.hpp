@@ -170,6 +170,7 @@ class ContactSolver {
     close_negligible(stack_, chatter_, state_.bodies, touching);
     place(stack_, touching, state_.bodies);
     state_.bodies.rate = rates;
+    const Real approach = closing_speed(stack_, state_.bodies, interface - 1, touching[interface - 1]);
     const auto impact = collide(
         stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
         [&](const auto& contacts, const auto& joints, auto& mode) { return turn(contacts, joints, mode); });
@@ -178,7 +179,7 @@ class ContactSolver {
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
     if (stack_.restitution > 0) fresh_.mark_bounces(touching, impact->mode, time());
-    note(impact->kind, interface, springs_.shown(before), rates, impact->consistency);
+    note(impact->kind, interface, springs_.shown(before), rates, impact->consistency, approach);
     decide(impact->mode, state_.bodies, 0, true);
   }
 
@@ -244,7 +245,7 @@ class ContactSolver {
     state_.joints = *mode;
     if (!same_modes(joints, state_.joints))
       note(EventKind::impact, lowest_change(joints, state_.joints), springs_.shown(joints), rates,
-           Consistency::none);
+           Consistency::none, Real(0));
     return state_.joints;
   }
 
@@ -258,9 +259,9 @@ class ContactSolver {
 
   /// An event between joints as they are shown.
   void note(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
-            Consistency consistency = Consistency::consistent) {
+            Consistency consistency = Consistency::consistent, std::optional<Real> approach = {}) {
     recorder_.note_event({time(), kind, interface, from, springs_.shown(state_.joints), state_.bodies.at,
-                          before, state_.bodies.rate, consistency});
+                          before, state_.bodies.rate, consistency, std::move(approach)});
   }
 
   [[noreturn]] static void stop(const char* what, const Real& time) {

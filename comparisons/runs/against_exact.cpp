@@ -39,13 +39,16 @@ void add_angles(const History& exact, const History& other, const Difference& ap
   if (expected && found) row.second_peak_difference = (*found - *expected) / *expected;
 }
 
-/// The first impact of the interface that impacts first; nothing where the other never does there.
-std::optional<double> first_difference(const std::vector<ImpactTime>& expected,
-                                       const std::vector<ImpactTime>& found, double horizon) {
-  if (expected.empty() || expected.front().time > horizon) return {};
-  for (const ImpactTime& impact : found)
-    if (impact.interface == expected.front().interface) return impact.time - expected.front().time;
-  return {};
+/// The first impact of the interface that impacts first in the exact motion.
+void add_first_impact(const std::vector<ImpactTime>& expected, const std::vector<ImpactTime>& found,
+                      double horizon, RunMetrics& row) {
+  if (expected.empty()) return;
+  const auto first = std::ranges::find(found, expected.front().interface, &ImpactTime::interface);
+  if (first == found.end()) return;
+  row.first_impact_time = first->time;
+  row.first_impact_speed = first->approach;
+  if (expected.front().time <= horizon)
+    row.first_impact_time_difference = first->time - expected.front().time;
 }
 
 void set_counts(const std::vector<AlignedImpact>& alignment, std::optional<int>& matched,
@@ -56,30 +59,22 @@ void set_counts(const std::vector<AlignedImpact>& alignment, std::optional<int>&
   extra = counts.extra;
 }
 
-/// Whether a corner meets a face that its block is not flat on: angles do not tell such an impact.
-bool lands_open(const History& exact) {
-  return std::ranges::any_of(exact.events, [](const Event& event) {
-    return event.kind == EventKind::impact &&
-           std::abs(relative_at(event.angles, static_cast<std::size_t>(event.interface - 1))) > open_angle;
-  });
-}
-
 void add_impacts(const Scene& scene, const History& exact, const CandidateMotion& candidate,
-                 const Difference& apart, double horizon, RunMetrics& row, RunFiles& files) {
-  const auto expected = reported_impacts(exact, chatter_speed(scene));
-  const auto windows = matching_windows(expected, apart, candidate.interval);
+                 const Difference& gaps, double horizon, RunMetrics& row, RunFiles& files) {
+  const auto expected = reported_impacts(scene, exact, chatter_speed(scene));
+  const auto windows = matching_windows(expected, gaps, candidate.interval);
   const auto alignment = align(expected, candidate.impacts, windows);
   const auto compared = up_to(alignment, horizon);
   row.impacts = static_cast<int>(candidate.impacts.size());
   set_counts(compared, row.impacts_matched, row.impacts_missed, row.impacts_extra);
-  row.first_impact_time_difference = first_difference(expected, candidate.impacts, horizon);
+  add_first_impact(expected, candidate.impacts, horizon, row);
   if (*row.impacts_matched > 0) {
     const AlignmentCounts counts = count(compared);
     row.rms_impact_time_difference = counts.rms_apart;
     row.largest_impact_time_difference = counts.largest_apart;
   }
   // What the exact motion itself scores when it is read from samples as an engine's is.
-  const auto sampled = observed_impacts(exact, chatter_speed(scene));
+  const auto sampled = observed_impacts(scene, exact, chatter_speed(scene));
   set_counts(up_to(align(expected, sampled, still_windows(expected, candidate.interval)), horizon),
              row.impacts_matched_null, row.impacts_missed_null, row.impacts_extra_null);
   const ChanceMatches chance = chance_matches(up_to(expected, horizon), up_to(candidate.impacts, horizon),
@@ -160,9 +155,15 @@ void add_positions(const Scene& scene, const History& exact, const std::vector<d
   row.sinking = support_of(bodies->penetration, bodies->unsupported_since).sinking;
 }
 
-/// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its angles.
+std::vector<ImpactTime> without_landings(std::vector<ImpactTime> impacts) {
+  std::erase_if(impacts, std::mem_fn(&ImpactTime::lands));
+  return impacts;
+}
+
+/// The impacts that the engine's contacts tell, beside the exact ones and beside those read from its motion.
+/// They tell no landings.
 void add_contact_impacts(const Scene& scene, const History& exact, const CandidateMotion& candidate,
-                         const Difference& apart, double horizon, RunMetrics& row, RunFiles& files) {
+                         const Difference& gaps, double horizon, RunMetrics& row, RunFiles& files) {
   if (!candidate.bodies->contacts) return;
   const double slowest = chatter_speed(scene);
   std::vector<ImpactTime> told;
@@ -170,12 +171,13 @@ void add_contact_impacts(const Scene& scene, const History& exact, const Candida
     if (impact.speed >= slowest)
       told.push_back({impact.time, impact.interface, side_of(impact.after, slowest)});
   std::ranges::stable_sort(told, {}, &ImpactTime::time);
-  const auto expected = reported_impacts(exact, slowest);
-  const auto alignment = align(expected, told, matching_windows(expected, apart, candidate.interval));
+  const auto expected = without_landings(reported_impacts(scene, exact, slowest));
+  const auto alignment = align(expected, told, matching_windows(expected, gaps, candidate.interval));
   set_counts(up_to(alignment, horizon), row.contact_impacts_matched, row.contact_impacts_missed,
              row.contact_impacts_extra);
-  const AlignmentCounts readings = count(
-      up_to(align(candidate.impacts, told, still_windows(candidate.impacts, candidate.interval)), horizon));
+  const auto read = without_landings(candidate.impacts);
+  const AlignmentCounts readings =
+      count(up_to(align(read, told, still_windows(read, candidate.interval)), horizon));
   row.impact_readings_differ = readings.missed + readings.extra;
   files["contact_impacts.csv"] = impacts_csv(alignment);
 }
@@ -274,13 +276,13 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
     row.exact_peak_over_slenderness = largest_lean(scene, exact).ratio;
     row.residual_motion = residual_motion(exact, history);
   }
-  const bool compares_impacts = wanted.impacts && !lands_open(exact);
-  if (compares_impacts) add_impacts(scene, exact, candidate, apart, horizon, row, files);
+  const Difference gaps = gap_difference(scene, exact, history);
+  if (wanted.impacts) add_impacts(scene, exact, candidate, gaps, horizon, row, files);
   if (wanted.patterns) add_patterns(scene, compared.times, exact, history, row, files);
   const bool bodies = candidate.bodies && wanted.bodies;
   if (bodies) add_bodies(scene, *candidate.bodies, row);
   if (bodies) add_rest(scene, exact, *candidate.bodies, row);
-  if (bodies && compares_impacts) add_contact_impacts(scene, exact, candidate, apart, horizon, row, files);
+  if (bodies && wanted.impacts) add_contact_impacts(scene, exact, candidate, gaps, horizon, row, files);
   if (bodies && suite.softness) add_parts(scene, exact, candidate, horizon, wanted.histories, row, files);
   if (!wanted.histories) return;
   files["history.csv"] = history_csv(history);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/difference.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/files.hpp"
 
 namespace rockstack {
@@ -109,6 +109,11 @@ double predictable_time(const Scene& scene, const Replicates& replicates, double
     const Difference apart = difference(own, solve(replicate_scene(scene, replicates, i), options));
     if (largest(apart) > tolerance) time = std::min(time, agreement_time(apart, tolerance));
   }
+  if (time == scene.duration) return time;
+  // What parts within the time of a fall by the stack's size after a flat landing was turned by that.
+  const auto landing = flat_landing(own, time);
+  if (landing && time - *landing <= 10 * settling_duration(scene))
+    time = std::min(time, *landing + sample_interval);
   return time;
 }
 

@@ -11,8 +11,9 @@ namespace rockstack {
 inline constexpr double sample_interval = 1e-3;
 
 /// Until when a scene can be predicted, s: the first time at which the exact motion of one of its replicates,
-/// which hardly differ, is further than `tolerance` rad from its own, seen every sample_interval; its
-/// duration where none ever is. Later only distributions can be compared.
+/// which hardly differ, is further than `tolerance` rad from its own, seen every sample_interval, or that of
+/// the flat landing by which they part; its duration where none ever is. Later only distributions can be
+/// compared.
 /// @throws as solve().
 double predictable_time(const Scene& scene, const Replicates& replicates, double tolerance);
 

@@ -124,6 +124,16 @@ void run_perturbed(const Job& job, const std::function<MotionTally(const Scene&)
   files["perturbed.csv"] = tallies_csv(tallies, static_cast<int>(job.scene.scene.blocks.size()));
 }
 
+/// Why a scene can be compared up to a flat landing alone, if that is so.
+std::string jump_of(const Scene& scene, const History& history, double horizon) {
+  const auto landing = flat_landing(history, horizon);
+  if (!landing || horizon >= scene.duration || horizon - *landing > 2 * sample_interval) return "";
+  return fmt::format(
+      "that of a block which lands flat, at {:.4g} s: tilted by however little it would turn there, so that "
+      "engines can be compared up to that landing",
+      *landing);
+}
+
 /// The exact solver's run, or that of a variant of it, which is compared with it.
 Json run_solver(const Job& job, RunMetrics& row, const std::string& command, RunFiles& files) {
   const auto as_run = [&](const Scene& asked) {
@@ -143,7 +153,7 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
     throw;
   }
   row.toppled = reported_toppling(history);
-  const auto impacts = reported_impacts(history, chatter_speed(scene));
+  const auto impacts = reported_impacts(scene, history, chatter_speed(scene));
   if (job.variant != nullptr) {
     compare_with_exact(job.scene.scene, job.suite, {history, sample_interval, impacts, !row.toppled.empty()},
                        horizon_of(job), row, files);
@@ -151,8 +161,13 @@ Json run_solver(const Job& job, RunMetrics& row, const std::string& command, Run
   } else {
     row.horizon = horizon_of(job);
     row.outcome = doubt_of(scene, history);
+    if (row.outcome.empty()) row.outcome = jump_of(scene, history, *row.horizon);
     row.impacts = static_cast<int>(impacts.size());
-    row.slower_impacts = static_cast<int>(reported_impacts(history, 0).size()) - *row.impacts;
+    if (!impacts.empty()) {
+      row.first_impact_time = impacts.front().time;
+      row.first_impact_speed = impacts.front().approach;
+    }
+    row.slower_impacts = static_cast<int>(reported_impacts(scene, history, 0).size()) - *row.impacts;
     add_history(history, files);
     files["reactions.csv"] = reactions_csv(scene, history);
   }
@@ -173,7 +188,7 @@ Json run_measured(const Job& job, RunMetrics& row, const std::string& command, R
   row.steps = static_cast<int>(steps);
   row.toppled = observed_toppling(job.scene.scene, history);
   const double interval = (history.times.back() - history.times.front()) / static_cast<double>(steps);
-  const auto impacts = observed_impacts(history, chatter_speed(job.scene.scene));
+  const auto impacts = observed_impacts(job.scene.scene, history, chatter_speed(job.scene.scene));
   compare_with_exact(job.scene.scene, job.suite, {history, interval, impacts, !row.toppled.empty()},
                      horizon_of(job), row, files);
   return summary(row, job.scene, Json::object(), {}, command);
@@ -219,7 +234,7 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
   row.toppled = observed_toppling(scene, history);
   if (bodies) row.fallen = support_of(bodies->penetration, bodies->unsupported_since).fallen;
   compare_with_exact(scene, job.suite,
-                     {history, dt, observed_impacts(history, chatter_speed(scene)),
+                     {history, dt, observed_impacts(scene, history, chatter_speed(scene)),
                       !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
                      horizon_of(job), row, files);
   compare_with_test(job, scene, history, bodies, row, files);

@@ -2,7 +2,7 @@
 
 #include "analytic/branches.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/sampled_patterns.hpp"
 #include "comparisons/runs/job.hpp"
 
 namespace rockstack {

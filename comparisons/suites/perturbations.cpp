@@ -6,6 +6,31 @@
 #include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
+namespace {
+
+/// Lets blocks in flight, from the lowest one with a gap up, start otherwise by amounts: a factor leaves zero
+/// as it is, and with it a landing on both corners at once. `next` gives shares of a scale.
+template <class Next>
+void vary_flight(Scene& scene, const Next& next) {
+  InitialState& initial = scene.initial;
+  const auto first = std::ranges::find_if(initial.gaps, [](double gap) { return gap > 0; });
+  if (first == initial.gaps.end()) return;
+  double height = 0;
+  for (const Block& block : scene.blocks) height += 2 * block.half_height;
+  const double rate = std::sqrt(scene.gravity / height);
+  for (auto* values : {&initial.slip_velocities, &initial.gap_velocities})
+    values->resize(scene.blocks.size());
+  for (auto k = static_cast<std::size_t>(first - initial.gaps.begin()); k < scene.blocks.size(); ++k) {
+    const double angle = slenderness(scene, static_cast<int>(k)), length = 2 * scene.blocks[k].half_height;
+    initial.angles[k] += next() * angle;
+    initial.velocities[k] += next() * angle * rate;
+    initial.gaps[k] += std::abs(next()) * length;
+    initial.slip_velocities[k] += next() * length * rate;
+    initial.gap_velocities[k] += next() * length * rate;
+  }
+}
+
+}  // namespace
 
 Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run) {
   std::uint32_t key = 0;
@@ -28,6 +53,7 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
     for (double& sample : motion->samples) sample *= factor;
     if (motion->pulse) motion->pulse->amplitude *= factor;
   }
+  vary_flight(result, [&] { return next_factor() - 1; });
   return result;
 }
 

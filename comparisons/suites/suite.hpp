@@ -64,8 +64,10 @@ inline void set_runs(Replicates& replicates, int runs) {
 }
 
 /// The scene of one run (from 0): each block's width and height, all initial angles and velocities together,
-/// and each ground motion are multiplied by 1 + size · u, u uniform between −1 and 1. Masses stay, and so
-/// does what is closed. The same on every call.
+/// and each ground motion are multiplied by 1 + size · u, u uniform between −1 and 1. Blocks that start in
+/// flight, which nothing holds, have each of their start values changed by size · u of the scene's own scale
+/// as well: the slenderness angle, the block's height, and these times √(g/H). Masses stay, and so does what
+/// is closed. The same on every call.
 Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run);
 
 /// The scene of one replicate; that of replicate 0 is the scene itself.

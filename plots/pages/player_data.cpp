@@ -59,8 +59,8 @@ Json spans_of(const History& history) {
 }
 
 /// Events by time, with 1 for chatter: slow bounces, and the starts and ends of sliding and touching that
-/// follow them; a landing is none. Chatter beyond what a page can hold is left out.
-Json stops_of(const History& history, double chatter_speed) {
+/// follow them; a landing on springs is none. Chatter beyond what a page can hold is left out.
+Json stops_of(const std::vector<Block>& blocks, const History& history, double chatter_speed) {
   constexpr std::size_t most = 4000;
   Json list = Json::array();
   bool chatter = false;
@@ -68,8 +68,10 @@ Json stops_of(const History& history, double chatter_speed) {
     const bool bounce = event.kind == EventKind::impact || event.kind == EventKind::touch;
     if (bounce) {
       const auto interface = static_cast<std::size_t>(event.interface) - 1;
-      chatter = std::abs(relative_at(event.before, interface)) < chatter_speed &&
-                event.from.contacts[interface] != Contact::apart;
+      const double width = interface_width(blocks, interface);
+      const bool lands_on_springs =
+          event.kind == EventKind::touch && event.from.contacts[interface] == Contact::apart;
+      chatter = !lands_on_springs && approach_speed(event, width) < chatter_speed * width;
     }
     const bool follows =
         event.kind == EventKind::slip || event.kind == EventKind::stick || event.kind == EventKind::part;
@@ -160,7 +162,7 @@ Json player_scene(const std::string& title, const std::vector<Block>& blocks, do
   }
   Json stage{{"title", title}, {"blocks", std::move(shapes)}, {"weight", mass * gravity}};
   make_room(stage);
-  stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(history, chatter_speed)}};
+  stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(blocks, history, chatter_speed)}};
   if (!friction.empty()) stage["friction"] = friction;
   return stage;
 }

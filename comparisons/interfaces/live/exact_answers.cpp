@@ -55,7 +55,7 @@ Json whole_answer(const Scene& scene, SolveOptions options) {
   answer["stage"] = plots::stage_of(scene, history);
   add_track(answer,
             plots::player_track(plots::with_events(history), 1, {"exact", "#1a1a1a", "solid", true, true}),
-            reported_impacts(history, chatter_speed(scene)));
+            reported_impacts(scene, history, chatter_speed(scene)));
   plots::add_forces(scene, history, 1, answer["track"]);
   add_energies(answer, scene, history.times, exact_energies(scene, history), 1);
   answer["verdict"] = motion_verdict(scene, history);

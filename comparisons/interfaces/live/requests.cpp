@@ -65,7 +65,7 @@ Json told(const LiveState& state, const WorkerRun& run, std::size_t stride, bool
   add_track(answer,
             plots::player_track(history, stride,
                                 {state.series.engine->full_name(), "#0072b2", "(8,3)", true, false}),
-            observed_impacts(history, chatter_speed(state.scene)));
+            observed_impacts(state.scene, history, chatter_speed(state.scene)));
   const auto& bodies = run.run.bodies;
   if (bodies) add_energies(answer, state.scene, history.times, bodies->energy, stride);
   answer["verdict"] = motion_verdict(

@@ -7,6 +7,7 @@
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
+#include "comparisons/measures/metrics/sampled_patterns.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/canon/canon.hpp"
 #include "comparisons/suites/compare_choice.hpp"

@@ -6,6 +6,7 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/suites/shipped.hpp"
 
@@ -95,6 +96,12 @@ py::dict events(const HeldMotion& motion) {
   columns["before"] = states(history, &Event::before);
   columns["after"] = states(history, &Event::after);
   columns["consistency"] = each_of(list, [](const Event& event) { return name(event.consistency); });
+  columns["approach"] = copied(each_of(list, [&](const Event& event) {
+    const auto interface = static_cast<std::size_t>(event.interface - 1);
+    return is_impact(event.kind)
+               ? approach_speed(event, interface_width(motion.scene->scene.blocks, interface))
+               : std::nan("");
+  }));
   return columns;
 }
 

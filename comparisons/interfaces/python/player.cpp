@@ -25,7 +25,7 @@ Json track_of(const Shown& shown, const std::string& colour) {
   const double chatter = chatter_speed(scene);
   track["impacts"] = Json::array();
   for (const ImpactTime& impact :
-       exact ? reported_impacts(history, chatter) : observed_impacts(history, chatter))
+       exact ? reported_impacts(scene, history, chatter) : observed_impacts(scene, history, chatter))
     track["impacts"].push_back(impact.time);
   if (exact && history.patterns.size() == history.size()) plots::add_forces(scene, history, stride, track);
   return track;

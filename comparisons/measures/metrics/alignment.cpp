@@ -65,13 +65,13 @@ double widest_window(const std::vector<ImpactTime>& exact, std::size_t number) {
   return widest;
 }
 
-/// The largest difference of an interface's relative angle in a stretch of time, rad.
-double largest_relative(const Difference& apart, std::size_t interface, double begin, double end) {
+/// The largest difference of an interface's gap in a stretch of time, m.
+double largest_of(const Difference& apart, std::size_t interface, double begin, double end) {
   const auto first = std::ranges::lower_bound(apart.times, begin);
   double largest = 0;
   for (auto i = static_cast<std::size_t>(first - apart.times.begin());
        i < apart.times.size() && apart.times[i] <= end; ++i)
-    largest = std::max(largest, std::abs(relative_at(apart.at(i), interface)));
+    largest = std::max(largest, apart.at(i)[interface]);
   return largest;
 }
 
@@ -82,7 +82,7 @@ double window_of(const std::vector<ImpactTime>& exact, std::size_t number, const
   const double least = window_steps * dt, widest = std::max(least, widest_window(exact, number));
   double window = least;
   while (window < widest) {
-    const double apart_at_most = largest_relative(apart, interface, impact.time - window, impact.time);
+    const double apart_at_most = largest_of(apart, interface, impact.time - window, impact.time);
     const double wider = least + 2 * apart_at_most / impact.approach;
     if (wider <= window) break;
     window = wider;

@@ -29,6 +29,21 @@ Centres centres_at(const Stack<double>& stack, const History& history, std::size
   return {centres(chain), centre_velocities(chain, vector_of(history.velocities_at(sample)))};
 }
 
+Points<double> centre_displacements(const Stack<double>& stack, const History& history, std::size_t sample) {
+  const int size = stack.size();
+  if (!history.centres.empty()) {
+    const Vector<double> upright = Vector<double>::Zero(size);
+    return centre_places(stack, history, sample) - centres(make_chain(stack, closed_pattern(size), upright));
+  }
+  // A chain whose cosines are less by one is that of the differences from the upright one.
+  const Vector<double> angles = vector_of(history.angles_at(sample));
+  const Vector<double> half = (angles / 2).array().sin();
+  const Directions<double> turns{-2 * half.cwiseAbs2(), angles.array().sin()};
+  Chain<double> moved = make_chain(stack, history.patterns[sample], turns);
+  moved.foot.setZero();
+  return centres(moved);
+}
+
 std::vector<double> centres_of(const Scene& scene, const History& history) {
   if (!history.centres.empty()) return history.centres;
   const Stack<double> stack = make_stack<double>(scene);
@@ -86,22 +101,17 @@ double least_height(const std::vector<Block>& blocks) {
 std::vector<double> energies(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
   const Gravity gravity = gravity_of(scene);
-  double at_rest = 0, height = 0;
-  for (const Block& block : scene.blocks) {
-    at_rest += block.mass * (gravity.across * (height + block.half_height + block.offset_y) -
-                             gravity.along * block.offset_x);
-    height += 2 * block.half_height;
-  }
   std::vector<double> list;
   list.reserve(history.size());
   for (std::size_t i = 0; i < history.size(); ++i) {
     const Vector<double> velocities = vector_of(history.velocities_at(i));
-    const auto [places, speeds] = centres_at(stack, history, i);
-    double energy = -at_rest;
+    const Points<double> speeds = centres_at(stack, history, i).rate;
+    const Points<double> moved = centre_displacements(stack, history, i);
+    double energy = 0;
     for (int k = 0; k < stack.size(); ++k)
       energy += 0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
                 0.5 * stack.inertia[k] * velocities[k] * velocities[k] +
-                stack.mass[k] * gravity.across * places(1, k) - stack.mass[k] * gravity.along * places(0, k);
+                stack.mass[k] * (gravity.across * moved(1, k) - gravity.along * moved(0, k));
     list.push_back(energy);
   }
   return list;

@@ -15,13 +15,17 @@ inline Vector<double> vector_of(std::span<const double> values) {
 /// that of the history's scene.
 Points<double> centre_places(const Stack<double>& stack, const History& history, std::size_t sample);
 
-/// The same and their velocities, m/s.
+/// Places of centres, m, and their velocities, m/s.
 struct Centres {
   Points<double> at, rate;
 };
 
 /// Precondition: a solver's history, which knows its patterns. `stack` is that of its scene.
 Centres centres_at(const Stack<double>& stack, const History& history, std::size_t sample);
+
+/// How far each centre is from its place at rest upright, m; of blocks on pivots by b sin θ − h (1 − cos θ),
+/// without cancellation. Precondition: likewise.
+Points<double> centre_displacements(const Stack<double>& stack, const History& history, std::size_t sample);
 
 /// The centres alone at all samples, x and y in turn from the lowest block up, m. Precondition: likewise.
 std::vector<double> centres_of(const Scene& scene, const History& history);

@@ -1,5 +1,7 @@
 #include "comparisons/measures/metrics/impacts.hpp"
 
+#include <map>
+
 #include "analytic/scene/lists.hpp"
 
 namespace rockstack {
@@ -11,32 +13,105 @@ double stack_height(const Scene& scene) {
   return height;
 }
 
-/// The contacts of one interface, sample by sample, from its relative angles.
-std::vector<Contact> contacts(const std::vector<double>& times, const std::vector<double>& angles,
-                              double least_time) {
-  const std::size_t count = angles.size();
-  std::vector<Contact> list = each_of(angles, [](double angle) {
-    return std::abs(angle) <= open_angle ? Contact::closed : contact_of(angle < 0 ? -1 : 1);
-  });
-  for (std::size_t begin = 0, end = 0; begin < count; begin = end + 1) {
-    end = begin;
-    while (end < count && list[end] == Contact::closed) ++end;
-    if (begin == 0 || end == count || times[end] - times[begin - 1] >= least_time) continue;
-    Contact side = list[begin - 1];
-    for (std::size_t i = begin; i < end; ++i) {
-      if (angles[i] * sign(list[end]) >= 0) side = list[end];
-      list[i] = side;
-    }
-  }
-  return list;
-}
+/// What an interface does between two samples of sampled motion.
+class SampledInterface {
+ public:
+  SampledInterface(const Scene& scene, const History& history, std::size_t interface)
+      : history_(history), interface_(interface), width_(interface_width(scene.blocks, interface)) {}
 
-/// The times at which patterns begin, s, and which.
-std::vector<std::pair<double, Pattern>> passages(const std::vector<double>& times,
-                                                 const std::vector<Pattern>& patterns) {
-  std::vector<std::pair<double, Pattern>> list;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    if (list.empty() || !(list.back().second == patterns[i])) list.emplace_back(times[i], patterns[i]);
+  /// Whether it is apart by more than blocks may hover, up to the next sample, and goes up or down.
+  bool flies(std::size_t sample, double slowest) const {
+    if (sample + 1 >= history_.size()) return false;
+    const double lower = std::min(gap(sample), gap(sample + 1));
+    return lower > open_angle * width_ && !(std::abs(fall(sample)) < slowest * width_);
+  }
+
+  /// Impacts at `slowest` times the width or more.
+  std::vector<ImpactTime> impacts(double slowest) const {
+    std::vector<ImpactTime> list;
+    bool may_land = true;  // as it has not landed since it last rose
+    for (std::size_t i = 0; i + 1 < history_.size(); ++i) {
+      may_land = may_land || (i > 0 && gap(i) > gap(i - 1));
+      if (const auto strike = closing(i, slowest)) {
+        list.push_back(impact(i, *strike, slowest));
+      } else if (const auto landed = landing(i, slowest * width_); landed && may_land) {
+        list.push_back(impact(i, *landed, slowest));
+        list.back().lands = true;
+        may_land = false;
+      }
+    }
+    return list;
+  }
+
+ private:
+  struct Strike {
+    double delay = 0;  ///< after the first sample, s
+    double speed = 0;  ///< m/s
+  };
+
+  ImpactTime impact(std::size_t sample, const Strike& strike, double slowest) const {
+    const std::size_t later = std::min(sample + 2, history_.size() - 1);
+    return {history_.times[sample] + strike.delay, static_cast<int>(interface_) + 1,
+            side_of(relative_at(history_.velocities_at(later), interface_), slowest), strike.speed};
+  }
+
+  double step(std::size_t sample) const { return history_.times[sample + 1] - history_.times[sample]; }
+  double gap(std::size_t sample) const {
+    return history_.gaps.empty() ? 0 : history_.row(history_.gaps, sample)[interface_];
+  }
+  double fall(std::size_t sample) const { return (gap(sample) - gap(sample + 1)) / step(sample); }
+
+  /// A relative angle that closes.
+  std::optional<Strike> closing(std::size_t i, double slowest) const {
+    const auto relative = [&](auto at, std::size_t sample) {
+      return relative_at((history_.*at)(sample), interface_);
+    };
+    const double side = relative(&History::angles_at, i) < 0 ? -1 : 1;
+    const double angle = side * relative(&History::angles_at, i);
+    const double next_angle = side * relative(&History::angles_at, i + 1);
+    const double approach = -side * relative(&History::velocities_at, i);
+    const double next_approach = -side * relative(&History::velocities_at, i + 1);
+    if (approach < slowest || flies(i, slowest)) return {};
+    const bool passes = next_angle <= 0;
+    if (!passes && !(angle <= approach * step(i) && next_approach < 0.5 * approach)) return {};
+    return Strike{passes ? step(i) * angle / (angle - next_angle) : angle / approach, approach * width_};
+  }
+
+  /// A gap that closes: the lines of the fall before and of what follows meet.
+  std::optional<Strike> landing(std::size_t i, double slowest) const {
+    if (i == 0 || i + 2 >= history_.size() || !(gap(i) > 0)) return {};
+    const double approach = fall(i - 1);
+    if (!(approach >= slowest) || !std::isfinite(approach)) return {};
+    const bool passes = gap(i + 1) <= 0;
+    const double next_approach = fall(i + 1);
+    const bool stops = gap(i) <= approach * step(i) + open_angle * width_ && next_approach < 0.5 * approach;
+    if (!passes && !stops) return {};
+    const double delay = passes
+                             ? gap(i) / approach
+                             : (gap(i) - gap(i + 1) - next_approach * step(i)) / (approach - next_approach);
+    return Strike{std::clamp(delay, 0.0, step(i)), approach};
+  }
+
+  const History& history_;
+  std::size_t interface_;
+  double width_;  ///< m
+};
+
+/// Both corners of what lands as good as flat strike at once: of impacts that follow a landing by less than a
+/// hundredth of the settling duration the side alone is kept.
+std::vector<ImpactTime> with_whole_landings(const Scene& scene, const std::vector<ImpactTime>& impacts) {
+  const double at_once = 0.01 * settling_duration(scene);
+  std::vector<ImpactTime> list;
+  std::map<int, std::size_t> landings;  // the last one of each interface
+  for (const ImpactTime& impact : impacts) {
+    const auto landing = landings.find(impact.interface);
+    if (landing != landings.end() && impact.time - list[landing->second].time < at_once) {
+      list[landing->second].side = impact.side;
+      continue;
+    }
+    if (impact.lands) landings[impact.interface] = list.size();
+    list.push_back(impact);
+  }
   return list;
 }
 
@@ -67,96 +142,73 @@ bool is_impact(EventKind kind) {
   return kind == EventKind::impact || kind == EventKind::closure || kind == EventKind::rest;
 }
 
-std::vector<ImpactTime> reported_impacts(const History& history, double slowest) {
+double interface_width(const std::vector<Block>& blocks, std::size_t interface) {
+  return 2 * interface_half_width(blocks, static_cast<int>(interface));
+}
+
+double approach_speed(const Event& event, double width) {
+  return event.approach.value_or(
+      width * std::abs(relative_at(event.before, static_cast<std::size_t>(event.interface - 1))));
+}
+
+std::vector<ImpactTime> reported_impacts(const Scene& scene, const History& history, double slowest) {
   std::vector<ImpactTime> impacts;
   for (const Event& event : history.events) {
     if (!is_impact(event.kind)) continue;
     const auto interface = static_cast<std::size_t>(event.interface - 1);
-    const double approach = std::abs(relative_at(event.before, interface));
-    if (approach < slowest) continue;
-    impacts.push_back(
-        {event.time, event.interface, side_of(relative_at(event.after, interface), slowest), approach});
+    const double width = interface_width(scene.blocks, interface), approach = approach_speed(event, width);
+    if (approach < slowest * width) continue;
+    impacts.push_back({event.time, event.interface, side_of(relative_at(event.after, interface), slowest),
+                       approach, event.from.contacts[interface] == Contact::apart});
   }
-  return impacts;
+  return with_whole_landings(scene, impacts);
 }
 
-std::vector<ImpactTime> observed_impacts(const History& history, double slowest) {
+std::vector<ImpactTime> observed_impacts(const Scene& scene, const History& history, double slowest) {
   std::vector<ImpactTime> impacts;
-  for (std::size_t i = 0; i + 1 < history.size(); ++i) {
-    const double step = history.times[i + 1] - history.times[i];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k) {
-      const double side = relative_at(history.angles_at(i), k) < 0 ? -1 : 1;
-      const double gap = side * relative_at(history.angles_at(i), k);
-      const double next_gap = side * relative_at(history.angles_at(i + 1), k);
-      const double approach = -side * relative_at(history.velocities_at(i), k);
-      const double next_approach = -side * relative_at(history.velocities_at(i + 1), k);
-      if (approach < slowest) continue;
-      const bool passes = next_gap <= 0;
-      const bool stops = gap <= approach * step && next_approach < 0.5 * approach;
-      if (!passes && !stops) continue;
-      const double delay = passes ? step * gap / (gap - next_gap) : gap / approach;
-      const std::size_t later = std::min(i + 2, history.size() - 1);
-      impacts.push_back({history.times[i] + delay, static_cast<int>(k) + 1,
-                         side_of(relative_at(history.velocities_at(later), k), slowest), approach});
-    }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k) {
+    const auto own = SampledInterface(scene, history, k).impacts(slowest);
+    impacts.insert(impacts.end(), own.begin(), own.end());
   }
   std::ranges::stable_sort(impacts, {}, &ImpactTime::time);
-  return impacts;
+  return with_whole_landings(scene, impacts);
 }
 
-std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history) {
-  std::vector<Pattern> patterns(history.size(), closed_pattern(history.blocks));
-  std::vector<double> angles(history.size());
-  for (int k = 0; k < history.blocks; ++k) {
-    const auto block = static_cast<std::size_t>(k);
-    for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = relative_at(history.angles_at(i), block);
-    const std::vector<Contact> list = contacts(history.times, angles, settling_duration(scene));
-    for (std::size_t i = 0; i < list.size(); ++i) patterns[i][k] = list[i];
+std::optional<double> flat_landing(const History& history, double end) {
+  constexpr double flat = 1e-9;  // rad
+  std::optional<double> time;
+  for (const Event& event : history.events) {
+    const auto interface = static_cast<std::size_t>(event.interface - 1);
+    if (is_impact(event.kind) && event.from.contacts[interface] == Contact::apart && event.time <= end &&
+        std::abs(relative_at(event.angles, interface)) <= flat)
+      time = event.time;
   }
-  return patterns;
+  return time;
 }
 
-std::vector<PatternShare> pattern_shares(const std::vector<double>& times, const std::vector<Pattern>& exact,
-                                         const std::vector<Pattern>& engine) {
-  std::vector<PatternShare> shares;
-  auto last = shares.end();
-  const auto is_pair = [&](const PatternShare& one, std::size_t i) {
-    return one.exact == exact[i] && one.engine == engine[i];
-  };
-  const double whole = times.back() - times.front();
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (last == shares.end() || !is_pair(*last, i)) {
-      last = std::ranges::find_if(shares, [&](const PatternShare& one) { return is_pair(one, i); });
-      if (last == shares.end()) last = shares.insert(last, {exact[i], engine[i], 0});
+Difference gap_difference(const Scene& scene, const History& first, const History& second) {
+  Difference apart = difference(first, second);
+  const bool gaps = !first.gaps.empty() && !second.gaps.empty();
+  for (std::size_t i = 0; i < apart.times.size(); ++i) {
+    const std::span row(apart.values.data() + i * apart.blocks, apart.blocks);
+    for (std::size_t k = apart.blocks; k-- > 0;) {
+      row[k] = interface_width(scene.blocks, k) * std::abs(relative_at(row, k));
+      if (!gaps) continue;
+      const double gap = first.row(first.gaps, i)[k], other = second.row(second.gaps, i)[k];
+      if (gap > 0 && std::isfinite(gap - other)) row[k] += std::abs(gap - other);
     }
-    if (i + 1 < times.size()) last->share += (times[i + 1] - times[i]) / whole;
   }
-  return shares;
-}
-
-double agreement(const std::vector<PatternShare>& shares) {
-  double sum = 0;
-  for (const PatternShare& one : shares)
-    if (one.exact == one.engine) sum += one.share;
-  return sum;
-}
-
-double sequence_time(const std::vector<double>& times, const std::vector<Pattern>& exact,
-                     const std::vector<Pattern>& engine) {
-  const auto first = passages(times, exact), second = passages(times, engine);
-  const auto alike = [](const auto& a, const auto& b) { return a.second == b.second; };
-  const auto [one, other] = std::mismatch(first.begin(), first.end(), second.begin(), second.end(), alike);
-  return std::min(one == first.end() ? times.back() : one->first,
-                  other == second.end() ? times.back() : other->first);
+  return apart;
 }
 
 std::vector<ImpactTime> settlings(const Scene& scene, const History& history) {
   const double slowest = chatter_speed(scene), least_time = settling_duration(scene);
   std::vector<ImpactTime> list;
   for (std::size_t k = 0; k < static_cast<std::size_t>(history.blocks); ++k) {
+    const SampledInterface interface(scene, history, k);
     const auto is_quiet = [&](std::size_t i) {
       return std::abs(relative_at(history.angles_at(i), k)) <= open_angle &&
-             std::abs(relative_at(history.velocities_at(i), k)) < slowest;
+             std::abs(relative_at(history.velocities_at(i), k)) < slowest && !interface.flies(i, slowest);
     };
     for (std::size_t i = 0; i < history.size(); ++i) {
       if (!is_quiet(i)) continue;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analytic/scene/history.hpp"
 #include "analytic/scene/scene.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
 
 namespace rockstack {
 
@@ -12,12 +12,21 @@ struct ImpactTime {
   /// The side to which the interface leaves: that of its relative angular velocity after the impact, closed
   /// where that is too slow to count.
   Contact side = Contact::closed;
-  double approach = 0;  ///< relative angular speed before it, rad/s
+  double approach = 0;  ///< speed at which the gap closes where it strikes, m/s
+  bool lands = false;   ///< from flight, not by turning about a pivot
 };
 
-/// Relative speed in rad/s below which an impact counts as chatter and is not compared: 0.02 √(g/H), H the
-/// height of the stack. A flight that starts at this speed stays below about 2e-4 rad.
+/// Speed below which an impact counts as chatter and is not compared, m/s for each metre of the interface's
+/// width, rad/s where it rocks: 0.02 √(g/H), H the height of the stack. A flight that starts at this speed
+/// stays below about 2e-4 rad.
 double chatter_speed(const Scene& scene);
+
+/// Width of the faces that meet at an interface, from 0, m.
+double interface_width(const std::vector<Block>& blocks, std::size_t interface);
+
+/// Speed at which the gap closes where an impact strikes, m/s: the one that the solver reports, or that of an
+/// interface of this width which turns about its pivot.
+double approach_speed(const Event& event, double width);
 
 /// How long an interface must stay closed to have settled: 0.1 √(H/g), in s.
 double settling_duration(const Scene& scene);
@@ -35,46 +44,30 @@ std::vector<ImpactTime> up_to(std::vector<ImpactTime> impacts, double time);
 /// Whether an event is an impact: those that close an interface for good are.
 bool is_impact(EventKind kind);
 
-/// The impacts that a solver reported, at `slowest` rad/s of relative speed or more.
-std::vector<ImpactTime> reported_impacts(const History& history, double slowest);
+/// The impacts that a solver reported, whose gaps close at `slowest` times the interface's width or more,
+/// as chatter_speed() counts it.
+std::vector<ImpactTime> reported_impacts(const Scene& scene, const History& history, double slowest);
 
-/// The impacts in sampled motion, read from angles and angular velocities alone. Between two samples an
-/// interface impacts where it approaches at `slowest` rad/s or more at the first, and its relative angle has
-/// passed zero at the second (the time is interpolated), or would pass zero within a step and the approach
-/// has lost more than half its speed (the time is that of the first sample plus angle over speed). Its side
-/// is that of the sample after: engines that find contacts by overlap answer one step late.
-std::vector<ImpactTime> observed_impacts(const History& history, double slowest);
+/// The impacts in sampled motion, at `slowest` times the width or more, likewise. Between two samples an
+/// interface that is not in flight impacts where its relative angle approaches zero at the first, and has
+/// passed it at the second (the time is interpolated), or would pass it within a step and the approach has
+/// lost more than half its speed (the time is that of the first sample plus angle over speed). What flies
+/// lands where its gap does so; engines may stop it above zero by what open_angle makes of the width. The
+/// side is that of the sample after: engines that find contacts by overlap answer one step late.
+std::vector<ImpactTime> observed_impacts(const Scene& scene, const History& history, double slowest);
 
-// The patterns of sampled motion, read from angles alone, so that engines and the exact solution are judged
-// alike.
+/// Time of the last landing of a block on its whole face up to a time, s: tilted by however little before, it
+/// would have turned there.
+std::optional<double> flat_landing(const History& history, double end);
+
+/// How far apart the gaps of interfaces that close may be in two motions, m: by what their relative angles
+/// differ across the width, and by how high they are where the first one flies.
+/// @throws std::invalid_argument as difference().
+Difference gap_difference(const Scene& scene, const History& first, const History& second);
 
 /// The relative angle up to which an interface may count as closed, rad. What chatter below chatter_speed()
 /// opens, and what engines let blocks sink in and lean, stays below it.
 inline constexpr double open_angle = 2e-3;
-
-/// The pattern at each sample. An interface is closed where it stays within open_angle for at least
-/// settling_duration(scene), and at the history's ends; in shorter stretches it changes sides as its relative
-/// angle reaches the other side, or stays on the one that it comes back to.
-std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history);
-
-/// Share of time that both histories spend in a pair of patterns.
-struct PatternShare {
-  Pattern exact, engine;
-  double share = 0;  ///< of 1
-};
-
-/// All pairs that occur in patterns at the same times (s), in the order in which they first do.
-/// Precondition: at least one sample.
-std::vector<PatternShare> pattern_shares(const std::vector<double>& times, const std::vector<Pattern>& exact,
-                                         const std::vector<Pattern>& engine);
-
-/// The share of time in which both are equal.
-double agreement(const std::vector<PatternShare>& shares);
-
-/// The time until which two histories pass through the same patterns in the same order: the earlier of both
-/// times at which the first patterns begin that differ, the last time where none do. s.
-double sequence_time(const std::vector<double>& times, const std::vector<Pattern>& exact,
-                     const std::vector<Pattern>& engine);
 
 /// When interfaces settle: an interface that has moved comes to stay within open_angle of closed, and slower
 /// than chatter_speed(scene), for at least settling_duration(scene). All chatter of an interface is one

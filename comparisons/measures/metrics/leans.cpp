@@ -144,7 +144,7 @@ Lean largest_common_lean(const Scene& scene, const History& history) {
   return largest;
 }
 
-std::optional<std::size_t> falling_block(const Scene& scene, const History& history, std::size_t sample) {
+std::optional<FallingBlock> falling_block(const Scene& scene, const History& history, std::size_t sample) {
   const Gravity gravity = gravity_of(scene);
   const Points<double> centres = centre_places(make_stack<double>(scene), history, sample);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
@@ -153,7 +153,8 @@ std::optional<std::size_t> falling_block(const Scene& scene, const History& hist
         from_corner(scene, history, sample, centres, k, side, common_centre(scene, centres, k));
     if (side * (arm.x() * gravity.across + arm.y() * gravity.along) > 0 &&
         side * history.velocities_at(sample)[k] > 0)
-      return k;
+      return FallingBlock{
+          k, !(common_slenderness(scene, history, sample, k, side) + side * scene.inclination > 0)};
   }
   return {};
 }

@@ -39,8 +39,14 @@ Lean largest_lean(const Scene& scene, const History& history);
 /// block, which largest_lean() is of. In samples.
 Lean largest_common_lean(const Scene& scene, const History& history);
 
+/// A block that does not come back by itself.
+struct FallingBlock {
+  std::size_t block = 0;
+  bool past_edge = false;  ///< where it has slid to it could not stand upright on level ground
+};
+
 /// The lowest block, from 0, that turns further over a corner beyond which, in the direction of gravity, is
-/// the centre of mass of it and all that stands on it: by themselves they do not come back. At one sample.
-std::optional<std::size_t> falling_block(const Scene& scene, const History& history, std::size_t sample);
+/// the centre of mass of it and all that stands on it. At one sample.
+std::optional<FallingBlock> falling_block(const Scene& scene, const History& history, std::size_t sample);
 
 }  // namespace rockstack

@@ -109,11 +109,14 @@ std::string leaning(const Scene& scene, const Lean& alone, const Lean& common) {
 
 /// What is still going on in the last sample, so that nothing can be said of standing: "block 1 is in
 /// flight".
-std::string unsettled(const Scene& scene, const History& history) {
+std::string unsettled(const Scene& scene, const History& history,
+                      const std::optional<FallingBlock>& falling) {
   const std::size_t last = history.size() - 1;
-  const auto falling = falling_block(scene, history, last);
-  if (falling && !(gap_at(history, last, *falling) > visible))
-    return from_block_up(*falling, scene, "leans", "lean") + " past balance and on";
+  if (falling && !(gap_at(history, last, falling->block) > visible))
+    return falling->past_edge
+               ? from_block_up(falling->block, scene, "has slid past the edge and falls",
+                               "have slid past the edge and fall")
+               : from_block_up(falling->block, scene, "leans", "lean") + " past balance and on";
   if (const auto block =
           first_block(history, [&](std::size_t k) { return gap_at(history, last, k) > visible; }))
     return fmt::format("block {} is in flight", *block);
@@ -166,11 +169,27 @@ std::string freedom(const Scene& scene, const History& history) {
   return text.empty() ? held(history) : text;
 }
 
+/// What becomes of a block, from 1, and those that turn as one with it: "block 2 topples", "blocks 1 to 2
+/// topple".
+std::string toppling_words(const Pattern& pattern, int block) {
+  const auto turns_with_below = [&](int k) { return k <= pattern.size && pattern[k - 1] == Contact::closed; };
+  int lowest = block, highest = block;
+  while (lowest > 1 && turns_with_below(lowest)) --lowest;
+  while (turns_with_below(highest + 1)) ++highest;
+  return lowest == highest ? fmt::format("block {} topples", block)
+                           : fmt::format("blocks {} to {} topple", lowest, highest);
+}
+
 /// What ends a motion, of a block from 1.
-std::string end_words(EventKind kind, int block) {
-  if (kind == EventKind::fall) return "falls off";
-  if (kind != EventKind::strike) return "topples";
-  return block < 3 ? "strikes the ground" : "strikes the ground or a block further down";
+std::string end_words(const History& history, int block) {
+  if (history.events.empty() || !ends_motion(history.events.back().kind))
+    return toppling_words(history.patterns.empty() ? Pattern() : history.patterns.back(), block);
+  const Event& last = history.events.back();
+  if (last.kind == EventKind::topple) return toppling_words(last.from, block);
+  return fmt::format("block {} {}", block,
+                     last.kind == EventKind::fall ? "falls off"
+                     : block < 3                  ? "strikes the ground"
+                                                  : "strikes the ground or a block further down");
 }
 
 /// How far a centre is nearer to the one below than upright blocks that touch have it, at most, at one sample
@@ -214,23 +233,21 @@ std::string cut_short(const Scene& scene) {
 
 /// How it ends, how far it comes, and what for.
 std::string outcome_of(const Scene& scene, const History& history, const Support& support) {
-  const bool reported = !history.events.empty() && ends_motion(history.events.back().kind);
-  const std::string toppled = reported ? reported_toppling(history) : observed_toppling(scene, history);
-  if (!toppled.empty())
-    return fmt::format(
-        "{} {} at {:.4g} s{}", toppled.substr(0, toppled.find(" at ")),
-        reported ? end_words(history.events.back().kind, history.events.back().interface) : "topples",
-        reported ? history.events.back().time : history.times.back(), freedom(scene, history));
+  if (const auto end = toppling_of(scene, history))
+    return fmt::format("{} at {:.4g} s{}", end_words(history, end->block), end->time,
+                       freedom(scene, history));
   if (!support.fallen.empty())
     return fmt::format("{} has fallen off{}{}", support.fallen.substr(0, support.fallen.find(" at ")),
                        support.fallen.substr(support.fallen.find(" at ")), freedom(scene, history));
   const Lean most = largest_lean(scene, history);
   const std::string sunk = sinking(scene, history, support.sinking);
-  const std::string going_on = unsettled(scene, history);
+  const auto falling = falling_block(scene, history, history.size() - 1);
+  const std::string going_on = unsettled(scene, history, falling);
   if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
     return (sunk.empty() ? "rests throughout" : "rests, but " + sunk) + cut_short(scene) +
            freedom(scene, history);
-  const std::string lean = most.ratio < 1e-3 && !history.slips.empty()
+  const std::string lean = falling && falling->past_edge ? ""
+                           : most.ratio < 1e-3 && !history.slips.empty()
                                ? "; nothing rocks"
                                : leaning(scene, most, largest_common_lean(scene, history));
   const std::string end = fmt::format("the end, {:.4g} s", history.times.back());

@@ -70,8 +70,8 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
     outcome.ground_left = ground_left(scene);
   }
   if (!history.times.empty())
-    if (const auto block = falling_block(scene, history, history.size() - 1))
-      outcome.falling = static_cast<int>(*block) + 1;
+    if (const auto falling = falling_block(scene, history, history.size() - 1))
+      outcome.falling = static_cast<int>(falling->block) + 1;
   outcome.onset = onset_mode(scene, history);
   outcome.motion = whole_mode(scene, history);
   outcome.force = worst_of(history.forces);

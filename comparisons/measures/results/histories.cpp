@@ -24,11 +24,6 @@ constexpr std::array history_tables{HistoryTable{"corners", "corners.csv", &corn
                                     HistoryTable{"energies", "energies.csv", &energies_csv},
                                     HistoryTable{"forces", "reactions.csv", &reactions_csv}};
 
-Points<double> centres_at_rest(const Stack<double>& stack) {
-  const Vector<double> upright = Vector<double>::Zero(stack.size());
-  return centres(make_chain(stack, closed_pattern(stack.size()), upright));
-}
-
 /// A corner of a block and its sign from the middle.
 struct Corner {
   const char* name;
@@ -92,7 +87,6 @@ std::map<std::string, std::string> histories_csv(const Scene& scene, const Histo
 std::string energies_csv(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
   const Gravity gravity = gravity_of(scene);
-  const Points<double> rest = centres_at_rest(stack);
   CsvWriter csv;
   const bool springs = !history.spring_energies.empty();
   csv.add("time", numbered("kinetic_", history.blocks), numbered("potential_", history.blocks));
@@ -102,8 +96,8 @@ std::string energies_csv(const Scene& scene, const History& history) {
   csv.end_line();
   for (std::size_t i = 0; i < history.size(); ++i) {
     const Vector<double> velocities = vector_of(history.velocities_at(i));
-    const auto [places, speeds] = centres_at(stack, history, i);
-    const Points<double> moved = places - rest;
+    const Points<double> speeds = centres_at(stack, history, i).rate;
+    const Points<double> moved = centre_displacements(stack, history, i);
     csv.add(history.times[i]);
     for (int k = 0; k < stack.size(); ++k)
       csv.add(0.5 * stack.mass[k] * speeds.col(k).squaredNorm() +
@@ -120,8 +114,9 @@ std::string energies_csv(const Scene& scene, const History& history) {
 
 std::string corners_csv(const Scene& scene, const History& history) {
   const Stack<double> stack = make_stack<double>(scene);
+  const Vector<double> upright = Vector<double>::Zero(stack.size());
   const std::vector<double> rest =
-      corners_of(scene, centres_at_rest(stack), Vector<double>::Zero(stack.size()));
+      corners_of(scene, centres(make_chain(stack, closed_pattern(history.blocks), upright)), upright);
   CsvWriter csv;
   csv.add("time");
   for (int k = 1; k <= history.blocks; ++k)

@@ -99,6 +99,7 @@ std::vector<Event> events_in(const fs::path& file, int blocks) {
     line.add(before, event.before);
     line.add(after, event.after);
     event.consistency = line.named(line.index("consistency"), named_consistency);
+    if (line.has("approach")) event.approach = line.known(line.index("approach"));
   }
   return events;
 }
@@ -145,12 +146,18 @@ std::string history_csv(const History& history) {
 
 std::string events_csv(const History& history) {
   const int blocks = history.blocks;
+  const bool lands = !history.gaps.empty();
   CsvWriter csv;
-  csv.line("time", "kind", "interface", "from", "to", numbered("theta_", blocks),
-           numbered("omega_before_", blocks), numbered("omega_after_", blocks), "consistency");
-  for (const Event& event : history.events)
-    csv.line(event.time, name(event.kind), event.interface, name(event.from), name(event.to), event.angles,
-             event.before, event.after, name(event.consistency));
+  csv.add("time", "kind", "interface", "from", "to", numbered("theta_", blocks),
+          numbered("omega_before_", blocks), numbered("omega_after_", blocks), "consistency");
+  if (lands) csv.add("approach");
+  csv.end_line();
+  for (const Event& event : history.events) {
+    csv.add(event.time, name(event.kind), event.interface, name(event.from), name(event.to), event.angles,
+            event.before, event.after, name(event.consistency));
+    if (lands) csv.add(event.approach);
+    csv.end_line();
+  }
   return csv.text();
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "comparisons/measures/metrics/alignment.hpp"
+#include "comparisons/measures/metrics/sampled_patterns.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "engines/body_record.hpp"
 
@@ -18,7 +19,8 @@ std::string csv_of(const Json& list);
 /// time,theta_1,…,omega_1,… and, where known, pattern.
 std::string history_csv(const History& history);
 
-/// time,kind,interface,from,to,theta_1,…,omega_before_1,…,omega_after_1,…,consistency.
+/// time,kind,interface,from,to,theta_1,…,omega_before_1,…,omega_after_1,…,consistency and, of laws that leave
+/// pivots, approach.
 std::string events_csv(const History& history);
 
 /// time,horizontal,vertical in s and m/s²: where samples lie, and every millisecond of a pulse.

@@ -28,12 +28,13 @@ std::vector<MotionTally> tallies_in(const std::filesystem::path& run_folder) {
 
 MotionTally exact_tally(const Scene& scene) {
   const History history = solve(scene, {.peaks = true});
-  return {history.peaks, static_cast<int>(reported_impacts(history, chatter_speed(scene)).size()),
+  return {history.peaks, static_cast<int>(reported_impacts(scene, history, chatter_speed(scene)).size()),
           !reported_toppling(history).empty()};
 }
 
 MotionTally observed_tally(const Scene& scene, const History& history) {
-  return {peak_angles(history), static_cast<int>(observed_impacts(history, chatter_speed(scene)).size()),
+  return {peak_angles(history),
+          static_cast<int>(observed_impacts(scene, history, chatter_speed(scene)).size()),
           !observed_toppling(scene, history).empty()};
 }
 

@@ -62,6 +62,9 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, std::size_t m
 /// ranking over all. Empty where nothing can be ranked. `scenes`: in the order to be told.
 std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes);
 
+/// ", the first at 0.319 s and 3.13 m/s" of the impacts of a row that says when it first impacts, or nothing.
+std::string first_impact(const RunMetrics& row);
+
 /// What a comparison comes to, in sentences: the only place where they are made.
 struct ComparisonVerdict {
   /// Three at most: until when engines agree, what happens in them that does not exactly, and which sets are

@@ -48,7 +48,7 @@ Table seen_by_engines(const Scene& scene, std::size_t exact) {
   for (const char* engine : {"bullet", "ode"})
     for (const double dt : {1e-2, 1e-3, 1e-4})
       table.rows.push_back(
-          {engine, cell(dt), std::to_string(observed_impacts(answer(engine, scene, dt), 0).size())});
+          {engine, cell(dt), std::to_string(observed_impacts(scene, answer(engine, scene, dt), 0).size())});
   return table;
 }
 
@@ -67,7 +67,7 @@ LessonValues chatter_values(const Suite& suite, const std::vector<RunMetrics>& /
   const History coarse = solve(scene, {.resolution = 1e-6});
   return {
       .numbers = {{"impacts", std::to_string(impacts_of(history).size())},
-                  {"large", std::to_string(reported_impacts(history, chatter_speed(scene)).size())},
+                  {"large", std::to_string(reported_impacts(scene, history, chatter_speed(scene)).size())},
                   {"speed", fixed(chatter_speed(scene), 3)},
                   {"count", std::to_string(chatter.impacts.size())},
                   {"closure", fixed(chatter.closure, 6)},

@@ -132,9 +132,9 @@ std::string answer(const std::vector<Verdicts>& all) {
         },
         [](double number) { return fmt::format("{:g}", number); });
   };
-  return fmt::format("By engine: {} impacts matched, in the median {} off; {} missed, {} extra{}",
-                     count(&RunMetrics::impacts_matched, &Verdicts::numbers),
-                     span_of(all, median_size, rounded_duration),
+  const std::string matched = count(&RunMetrics::impacts_matched, &Verdicts::numbers);
+  return fmt::format("By engine: {} {} matched, in the median {} off; {} missed, {} extra{}", matched,
+                     matched == "1" ? "impact" : "impacts", span_of(all, median_size, rounded_duration),
                      count(&RunMetrics::impacts_missed, &Verdicts::missed),
                      count(&RunMetrics::impacts_extra, &Verdicts::extra),
                      std::ranges::any_of(all, replicated) ? "; counts are medians of replicates" : "");
@@ -210,8 +210,7 @@ std::string numbers(double last) {
 
 Drawing impact_times(const SceneSubject& subject) {
   const std::vector<Run> runs = subject.shown({"impacts.csv"}).engines;
-  if (runs.empty())
-    return subject.nothing("No engine run with impacts to compare; corners that land leaning are none.");
+  if (runs.empty()) return subject.nothing("No engine run with impacts to compare.");
   const std::vector<Verdicts> all = each_of(runs, verdicts_on);
   if (std::ranges::all_of(all, [](const Verdicts& one) { return one.numbers.empty(); }))
     return subject.nothing(without_matches(all));

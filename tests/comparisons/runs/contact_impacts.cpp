@@ -42,7 +42,7 @@ RunMetrics compared(const Scene& scene, const EngineRun& run) {
   RunFiles files;
   compare_with_exact(
       scene, suite,
-      {run.history, interval, observed_impacts(run.history, chatter_speed(scene)), false, run.bodies},
+      {run.history, interval, observed_impacts(scene, run.history, chatter_speed(scene)), false, run.bodies},
       scene.duration, row, files);
   return row;
 }
@@ -53,7 +53,7 @@ TEST(ContactImpacts, OfARockingBlockAreThoseOfTheExactMotionButForTheLead) {
   const Scene scene = rocking_block();
   const History exact = solve(scene, {});
   const Event& event = exact.events.at(0);
-  const int expected = static_cast<int>(reported_impacts(exact, chatter_speed(scene)).size());
+  const int expected = static_cast<int>(reported_impacts(scene, exact, chatter_speed(scene)).size());
   ASSERT_GE(expected, 3);
   // What gravity may change of an angular velocity within a step.
   const double pull = interval * scene.gravity / (2 * scene.blocks[0].half_height);

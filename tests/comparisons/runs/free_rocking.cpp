@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analytic/solve.hpp"
-#include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/sampled_patterns.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/free_rocking.hpp"
 #include "tests/native_engines.hpp"
@@ -35,8 +35,8 @@ TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
   const History engine = simulate(first_solver(), scene, dt, first_solver().tuned_parameters()).history;
   const History exact = solve(scene, {.sample_times = engine.times});
   const double slowest = chatter_speed(scene);
-  const auto expected = reported_impacts(exact, slowest);
-  const auto observed = observed_impacts(engine, slowest);
+  const auto expected = reported_impacts(scene, exact, slowest);
+  const auto observed = observed_impacts(scene, engine, slowest);
   ASSERT_FALSE(expected.empty());
   ASSERT_FALSE(observed.empty());
   EXPECT_EQ(observed.front().interface, 1);

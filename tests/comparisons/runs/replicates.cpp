@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
@@ -146,6 +148,22 @@ TEST(Replicates, PredictableTimeIsTheDurationUnlessHistoriesPart) {
   const Scene scene = free_rocking(3);
   EXPECT_EQ(predictable_time(scene, {.runs = 5}, 1e-2), scene.duration);
   EXPECT_LT(predictable_time(scene, {.runs = 5, .scene = 1e-2}, 1e-6), 0.1);
+}
+
+// A block that falls flat stays as it lands, and one that is tilted by however little turns there.
+TEST(Replicates, PredictableTimeOfAFlatDropEndsSoonAfterItsLanding) {
+  Scene scene;
+  scene.law = Law::unilateral;
+  scene.duration = 0.5;
+  scene.blocks = {make_block(0.5, 1, 2500)};
+  scene.initial = {{0}, {0}};
+  scene.initial.gaps = {0.3};
+  scene.friction = {0.5};
+  const double landing = std::sqrt(2 * 0.3 / scene.gravity),
+               time = predictable_time(scene, {.runs = 5}, 1e-2);
+  EXPECT_GT(time, landing);
+  EXPECT_LT(time, landing + std::sqrt(1 / scene.gravity));
+  EXPECT_EQ(flat_landing(solve(scene, {}), time).value(), solve(scene, {}).events.front().time);
 }
 
 // A block that rocks for a second; neighbours differ by a thousandth part and drift apart.

@@ -54,6 +54,32 @@ TEST(Perturbations, AreTheSameEachTimeAndOthersForOtherRunsAndSeeds) {
   EXPECT_NE(width(1, 3), width(2, 3));
 }
 
+// The upper one of two blocks starts in flight: nothing of it stays zero, and the lower one stands.
+TEST(Perturbations, ChangeWhatFliesByAmountsWhereAFactorLeavesZero) {
+  Scene scene;
+  scene.law = Law::unilateral;
+  scene.blocks = {make_block(1, 1, 2500), make_block(0.5, 2, 2500)};
+  scene.initial = {{0, 0}, {0, 0}};
+  scene.initial.gaps = {0, 0.3};
+  const Perturbations around{.runs = 20, .size = 1e-3, .seed = 5};
+  const double rate = std::sqrt(scene.gravity / 3);
+  for (int run = 0; run < around.runs; ++run) {
+    const Scene other = perturbed(scene, around, run);
+    const InitialState& start = other.initial;
+    for (const auto& [values, scale] : {std::pair{&start.angles, std::atan(0.25)},
+                                        {&start.velocities, std::atan(0.25) * rate},
+                                        {&start.slip_velocities, 2 * rate},
+                                        {&start.gap_velocities, 2 * rate}}) {
+      EXPECT_EQ(values->at(0), 0);
+      EXPECT_NE(values->at(1), 0);
+      EXPECT_LE(std::abs(values->at(1)), around.size * (1 + 3 * around.size) * scale);
+    }
+    EXPECT_EQ(start.gaps[0], 0);
+    EXPECT_NE(start.gaps[1], 0.3);
+    EXPECT_NO_THROW(validate(other));
+  }
+}
+
 // Sampled finely, the exact motion observed like an engine's comes to the same.
 TEST(MotionTallies, ReportedAndObservedAreTheSame) {
   Scene scene = two_blocks();

@@ -132,8 +132,8 @@ class Solution(Motion):
     @property
     def events(self) -> np.ndarray:
         """A structured array, one row an event: time (s), kind, interface (from 1, the ground's; of topple the block),
-        from and to (patterns), angles (rad), before and after (angular velocities, rad/s), each with shape (blocks,), and
-        consistency; shape (events,)."""
+        from and to (patterns), angles (rad), before and after (angular velocities, rad/s), each with shape (blocks,),
+        consistency, and approach (of impacts, the speed at which the gap closes, m/s; else NaN); shape (events,)."""
         columns = self._core.event_columns
         fields: list[Any] = []
         for name, values in columns.items():
@@ -145,12 +145,12 @@ class Solution(Motion):
         return table
 
     def events_to_pandas(self) -> Any:
-        """The events as a pandas.DataFrame: time, kind, interface, from, to, consistency, and theta_1, … (rad),
+        """The events as a pandas.DataFrame: time, kind, interface, from, to, consistency, approach, and theta_1, … (rad),
         omega_before_1, … and omega_after_1, … (rad/s)."""
         import pandas
 
         events = self.events
-        columns = {name: events[name] for name in ("time", "kind", "interface", "from", "to", "consistency")}
+        columns = {name: events[name] for name in ("time", "kind", "interface", "from", "to", "consistency", "approach")}
         for stem, name in (("theta", "angles"), ("omega_before", "before"), ("omega_after", "after")):
             columns |= {f"{stem}_{k + 1}": events[name][:, k] for k in range(events[name].shape[1])}
         return pandas.DataFrame(columns)

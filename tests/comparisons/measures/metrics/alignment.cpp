@@ -130,7 +130,7 @@ TEST(Alignment, HasAsManyPairsAsAnyOrderKeepingChoiceAndLosesNoImpact) {
 struct Rocking {
   Scene scene = free_rocking(5);
   History history = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
-  std::vector<ImpactTime> impacts = reported_impacts(history, chatter_speed(scene));
+  std::vector<ImpactTime> impacts = reported_impacts(scene, history, chatter_speed(scene));
 };
 
 /// The motion as it is, some time later: blocks that stand still until then.
@@ -152,7 +152,7 @@ std::vector<ImpactTime> shifted(std::vector<ImpactTime> impacts, double shift) {
 
 TEST(Matching, WithoutDriftAWindowIsThreeSteps) {
   const Rocking rocking;
-  const Difference none = difference(rocking.history, rocking.history);
+  const Difference none = gap_difference(rocking.scene, rocking.history, rocking.history);
   for (const double one : matching_windows(rocking.impacts, none, 1e-3)) EXPECT_EQ(one, 3e-3);
   EXPECT_EQ(matching_windows(rocking.impacts, none, 1e-3), still_windows(rocking.impacts, 1e-3));
 }
@@ -179,8 +179,8 @@ TEST(Matching, ImpactsThatNoDriftExplainsDoNotMatch) {
 TEST(Matching, TheDriftOfADelayedMotionIsItsDelay) {
   const Rocking rocking;
   const double delay = 8e-3, step = 1e-3;
-  const auto windows =
-      matching_windows(rocking.impacts, difference(rocking.history, delayed(rocking.history, delay)), step);
+  const auto windows = matching_windows(
+      rocking.impacts, gap_difference(rocking.scene, rocking.history, delayed(rocking.history, delay)), step);
   int covered = 0;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     double nearest = rocking.scene.duration;

@@ -41,6 +41,25 @@ TEST(Energy, IsZeroAtRestUpright) {
   }
 }
 
+// A block 1 mm wide and 1 km high: its centre rises by b sin θ − h (1 − cos θ), and a rounding of its height
+// is more than a thousandth of that.
+TEST(Energy, OfAVerySlenderBlockKeepsItsDigits) {
+  Scene scene;
+  scene.blocks = {make_block(1e-3, 1000, 2500)};
+  const double angle = 1e-7;
+  History history;
+  history.blocks = 1;
+  history.times = {0};
+  history.angles = {angle};
+  history.velocities = {0};
+  history.patterns = {closed_pattern(1)};
+  history.patterns[0][0] = Contact::right;
+  const double half = std::sin(angle / 2);
+  const double rise = 0.5e-3 * std::sin(angle) - 2 * 500 * half * half;
+  const double expected = scene.blocks[0].mass * scene.gravity * rise;
+  EXPECT_NEAR(energies(scene, history)[0], expected, 1e-14 * expected);
+}
+
 // Both sides count from the same zero: an engine starts with the exact solution's energy.
 TEST(Energy, EnginesStartWithThatOfTheExactSolution) {
   Scene scene = free_rocking(3);

@@ -16,8 +16,8 @@ TEST(Impacts, ObservedInSamplesOfTheExactSolutionAreTheReportedOnes) {
   const double interval = 1e-4;
   const History history = solve(scene, {.sample_times = regular_times(interval, scene.duration)});
   const double slowest = chatter_speed(scene);
-  const auto reported = reported_impacts(history, slowest);
-  const auto observed = observed_impacts(history, slowest);
+  const auto reported = reported_impacts(scene, history, slowest);
+  const auto observed = observed_impacts(scene, history, slowest);
   ASSERT_EQ(observed.size(), reported.size());
   ASSERT_GT(reported.size(), 5u);
   for (std::size_t i = 0; i < reported.size(); ++i) {
@@ -27,6 +27,71 @@ TEST(Impacts, ObservedInSamplesOfTheExactSolutionAreTheReportedOnes) {
     // Interpolation cannot leave the interval that holds the impact.
     EXPECT_NEAR(observed[i].time, reported[i].time, interval);
   }
+}
+
+Scene one_block() {
+  Scene scene;
+  scene.blocks = {make_block(1, 9.81, 2500)};  // its matching window is 0.1 s
+  return scene;
+}
+
+/// A cube of 0.4 m that falls flat by 1 m, and bounces.
+Scene falling_cube(double restitution) {
+  Scene scene;
+  scene.law = Law::unilateral;
+  scene.duration = 6;
+  scene.blocks = {make_block(0.4, 0.4, 6.25)};
+  scene.initial = {{0}, {0}};
+  scene.initial.gaps = {1};
+  scene.friction = {0.5};
+  scene.point_restitution = restitution;
+  return scene;
+}
+
+// It takes √(2h/g) to fall, and twice that between impacts; each is at √(2gh).
+TEST(Impacts, OfACubeThatBouncesFlatHaveTheSpeedOfItsFall) {
+  const Scene scene = falling_cube(1);
+  const double interval = 1e-3, fall = std::sqrt(2 / scene.gravity);
+  const History history = solve(scene, {.sample_times = regular_times(interval, scene.duration)});
+  const auto reported = reported_impacts(scene, history, chatter_speed(scene));
+  const auto observed = observed_impacts(scene, history, chatter_speed(scene));
+  ASSERT_EQ(reported.size(), 7U);
+  ASSERT_EQ(observed.size(), 7U);
+  for (std::size_t i = 0; i < reported.size(); ++i) {
+    EXPECT_TRUE(reported[i].lands && observed[i].lands);
+    EXPECT_NEAR(reported[i].time, (2 * static_cast<double>(i) + 1) * fall, 1e-12 * scene.duration);
+    EXPECT_NEAR(reported[i].approach, scene.gravity * fall, 1e-12 * scene.gravity * fall);
+    // Samples tell the mean speed of the interval before that of the impact.
+    EXPECT_NEAR(observed[i].approach, reported[i].approach, 2 * scene.gravity * interval);
+    EXPECT_NEAR(observed[i].time, reported[i].time, interval);
+  }
+}
+
+TEST(Impacts, AreOneWhereACubeLandsFlatAndStays) {
+  const Scene scene = falling_cube(0);
+  const History history = solve(scene, {.sample_times = regular_times(1e-2, scene.duration)});
+  EXPECT_EQ(reported_impacts(scene, history, chatter_speed(scene)).size(), 1U);
+  EXPECT_EQ(observed_impacts(scene, history, chatter_speed(scene)).size(), 1U);
+}
+
+// Engines keep blocks a little above what they stand on, and take two steps to stop one.
+TEST(Impacts, OfALandingThatEndsAboveTheFloorAreOneWhereLinesMeet) {
+  History history = solve(falling_cube(0), {.sample_times = regular_times(0.1, 1.2)});
+  history.gaps = {0.5, 0.4, 0.3, 0.2, 0.1, 0.0004, 0.0003, 0.0003, 0.0003, 0.0003, 0.0003, 0.0003, 0.0003};
+  const auto impacts = observed_impacts(falling_cube(0), history, 0.05);
+  ASSERT_EQ(impacts.size(), 1U);
+  EXPECT_NEAR(impacts[0].time, 0.5, 1e-3);
+  EXPECT_NEAR(impacts[0].approach, 1, 1e-12);
+}
+
+TEST(Impacts, OfARockingBlockHaveTheSpeedOfItsFarCorner) {
+  Scene scene = one_block();
+  scene.initial = {{0.05}, {0}};
+  scene.duration = 2;
+  const History history = solve(scene, {});
+  const ImpactTime first = reported_impacts(scene, history, chatter_speed(scene)).at(0);
+  EXPECT_FALSE(first.lands);
+  EXPECT_EQ(first.approach, std::abs(history.events[0].before[0]) * 1.0) << "1 m wide";
 }
 
 /// One block whose angle and velocity are given at times 0, 1, 2, … s.
@@ -40,20 +105,21 @@ History samples(const std::vector<double>& angles, const std::vector<double>& ve
 }
 
 TEST(Impacts, PassingZeroIsTimedByInterpolation) {
-  const auto impacts = observed_impacts(samples({0.3, 0.1, -0.1}, {-0.2, -0.2, -0.1}), 0.05);
+  const auto impacts = observed_impacts(one_block(), samples({0.3, 0.1, -0.1}, {-0.2, -0.2, -0.1}), 0.05);
   ASSERT_EQ(impacts.size(), 1u);
   EXPECT_NEAR(impacts[0].time, 1.5, 1e-15);
 }
 
 TEST(Impacts, StoppingShortOfZeroWithinAStepIsAnImpactToo) {
-  const auto impacts = observed_impacts(samples({0.25, 0.05, 0.001}, {-0.2, -0.2, 0}), 0.05);
+  const auto impacts = observed_impacts(one_block(), samples({0.25, 0.05, 0.001}, {-0.2, -0.2, 0}), 0.05);
   ASSERT_EQ(impacts.size(), 1u);
   EXPECT_NEAR(impacts[0].time, 1.25, 1e-15);
 }
 
 TEST(Impacts, SideIsThatToWhichTheInterfaceLeavesOrClosedWhereItIsSlow) {
   const auto side = [](double velocity) {
-    return observed_impacts(samples({0.3, 0.1, -0.1, -0.2}, {-0.2, -0.2, velocity, velocity}), 0.05)
+    return observed_impacts(one_block(), samples({0.3, 0.1, -0.1, -0.2}, {-0.2, -0.2, velocity, velocity}),
+                            0.05)
         .at(0)
         .side;
   };
@@ -63,93 +129,13 @@ TEST(Impacts, SideIsThatToWhichTheInterfaceLeavesOrClosedWhereItIsSlow) {
 }
 
 TEST(Impacts, TurningBackAwayFromZeroIsNone) {
-  EXPECT_TRUE(observed_impacts(samples({0.5, 0.3, 0.3, 0.5}, {-0.2, -0.1, 0.1, 0.2}), 0.05).empty());
+  EXPECT_TRUE(
+      observed_impacts(one_block(), samples({0.5, 0.3, 0.3, 0.5}, {-0.2, -0.1, 0.1, 0.2}), 0.05).empty());
 }
 
 TEST(Impacts, JitterBelowTheChatterSpeedIsNone) {
-  EXPECT_TRUE(observed_impacts(samples({1e-3, -1e-3, 1e-3}, {-2e-3, 2e-3, -2e-3}), 0.05).empty());
-}
-
-Scene one_block() {
-  Scene scene;
-  scene.blocks = {make_block(1, 9.81, 2500)};  // its matching window is 0.1 s
-  return scene;
-}
-
-/// Angles of one block at 0, 10, 20, … ms, as the letters of its contacts.
-std::string letters(const std::vector<double>& angles) {
-  History history;
-  history.blocks = 1;
-  history.angles = angles;
-  for (std::size_t i = 0; i < angles.size(); ++i) history.times.push_back(0.01 * static_cast<double>(i));
-  std::string word;
-  for (const Pattern& pattern : sampled_patterns(one_block(), history)) {
-    word += pattern[0] == Contact::left ? 'L' : pattern[0] == Contact::right ? 'R' : 'C';
-  }
-  return word;
-}
-
-TEST(SampledPatterns, PassingThroughTheMiddleIsNeverClosed) {
-  EXPECT_EQ(letters({0.01, 0.001, 1e-4, -1e-4, -0.001, -0.01}), "RRRLLL");
-  EXPECT_EQ(letters({-0.01, -0.01, 0.001, 0.01}), "LLRR");
-}
-
-TEST(SampledPatterns, ABriefTouchIsNeverClosed) {
-  EXPECT_EQ(letters({0.01, 0.001, -0.001, 0.001, 0.01}), "RRRRR");
-}
-
-TEST(SampledPatterns, StayingWithinTheBandIsClosed) {
-  std::vector<double> angles(14, 0.001);
-  angles.front() = angles.back() = 0.01;
-  EXPECT_EQ(letters(angles), "RCCCCCCCCCCCCR");
-}
-
-TEST(SampledPatterns, EndsOfAHistoryThatLieWithinTheBandAreClosed) {
-  EXPECT_EQ(letters({0, 0.001, 0.01, 0.001, 0}), "CCRCC");
-}
-
-// Outside the band the solver's own pattern and the one read from its samples are the same.
-TEST(SampledPatterns, OfTheExactSolutionAreItsOwnWhereAllInterfacesAreWideOpen) {
-  const Scene scene = free_rocking(3);
-  const History history = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
-  const auto patterns = sampled_patterns(scene, history);
-  int compared = 0;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const double base = history.angles_at(i)[0], top = history.angles_at(i)[1];
-    if (std::abs(base) < open_angle || std::abs(top - base) < open_angle) continue;
-    EXPECT_EQ(name(patterns[i]), name(history.patterns[i])) << history.times[i];
-    ++compared;
-  }
-  EXPECT_GT(compared, 100);
-}
-
-Pattern pattern(Contact contact) {
-  Pattern one = closed_pattern(1);
-  one[0] = contact;
-  return one;
-}
-
-const Pattern left = pattern(Contact::left), right = pattern(Contact::right), shut = closed_pattern(1);
-
-TEST(PatternShares, SumToOneAndAgreeWithThemselves) {
-  const std::vector<double> times{0, 1, 2, 4};
-  const auto shares = pattern_shares(times, {left, right, shut, shut}, {left, left, shut, shut});
-  ASSERT_EQ(shares.size(), 3U);
-  EXPECT_EQ(shares[0].share, 0.25);  // left and left from 0 to 1
-  EXPECT_EQ(shares[1].share, 0.25);
-  EXPECT_EQ(shares[2].share, 0.5);
-  EXPECT_EQ(agreement(shares), 0.75);
-}
-
-TEST(PatternSequences, OnlyTheOrderCounts) {
-  const std::vector<double> times{0, 1, 2, 3};
-  EXPECT_EQ(sequence_time(times, {left, left, right, right}, {left, right, right, right}), 3);
-}
-
-TEST(PatternSequences, PartAtTheEarlierOfTheFirstPatternsThatDiffer) {
-  const std::vector<double> times{0, 1, 2, 3};
-  EXPECT_EQ(sequence_time(times, {left, left, right, right}, {left, shut, right, right}), 1);
-  EXPECT_EQ(sequence_time(times, {left, left, left, right}, {left, left, left, left}), 3);
+  EXPECT_TRUE(
+      observed_impacts(one_block(), samples({1e-3, -1e-3, 1e-3}, {-2e-3, 2e-3, -2e-3}), 0.05).empty());
 }
 
 Scene released_block() {

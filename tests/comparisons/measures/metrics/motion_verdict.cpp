@@ -125,6 +125,21 @@ TEST(MotionVerdict, AnAccelerationBeyondWidthOverHeightTopples) {
   EXPECT_NE(verdict.find("; not valid from 0."), std::string::npos) << verdict << ": it falls by then";
 }
 
+// A column of two equal blocks whose faces stay together goes over as one block of their height.
+TEST(MotionVerdict, BlocksThatTurnAsOneToppleAsOne) {
+  Scene scene = one_block(0.3, 0);
+  scene.blocks = {make_block(0.5, 1.0, 2500), make_block(0.5, 1.0, 2500)};
+  scene.initial = {{0.3, 0.3}, {0, 0}};
+  scene.horizontal = {};
+  scene.duration = 5;
+  for (const Law law : {Law::consistent, Law::unilateral}) {
+    scene.law = law;
+    const std::string verdict =
+        motion_verdict(scene, solve(scene, {.sample_times = regular_times(0.01, scene.duration)}));
+    EXPECT_EQ(verdict.find("blocks 1 to 2 topple at "), 0U) << verdict;
+  }
+}
+
 // Corner on corner the lower face would hold the upper block, T/N = 0.199, and the upper one not, 0.418.
 TEST(MotionVerdict, TellsFromWhenOnSeveralMotionsObey) {
   Scene scene;
