@@ -134,7 +134,7 @@ std::vector<std::size_t> titled_series(const RecordTable& table, const std::opti
     return list;
   };
   for (const Quantity quantity : {Quantity::acceleration, Quantity::velocity, Quantity::displacement})
-    if (const auto list = those(quantity); !list.empty()) return list;
+    if (auto list = those(quantity); !list.empty()) return list;
   return those(std::nullopt);
 }
 

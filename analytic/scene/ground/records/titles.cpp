@@ -81,7 +81,7 @@ bool has_unit(std::string_view text) {
 /// Takes the unit off the end of a title: what stands in brackets, or else its last words.
 void take_unit(std::string& name, Title& title) {
   if (title.unit = read_unit(name); title.unit) return;
-  name.resize(name.find_last_not_of("_") + 1);
+  name.resize(name.find_last_not_of('_') + 1);
   const std::size_t open = last_bracket(name);
   if (open != name.npos) {
     const std::string inside(trimmed(std::string_view(name).substr(open + 1, name.size() - open - 2)));
