@@ -41,8 +41,8 @@ std::string table_text(const Json& table, const std::string& key) {
   std::string text;
   for (const auto& [name, value] : table.items())
     if (!value.is_object() && !is_tables(value))
-      text +=
-          name + " = " + (name == "title" ? toml_text(value.get<std::string>()) : toml_value(value)) + "\n";
+      text.append(name).append(" = ").append(name == "title" ? toml_text(value.get<std::string>())
+                                                             : toml_value(value)) += '\n';
   for (const auto& [name, value] : table.items()) {
     const std::string inner = key.empty() ? name : key + "." + name;
     for (const Json& entry : is_tables(value) ? value : Json::array({value}))

@@ -169,13 +169,17 @@ std::string freedom(const Scene& scene, const History& history) {
   return text.empty() ? held(history) : text;
 }
 
-/// What becomes of a block, from 1, and those that turn as one with it: "block 2 topples", "blocks 1 to 2
-/// topple".
-std::string toppling_words(const Pattern& pattern, int block) {
-  const auto turns_with_below = [&](int k) { return k <= pattern.size && pattern[k - 1] == Contact::closed; };
+/// "block 2 topples", "blocks 1 to 2 topple": a block, from 1, and its neighbours that have turned as far as
+/// it has, to a hundredth.
+std::string toppling_words(std::span<const double> angles, int block) {
+  const auto turned = [&](int k) { return angles[static_cast<std::size_t>(k) - 1]; };
+  const auto as_one = [&](int k) {
+    return k >= 1 && k <= static_cast<int>(angles.size()) &&
+           std::abs(turned(k) - turned(block)) <= 0.01 * std::abs(turned(block));
+  };
   int lowest = block, highest = block;
-  while (lowest > 1 && turns_with_below(lowest)) --lowest;
-  while (turns_with_below(highest + 1)) ++highest;
+  while (as_one(lowest - 1)) --lowest;
+  while (as_one(highest + 1)) ++highest;
   return lowest == highest ? fmt::format("block {} topples", block)
                            : fmt::format("blocks {} to {} topple", lowest, highest);
 }
@@ -183,9 +187,9 @@ std::string toppling_words(const Pattern& pattern, int block) {
 /// What ends a motion, of a block from 1.
 std::string end_words(const History& history, int block) {
   if (history.events.empty() || !ends_motion(history.events.back().kind))
-    return toppling_words(history.patterns.empty() ? Pattern() : history.patterns.back(), block);
+    return toppling_words(history.angles_at(history.size() - 1), block);
   const Event& last = history.events.back();
-  if (last.kind == EventKind::topple) return toppling_words(last.from, block);
+  if (last.kind == EventKind::topple) return toppling_words(last.angles, block);
   return fmt::format("block {} {}", block,
                      last.kind == EventKind::fall ? "falls off"
                      : block < 3                  ? "strikes the ground"

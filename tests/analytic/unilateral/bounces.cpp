@@ -218,8 +218,6 @@ TEST(Bounces, StacksMoveAsMoreausTimeStepsDo) {
   EXPECT_GT(impacts, 30U);
 }
 
-// A point that is just parting, and that another's impact takes with it, may gain some; of one block none
-// can.
 TEST(Bounces, EnergyNeverGrowsWithoutFriction) {
   std::size_t impacts = 0;
   for (std::uint64_t seed = 0; seed < 25; ++seed) {
@@ -227,7 +225,7 @@ TEST(Bounces, EnergyNeverGrowsWithoutFriction) {
     for (const ContactEvent<>& event : solve_unilateral(scene).events) {
       if (event.kind == EventKind::impact) ++impacts;
       EXPECT_FALSE(gains(scene, event)) << seed << ' ' << event.time;
-      EXPECT_FALSE(scene.blocks.size() == 1 && event.consistency == Consistency::gains) << seed;
+      EXPECT_NE(event.consistency, Consistency::gains) << seed << ' ' << event.time;
     }
   }
   EXPECT_GT(impacts, 1000U);

@@ -58,6 +58,7 @@ TEST(Perturbations, AreTheSameEachTimeAndOthersForOtherRunsAndSeeds) {
 TEST(Perturbations, ChangeWhatFliesByAmountsWhereAFactorLeavesZero) {
   Scene scene;
   scene.law = Law::unilateral;
+  scene.duration = 1;
   scene.blocks = {make_block(1, 1, 2500), make_block(0.5, 2, 2500)};
   scene.initial = {{0, 0}, {0, 0}};
   scene.initial.gaps = {0, 0.3};

@@ -235,6 +235,8 @@ TEST(Changes, EveryDrawnColumnIsReportedOrFollowsFromOthers) {
                                    "exact_peak_angle",
                                    "exact_peak_over_slenderness",
                                    "exact_gap",
+                                   "first_impact_time",
+                                   "first_impact_speed",
                                    "impacts",
                                    "impacts_matched",
                                    "impacts_matched_null",
