@@ -64,8 +64,9 @@ def checked(function: Function) -> Function:
     """A function, or a class, that refuses arguments of other types than stated, with a line that names the argument, its value and
     what it must be. Raises KeyError for a type that is not known here."""
     if isinstance(function, type):
-        setattr(function, "__init__", checked(vars(function)["__init__"]))
-        return function
+        checked_class: Any = function
+        checked_class.__init__ = checked(vars(function)["__init__"])
+        return checked_class
     parameters = inspect.signature(function).parameters.values()
     types = {parameter.name: _stated(ast.parse(parameter.annotation, mode="eval").body) for parameter in parameters
              if parameter.annotation is not parameter.empty}

@@ -119,5 +119,5 @@ def canon(engine: str | os.PathLike[str] | type[Worker], *, settings: str = "tun
     "rocking-impact"; None: all. engine and settings as of simulate(), progress as of solve_many().
     """
     with programs_of([engine]) as (program,), progress_bar(progress, "canon") as tell:
-        answers = _core.canon(program, settings, scenes, draws, tell)
+        answers = _core.canon(program, settings, None if scenes is None else list(scenes), draws, tell)
     return Canon({name: np.array([answer[name] for answer in answers]) for name in answers[0]} if answers else {})

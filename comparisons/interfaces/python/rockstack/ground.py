@@ -109,7 +109,7 @@ class GroundMotion(Mapping):
     @checked
     def acceleration(self, times: ArrayLike) -> np.ndarray:
         """At times ≥ 0 (s) of any shape, m/s²; the same shape."""
-        return self._core.acceleration(times)
+        return self._core.acceleration(np.asarray(times, dtype=float))
 
     @checked
     def sampled(self, interval: float) -> GroundMotion:
@@ -141,7 +141,7 @@ class GroundMotion(Mapping):
         201 from 0.02 to 10 s. `damping` is a fraction of critical."""
         if periods is not None and np.ndim(periods) != 1:
             raise wrong("periods", periods, "an array of one dimension")
-        return self._core.spectrum(periods, damping)
+        return self._core.spectrum(None if periods is None else np.asarray(periods, dtype=float), damping)
 
     def without_base_line(self) -> GroundMotion:
         """The motion less the straight line whose removal leaves the least mean square of the velocity."""

@@ -156,7 +156,7 @@ class Fragility:
     def probability(self, intensities: ArrayLike) -> np.ndarray:
         """Of toppling, by the curve; the shape of the intensities."""
         erf = np.vectorize(math.erf, otypes=[float])
-        return 0.5 * (1 + erf(np.log(intensities / self.median) / self.beta / np.sqrt(2)))
+        return 0.5 * (1 + erf(np.log(np.asarray(intensities, dtype=float) / self.median) / self.beta / np.sqrt(2)))
 
 
 @checked
