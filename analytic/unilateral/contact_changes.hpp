@@ -90,23 +90,23 @@ class ContactChatter {
     const bool one_flies =
         std::count_if(mode.begin(), mode.end(), std::mem_fn(&Joint<Real>::touches)) == stack_.size() - 1;
     for (int k = 0; k < stack_.size(); ++k) {
-      const auto slow = [&](const Joint<Real>& held) {
-        return parts_slowly(k, held, mode[k], after, acceleration, one_flies);
+      const auto hold = [&](Joint<Real> held) {
+        if (!held.touches()) return false;
+        held.slip = mode[k].slip;
+        if (!mode[k].touches()) {
+          const Real speed = kinematics_of(stack_, after, k, held).slip_row.dot(rates);
+          held.slip = (speed > slow_speed(k)) - (speed < -slow_speed(k));
+          // Corners part by the face that they would slide along: the other one is beside the corner from now
+          // on.
+          meet_face(stack_, k, held);
+        }
+        if (!parts_slowly(k, held, mode[k], after, acceleration, one_flies)) return false;
+        result[k] = held;
+        return true;
       };
-      std::optional<Joint<Real>> held;
-      if (slow(touching[k])) held = touching[k];
-      if (stack_.restitution > 0 && !mode[k].touches() && touching[k].touch == Contact::closed)
-        for (const int side : {-1, 1})
-          if (const Joint<Real> end = end_of(stack_, k, touching[k], side); !held && slow(end)) held = end;
-      if (!held) continue;
-      Joint<Real>& joint = result[k];
-      const int slip = joint.slip;
-      joint = *held;
-      joint.slip = slip;
-      if (mode[k].touches()) continue;
-      const Real speed = kinematics_of(stack_, after, k, joint).slip_row.dot(rates);
-      joint.slip = (speed > slow_speed(k)) - (speed < -slow_speed(k));
-      meet_face(stack_, k, joint);
+      if (hold(touching[k]) || stack_.restitution == 0 || mode[k].touches()) continue;
+      if (touching[k].touch == Contact::closed && !hold(end_of(stack_, k, touching[k], -1)))
+        hold(end_of(stack_, k, touching[k], 1));
     }
     return result;
   }

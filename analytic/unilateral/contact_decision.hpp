@@ -299,7 +299,7 @@ struct LookAhead {
   /// From what is given in units of √(H/g), 0: 6.7 √ε, and that unit.
   LookAhead(double given, const Real& unit)
       : shortest((given > 0 ? Real(given) : root_tolerance<Real>(1e-7)) * unit),
-        longest(Real(1e-4) * unit),
+        longest(Real(longest_look_ahead) * unit),
         time(shortest) {}
 
   /// A decision that does not last beyond its look-ahead time is taken for a later one, unless an impact

@@ -131,9 +131,12 @@ FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries
     Polynomial<Real>& whole = guard.series;
     const bool starts = fresh.starts(guard, time, decided);
     Real first = starts ? skipped : Real(0);
-    // Beside its face a corner may be lower, and come up before it meets it.
+    // Beside its face a corner may be lower, and come up before it meets it. Over its face it is lower where
+    // blocks below were put on each other, and is on it then.
+    const bool over =
+        guard.change == Change::landing && whole[0] >= -guard.sunk && is_over_face(guard, Real(0));
     const bool lower =
-        (guard.change == Change::landing || guard.within.terms > 0) && whole[0] < -guard.rounding;
+        !over && (guard.change == Change::landing || guard.within.terms > 0) && whole[0] < -guard.rounding;
     if (lower) {
       const std::optional<Real> above = first_crossing(times(-1, whole));
       if (!above) continue;

@@ -47,8 +47,10 @@ std::string table_text(const Json& table, const std::string& key) {
     const std::string inner = key.empty() ? name : key + "." + name;
     for (const Json& entry : is_tables(value) ? value : Json::array({value}))
       if (entry.is_object())
-        text +=
-            (is_tables(value) ? "\n[[" + inner + "]]\n" : "\n[" + inner + "]\n") + table_text(entry, inner);
+        text.append(is_tables(value) ? "\n[[" : "\n[")
+            .append(inner)
+            .append(is_tables(value) ? "]]\n" : "]\n")
+            .append(table_text(entry, inner));
   }
   return text;
 }

@@ -19,6 +19,9 @@ enum class Change : std::uint8_t {
   strike,  ///< a corner meets a body that is not next to its own
 };
 
+/// The longest time by which an event decides later, in units of √(H/g).
+inline constexpr double longest_look_ahead = 1e-4;
+
 /// Something that stays positive for as long as a mode lasts.
 template <class Real>
 struct Guard {
@@ -30,6 +33,7 @@ struct Guard {
   /// Of landing and strike: how far the corner is inside the face's end on its side, and on the other, m.
   Polynomial<Real> within = {}, within_other = {};
   Real rounding = 0;            ///< of these distances, m
+  Real sunk = 0;                ///< of landing: how deep other blocks' joints may put a corner, m
   Polynomial<Real> other = {};  ///< of fall from flight: what is negative beside it
 };
 
@@ -189,6 +193,7 @@ class GuardCollector {
         const CornerOnFace<Real> point = stack_.corner(k, side, below);
         Guard<Real>& guard = push_meeting(point, Change::landing, side, k);
         guard.below = below;
+        guard.sunk = Real(longest_look_ahead * longest_look_ahead) * stack_.height();
         if (below || point.face < 0) continue;
         // A block falls that is wholly beyond an end of the face below, and no longer above it.
         const Polynomial<Real> height = guard.series, inside = guard.within_other;

@@ -59,18 +59,22 @@ bool obeys_on_face(const Change& change, int k, double friction, const Point<dou
   return std::abs(tangential + std::copysign(friction * normal, slip)) <= 10 * rounding;
 }
 
-/// Whether no corner of one block goes into the face of its neighbour. `outward`: 1 for a top face.
+/// Whether no corner of one block goes into the face of its neighbour by more than roundings before the next
+/// event. `outward`: 1 for a top face.
 bool stays_out(const Scene& scene, const Bodies<>& bodies, int k, int owner, double corner_height,
-               const Face& face, int outward, double speed) {
+               const Face& face, int outward, const Approach& harmless) {
   const bool flat = std::abs(relative_angle(bodies.at, k)) < 1e-9;
   const Face own(scene, bodies.at, owner, corner_height);
   for (const int side : {-1, 1}) {
     const Point<double> corner = own.middle + side * own.half_width * own.along();
     const double beyond = std::abs((corner - face.middle).dot(face.along())) - face.half_width;
     const double gap = outward * (corner - face.middle).dot(face.across());
-    // What is apart by more than roundings has not met yet.
-    if (beyond > (flat ? 1e-9 : -1e-6) || std::abs(gap) > 1e-13) continue;
-    if (relative_velocity(bodies, k, corner).dot(face.across()) < -speed) return false;
+    // What is apart by more than roundings of its coordinates has not met yet.
+    const double roundings =
+        8 * std::numeric_limits<double>::epsilon() * (std::abs(corner.y()) + 2 * std::abs(corner_height));
+    if (beyond > (flat ? 1e-9 : -1e-6) || std::abs(gap) > roundings) continue;
+    const double approach = -relative_velocity(bodies, k, corner).dot(face.across());
+    if (approach > harmless.speed && approach * harmless.time > 2 * roundings) return false;
   }
   return true;
 }
@@ -96,11 +100,11 @@ bool obeys_laws(const Scene& scene, const Change& change) {
   return true;
 }
 
-bool nothing_approaches(const Scene& scene, const Bodies<>& bodies, double speed) {
+bool nothing_approaches(const Scene& scene, const Bodies<>& bodies, const Approach& harmless) {
   for (int k = 0; k < static_cast<int>(scene.blocks.size()); ++k) {
     const Face lower = top_of_lower(scene, bodies.at, k), upper = bottom_of_upper(scene, bodies.at, k);
-    if (!stays_out(scene, bodies, k, k, upper.height, lower, 1, speed)) return false;
-    if (k > 0 && !stays_out(scene, bodies, k, k - 1, lower.height, upper, -1, speed)) return false;
+    if (!stays_out(scene, bodies, k, k, upper.height, lower, 1, harmless)) return false;
+    if (k > 0 && !stays_out(scene, bodies, k, k - 1, lower.height, upper, -1, harmless)) return false;
   }
   return true;
 }
@@ -114,15 +118,17 @@ ImpactTally impacts_by_momenta(const Scene& scene, const ContactHistory<>& histo
   for (const Block& block : scene.blocks) mass += block.mass, height += 2 * block.half_height;
   const double fall = std::sqrt(scene.gravity * height);
   ImpactTally tally;
-  for (const ContactEvent<>& event : history.events) {
+  for (std::size_t k = 0; k < history.events.size(); ++k) {
+    const ContactEvent<>& event = history.events[k];
+    const double next = k + 1 < history.events.size() ? history.events[k + 1].time : scene.duration;
     const Poses<> change = difference(event.after, event.before);
     double scale = 0;
-    for (std::size_t k = 0; k < change.size(); ++k)
-      scale += scene.blocks[k].mass * std::hypot(change[k].x, change[k].y);
+    for (std::size_t body = 0; body < change.size(); ++body)
+      scale += scene.blocks[body].mass * std::hypot(change[body].x, change[body].y);
     if (scale < 1e-3 * mass * fall) continue;
     ++tally.impacts;
     if (!obeys_laws(scene, {event.at, event.after, change, {0, 0}, scale}) ||
-        !nothing_approaches(scene, {event.at, event.after}, 1e-9 * fall))
+        !nothing_approaches(scene, {event.at, event.after}, {1e-9 * fall, next - event.time}))
       ++tally.broken;
   }
   return tally;

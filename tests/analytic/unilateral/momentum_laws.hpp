@@ -18,8 +18,14 @@ struct Change {
 /// pair of corners is on may be either.
 bool obeys_laws(const Scene& scene, const Change& change);
 
-/// Whether no corner that is on a face goes into it, by more than a speed in m/s.
-bool nothing_approaches(const Scene& scene, const Bodies<>& bodies, double speed);
+/// What a corner on a face may approach it with.
+struct Approach {
+  double speed;  ///< of roundings, m/s
+  double time;   ///< s until the next event, in which it may go in by roundings of its coordinates
+};
+
+/// Whether no corner that is on a face goes into it.
+bool nothing_approaches(const Scene& scene, const Bodies<>& bodies, const Approach& harmless);
 
 Poses<> difference(const Poses<>& one, const Poses<>& other);
 
