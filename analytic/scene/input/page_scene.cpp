@@ -36,21 +36,21 @@ bool is_tables(const Json& value) {
   return value.is_array() && !value.empty() && value.front().is_object();
 }
 
-/// Values first, then tables, whose headers end those before.
-std::string table_text(const Json& table, const std::string& key) {
+/// Values first, then tables, whose headers end those before. `prefix`: of the tables' names, with its dot.
+std::string table_text(const Json& table, const std::string& prefix) {
   std::string text;
   for (const auto& [name, value] : table.items())
     if (!value.is_object() && !is_tables(value))
       text.append(name).append(" = ").append(name == "title" ? toml_text(value.get<std::string>())
                                                              : toml_value(value)) += '\n';
   for (const auto& [name, value] : table.items()) {
-    const std::string inner = key.empty() ? name : key + "." + name;
+    const std::string inner = prefix + name;
     for (const Json& entry : is_tables(value) ? value : Json::array({value}))
       if (entry.is_object())
         text.append(is_tables(value) ? "\n[[" : "\n[")
             .append(inner)
             .append(is_tables(value) ? "]]\n" : "]\n")
-            .append(table_text(entry, inner));
+            .append(table_text(entry, inner + '.'));
   }
   return text;
 }
