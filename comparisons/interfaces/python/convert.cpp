@@ -7,8 +7,13 @@
 namespace rockstack::python {
 namespace {
 
+/// What str() makes of a value; lone surrogates, which UTF-8 has none of, as escapes.
+std::string text_of(const py::handle& value) {
+  return py::bytes(py::str(value).attr("encode")("utf-8", "backslashreplace"));
+}
+
 std::string shown(const py::handle& value) {
-  return one_line(py::str(value).cast<std::string>());
+  return one_line(text_of(value));
 }
 
 void read_table(const py::object& items, Node& target, int depth) {
@@ -18,7 +23,7 @@ void read_table(const py::object& items, Node& target, int depth) {
     if (!py::isinstance<py::str>(pair.first))
       throw InputError(target.place + ": " + shown(pair.first) + ": a key must be a text");
     if (pair.second.is_none()) continue;
-    Node child = make_child(target, pair.first.cast<std::string>(), target.place);
+    Node child = make_child(target, text_of(pair.first), target.place);
     read_value(pair.second, child, depth + 1);
     target.children.push_back(std::move(child));
   }
@@ -97,7 +102,7 @@ void read_value(const py::handle& value, Node& target, int depth) {
     read_number(value, target);
   } else if (py::isinstance<py::str>(value) || py::hasattr(type, "__fspath__")) {
     target.kind = Node::Kind::text;
-    target.text = py::str(py::module_::import("os").attr("fspath")(value)).cast<std::string>();
+    target.text = text_of(py::module_::import("os").attr("fspath")(value));
   } else if (py::hasattr(type, "__array__")) {
     read_array(value, target, depth);
   } else if (py::hasattr(type, "items")) {

@@ -11,6 +11,7 @@ struct RowEvent {
     fails,   ///< a replicate; the row is done
     falls,   ///< or topples
     stands,  ///< where the exact motion falls
+    ends,    ///< by a fall, where the exact motion leans past balance as the scene ends
     thrown,  ///< up, by m
     sinks,   ///< in, by m, to the end
     hovers,  ///< at rest, m high

@@ -24,10 +24,11 @@ struct KindWords {
 };
 
 /// In the order of RowEvent::Kind.
-constexpr std::array<KindWords, 11> kind_words{
+constexpr std::array<KindWords, 12> kind_words{
     {{"fails", "some replicates fail", ""},
      {"", "blocks fall or topple that do not in the exact motion", ""},
      {"stands, though in the exact motion a block falls", "blocks stand that fall in the exact motion", ""},
+     {"", "blocks topple that lean past balance in the exact motion, and would fall later", ""},
      {"is thrown up by {}", "blocks are thrown up, by {} at most", "m"},
      {"sinks in by {}", "blocks sink in, by {} at most", "m"},
      {"hovers {} high", "blocks hover, {} high at most", "m"},
@@ -45,6 +46,11 @@ std::string fall_of(const RunMetrics& run) {
   return run.fallen.empty() ? with_verb(run.toppled, "topples") : with_verb(run.fallen, "has fallen off");
 }
 
+/// Whether a block falls before the scene ends.
+bool ends_early(const RunMetrics& run) {
+  return !run.toppled.empty() || !run.fallen.empty();
+}
+
 bool at_rest(const RunMetrics& run) {
   return run.motion && *run.motion <= rest_extent;
 }
@@ -56,6 +62,7 @@ std::map<Happening, double> events_in(const RunMetrics& run, const JudgedScene& 
     return {{run.toppling_verdict == TopplingVerdict::exact_alone ? Happening::stands : Happening::falls, 0}};
   if (run.toppling_verdict == TopplingVerdict::both) return {};
   std::map<Happening, double> events;
+  if (run.toppling_verdict == TopplingVerdict::unknown && ends_early(run)) events[Happening::ends] = 0;
   const auto add = [&](Happening kind, double size, double least) {
     if (size > least) events[kind] = size;
   };
@@ -64,14 +71,15 @@ std::map<Happening, double> events_in(const RunMetrics& run, const JudgedScene& 
                hover = run.hover.value_or(0);
   // What hovers has risen to there.
   add(Happening::thrown, run.gap.value_or(0), std::max(run.exact_gap.value_or(0) + tolerance, 1.1 * hover));
-  const bool thrown = !events.empty();
+  const bool thrown = events.contains(Happening::thrown);
   add(Happening::sinks, std::min(sinking, off), told);
   add(Happening::hovers, hover, told);
-  if (!thrown) {  // what is thrown goes on as it falls
+  if (!thrown && !events.contains(Happening::ends)) {  // what is thrown or topples goes on as it falls
     add(Happening::creeps, run.creep.value_or(0), told / scene.duration);
     add(Happening::turns, run.residual_motion.value_or(0), scene.tolerance / scene.duration);
-    add(Happening::dips, std::min(run.penetration.value_or(0), off), std::max(tolerance, 2 * sinking));
   }
+  if (!thrown)
+    add(Happening::dips, std::min(run.penetration.value_or(0), off), std::max(tolerance, 2 * sinking));
   if (events.empty()) add(Happening::shifts, run.offset.value_or(0), tolerance);
   if (events.empty() && at_rest(run) && !agrees(run, scene)) events[Happening::moves] = off;
   return events;
@@ -138,18 +146,18 @@ std::string agreement_of(const std::vector<RunMetrics>& runs, const JudgedScene&
 
 std::vector<RowEvent> events_of(const std::vector<RunMetrics>& runs, const JudgedScene& scene) {
   std::map<Happening, std::vector<double>> sizes;
-  std::string fall;
+  std::map<Happening, std::string> falls;
   for (const RunMetrics& run : runs)
     for (const auto& [kind, size] : events_in(run, scene)) {
       sizes[kind].push_back(size);
-      if (kind == Happening::falls && fall.empty()) fall = fall_of(run);
+      if (kind == Happening::falls || kind == Happening::ends) falls.try_emplace(kind, fall_of(run));
     }
   return each_of(sizes, [&](const auto& one) {
     const auto& [kind, list] = one;
     const auto [low, high] = std::ranges::minmax(list);
     const KindWords& words = words_of(kind);
-    std::string text = kind == Happening::falls
-                           ? fall
+    std::string text = falls.contains(kind)
+                           ? falls.at(kind)
                            : fmt::format(fmt::runtime(words.verb), range_text(low, high, words.unit));
     if (list.size() < runs.size()) text += fmt::format(" in {} of {} replicates", list.size(), runs.size());
     return RowEvent{kind, std::move(text), high};
@@ -162,7 +170,7 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, std::size_t m
   if (list.size() > most) return counted_events(list);
   const auto told = [&](const ReplicatedRow* row) {
     const RowEvent& gravest = row->events.front();
-    const char* subject = gravest.kind == Happening::falls ? ""
+    const char* subject = gravest.kind == Happening::falls || gravest.kind == Happening::ends ? ""
                           : gravest.kind == Happening::fails || gravest.kind == Happening::stands
                               ? "it "
                               : "a block ";

@@ -82,11 +82,18 @@ std::vector<Place> best_places(const Shares& shares) {
   return best;
 }
 
+/// The place that the method comes to, begun anew for as long as that brings it nearer: impacts make residuals
+/// bend, and its trust region shrinks at each bend.
 Place refined(Shares shares, Place place) {
-  Eigen::LevenbergMarquardt<Shares> method(shares);
-  method.parameters.xtol = method.parameters.ftol = 1e-12;
-  method.minimize(place.shares);
-  place.sum = shares.fitted.residuals(shares.at(place.shares)).squaredNorm();
+  for (double before = std::numeric_limits<double>::infinity(); place.sum < 0.9 * before;) {
+    before = place.sum;
+    Eigen::LevenbergMarquardt<Shares> method(shares);
+    method.parameters.xtol = method.parameters.ftol = 1e-12;
+    Place next = place;
+    method.minimize(next.shares);
+    next.sum = shares.fitted.residuals(shares.at(next.shares)).squaredNorm();
+    if (next.sum < place.sum) place = next;
+  }
   return place;
 }
 
@@ -249,7 +256,7 @@ Fit fit(const SceneDocument& document, const Measurement& measured, std::vector<
   const FittedScene fitted(document, measured, parameters, result.horizon);
   const Shares shares{fitted};
   std::vector<Place> places = best_places(shares);
-  for (Place& place : places) place = std::ranges::min(place, refined(shares, place), {}, &Place::sum);
+  for (Place& place : places) place = refined(shares, place);
   const Place& best = *std::ranges::min_element(places, {}, &Place::sum);
   const Values values = shares.at(best.shares);
   const VectorXd residuals = fitted.residuals(values);

@@ -122,7 +122,7 @@ class Solution(Motion):
         return json.loads(self._core.outcome)
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in (outcome := self.outcome):
+        if name.startswith("_") or name == "outcome" or name not in (outcome := self.outcome):
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}", name=name, obj=self)
         return outcome[name]
 

@@ -89,7 +89,7 @@ class SceneTest(unittest.TestCase):
                 rocking(**values)
 
     def test_any_value_anywhere_is_taken_or_refused(self):
-        junk = [None, True, 0, -1.0, math.nan, math.inf, 10 ** 400, "", "ä\n\x00", b"bytes", [], [[]], {}, {"a": 1}, {1: 2}, (),
+        junk = [None, True, 0, -1.0, math.nan, math.inf, 10 ** 400, "", "ä\n\x00", "\ud800", b"bytes", [], [[]], {}, {"a": 1}, {1: 2}, {"\ud800": 1}, (),
                 range(3), object(), np.array(3), np.zeros((0, 3)), np.zeros(3, dtype=complex), np.array(["a"]), np.float32(1),
                 np.array([None]), Path("x"), {1.0}, iter([1]), "paper", "1", [True], 1e-300]
         table = rockstack.Scene.read("flexible-foundation").to_dict()

@@ -71,6 +71,15 @@ TEST(Outcome, WhatSinksForAMomentOrRisesHigherThanExactlyIsTold) {
   EXPECT_EQ(told({row}), "is thrown up by 20 mm");
 }
 
+TEST(Outcome, ABlockThatTopplesWhereTheExactOneWouldLaterIsTold) {
+  RunMetrics row = moving();
+  row.largest_angle_difference = 0.12;
+  row.agreement_time = 0.919;
+  row.toppled = "block 1 at 1.367 s";
+  row.residual_motion = 1;
+  EXPECT_EQ(outcome({row}, scale), "agrees until 919 ms; block 1 topples at 1.37 s");
+}
+
 TEST(Outcome, ABlockThatLiesBesideItsBaseHasFallenOff) {
   RunMetrics row = resting();
   row.fallen = "block 2 at 1.25 s";
