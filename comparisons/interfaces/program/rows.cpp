@@ -80,10 +80,8 @@ void print_exact_rows(const std::vector<RunMetrics>& rows, std::size_t width) {
       fmt::print("no exact motion: {}\n", row.reason);
       continue;
     }
-    fmt::print("{}, {} with chatter{}; can be compared up to {}; solved in {}\n",
-               counted(static_cast<std::size_t>(row.impacts.value_or(0)), "impact"),
-               row.impacts.value_or(0) + row.slower_impacts.value_or(0), first_impact(row),
-               comparable_text(row), quantity_text(row.stepping_time_minimum.value_or(0), "s"));
+    fmt::print("{}; can be compared up to {}; solved in {}\n", impacts_text(row), comparable_text(row),
+               quantity_text(row.stepping_time_minimum.value_or(0), "s"));
     if (row.rms_test_difference) fmt::print("from the test: {}\n", thousandths(*row.rms_test_difference));
     fmt::print(line_format, "step ms", "engine:solver (set)", width, "angles mrad", "centres mm", "impact ms",
                "time ms", "outcome");

@@ -20,12 +20,7 @@ std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
   const std::string doubt = exact.outcome.empty() ? "" : ". It is " + exact.outcome;
   const std::string end = exact.toppled.empty() ? fmt::format("lasts {}", quantity_text(scene.duration, "s"))
                                                 : "ends as " + with_verb(exact.toppled, "falls");
-  if (exact.impacts.value_or(0) == 0)
-    return fmt::format("The exact motion {} and has no impact{}{}.", end,
-                       exact.slower_impacts.value_or(0) > 0 ? " but chatter" : "", doubt);
-  return fmt::format("The exact motion {} and has {} fast enough to be compared, {} with chatter{}{}.", end,
-                     counted(static_cast<std::size_t>(*exact.impacts), "impact"),
-                     *exact.impacts + exact.slower_impacts.value_or(0), first_impact(exact), doubt);
+  return fmt::format("The exact motion {} and has {}{}.", end, impacts_text(exact), doubt);
 }
 
 /// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
@@ -224,10 +219,15 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
 
 }  // namespace
 
-std::string first_impact(const RunMetrics& row) {
-  if (!row.first_impact_time || !row.first_impact_speed) return "";
-  return fmt::format(", the first at {} and {}", quantity_text(*row.first_impact_time, "s"),
-                     quantity_text(*row.first_impact_speed, "m/s"));
+std::string impacts_text(const RunMetrics& exact) {
+  const int slower = exact.slower_impacts.value_or(0);
+  if (exact.impacts.value_or(0) == 0) return slower > 0 ? "no impact but chatter" : "no impact";
+  std::string text = counted(static_cast<std::size_t>(*exact.impacts), "impact");
+  if (slower > 0) text += fmt::format(" and {} in chatter, too slow to be compared", slower);
+  if (exact.first_impact_time && exact.first_impact_speed)
+    text += fmt::format(", the first at {} and {}", quantity_text(*exact.first_impact_time, "s"),
+                        quantity_text(*exact.first_impact_speed, "m/s"));
+  return text;
 }
 
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes) {

@@ -62,8 +62,8 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, std::size_t m
 /// ranking over all. Empty where nothing can be ranked. `scenes`: in the order to be told.
 std::string nearest_sentence(const std::vector<ReplicatedRow>& rows, const std::vector<JudgedScene>& scenes);
 
-/// ", the first at 0.319 s and 3.13 m/s" of the impacts of a row that says when it first impacts, or nothing.
-std::string first_impact(const RunMetrics& row);
+/// "7 impacts and 3 in chatter, too slow to be compared, the first at 0.319 s and 3.13 m/s" of an exact row.
+std::string impacts_text(const RunMetrics& exact);
 
 /// What a comparison comes to, in sentences: the only place where they are made.
 struct ComparisonVerdict {

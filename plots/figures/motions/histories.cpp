@@ -66,8 +66,8 @@ void add_band(Sheet& sheet, const History& exact, double end) {
   sheet.note(
       of_paper
           ? "ticks: exact impacts below that block; patterns as Spanos et al. 2001 number them, Fig. 2"
-          : "ticks: exact impacts below that block; patterns from the ground up: C closed, L and R on the "
-            "left and right corner, – apart, ← → the way it slides",
+          : "ticks: exact impacts below that block; patterns from the ground up: C closed, L and R on that "
+            "corner, – apart, ← → sliding",
       "#444444");
 }
 

@@ -89,13 +89,15 @@ std::string flights_of(const Run& run, int blocks, double end) {
   const std::string more =
       times.size() > reported ? fmt::format(" and {} more", times.size() - reported) : "";
   times.resize(std::min(reported, times.size()));
-  return "apart: " + text_of_each(times, std::identity(), ", ") + more;
+  return "apart, where the exact slip is that of parting: " + text_of_each(times, std::identity(), ", ") +
+         more;
 }
 
 /// Of the whole motion.
 std::string slip_phrase(const Run& run, int blocks) {
   const auto history = history_of(run);
   std::vector<double> slips;
+  slips.reserve(static_cast<std::size_t>(blocks));
   for (int k = 0; k < blocks; ++k)
     slips.push_back(millimetres * largest_magnitude(column_of(*history, &History::slips, k)));
   const auto most = std::ranges::max_element(slips);
