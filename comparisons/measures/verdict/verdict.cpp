@@ -51,19 +51,23 @@ std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
   return same ? "" : by_step(rows, "Slips are off by at most: {}.", "m", &RunMetrics::slip_error);
 }
 
-void add_sequences(const std::vector<ReplicatedRow>& rows, std::vector<std::string>& sentences) {
+void add_sequences(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene,
+                   std::vector<std::string>& sentences) {
   std::size_t compared = 0, all = 0;
+  bool whole = true;
   for (const auto& one : rows) {
     if (!is_engine(one) || !one.impacts_missed) continue;
     ++compared;
+    whole = whole && one.horizon.value_or(scene.duration) >= scene.duration;
     if (one.impacts_missed == 0 && one.impacts_extra == 0) ++all;
   }
   if (compared > 0)
-    sentences.push_back(fmt::format("Of {} {} the exact sequence of impacts, none missed and none extra.",
+    sentences.push_back(fmt::format("Of {} {} the exact sequence of impacts{}, none missed and none extra.",
                                     counted(compared, "engine row"),
                                     all == 0   ? "none has"
                                     : all == 1 ? "1 has"
-                                               : fmt::format("{} have", all)));
+                                               : fmt::format("{} have", all),
+                                    whole ? "" : " up to the horizon"));
 }
 
 void add_beyond(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene,
@@ -145,7 +149,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
       by_step(rows, "The first impact is off by (+: late): {}.", "s",
               &RunMetrics::first_impact_time_difference, signed_quantity_text),
       slip_sentence(rows)};
-  add_sequences(rows, sentences);
+  add_sequences(rows, scene, sentences);
   add_beyond(rows, scene, sentences);
   for (const auto& one : rows)
     if (one.status != RunStatus::done)
