@@ -1,5 +1,6 @@
 #include "comparisons/studies/fit/fit.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -172,7 +173,7 @@ TEST(Fit, IntervalsHoldTheTruthWhateverTheClockShowsAtTheStart) {
 }
 
 TEST(Fit, AMotionWithoutNoiseHasBoundsOfRounding) {
-  constexpr const char* rocking = R"(duration = 2
+  constexpr const char* rocking = R"(duration = 4
 restitution = [0.9]
 [[blocks]]
 width = 0.4
@@ -186,16 +187,20 @@ column = "angle"
 )";
   const Tested truth(rocking, "time,angle\n0,0\n");
   MotionLibrary library;
-  const History motion = solve(make_scene(truth.document, library), {.sample_times = every(0.01, 2)});
-  const Tested test(rocking, measured_csv(motion.times, motion.angles));
-  const Fit found = fit(test.document, test.measured, {{"restitution.1", 0.8, 1}});
-  EXPECT_TRUE(found.parameters[0].holds(ratio));
-  EXPECT_LT(found.parameters[0].upper - found.parameters[0].lower, 1e-5);
-  EXPECT_TRUE(found.parameters[1].holds(0));
-  EXPECT_EQ(
-      meaning(found, test.measured),
-      std::vector<std::string>{"The fitted motion is the test's to rounding, over 201 readings up to 2 s: "
-                               "bounds are of rounding."});
+  for (const int seconds : {2, 3, 4}) {
+    SCOPED_TRACE(seconds);
+    const History motion = solve(make_scene(truth.document, library), {.sample_times = every(0.01, seconds)});
+    const Tested test(rocking, measured_csv(motion.times, motion.angles));
+    const Fit found = fit(test.document, test.measured, {{"restitution.1", 0.8, 1}});
+    EXPECT_TRUE(found.parameters[0].holds(ratio));
+    EXPECT_LT(found.parameters[0].upper - found.parameters[0].lower, 1e-5);
+    EXPECT_TRUE(found.parameters[1].holds(0));
+    EXPECT_EQ(
+        meaning(found, test.measured),
+        std::vector<std::string>{fmt::format(
+            "The fitted motion is the test's to rounding, over {} readings up to {} s: bounds are of rounding.",
+            100 * seconds + 1, seconds)});
+  }
 }
 
 /// How many intervals of 95 % hold the truth in a hundred tests: a motion with noise.
