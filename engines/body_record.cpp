@@ -51,12 +51,22 @@ double slip_of(const Face& lower, const Face& upper, double leaning) {
   return leaning * lower.half_length - seen_from(upper, corner(lower, leaning)).x();
 }
 
+/// Whether a block lies on the ground, to a hundredth of a height.
+bool lies_on_ground(const Block& block, const BlockPose& pose, double height) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const int face : {-1, 1})
+    for (const double side : {-1.0, 1.0})
+      lowest = std::min(lowest, corner(face_of(block, pose, face), side).y());
+  return lowest < 0.01 * height;
+}
+
 /// Goes through the samples of a trajectory that tells its bodies.
 class BodyAccount {
  public:
   BodyAccount(const Scene& scene, const Setup& setup, const Trajectory& trajectory)
       : scene_(scene), setup_(setup), trajectory_(trajectory) {
     record_.unsupported_since.assign(setup.blocks.size(), std::numeric_limits<double>::infinity());
+    for (const Block& block : scene.blocks) least_height_ = std::min(least_height_, 2 * block.half_height);
   }
 
   void next() {
@@ -120,7 +130,8 @@ class BodyAccount {
                                           : on_block(scene_.blocks[k - 1], poses_[k - 1], block, poses_[k]));
       const double start = scene_.initial.offsets.empty() ? 0 : scene_.initial.offsets[k];
       record_.slip = std::max(record_.slip, std::abs(state.slip - start));
-      const bool supported = std::isfinite(state.depth);
+      const bool supported =
+          std::isfinite(state.depth) && (k == 0 || !lies_on_ground(block, poses_[k], least_height_));
       record_.unsupported_since[k] =
           supported ? std::numeric_limits<double>::infinity() : std::min(record_.unsupported_since[k], time);
       if (!supported) continue;
@@ -134,6 +145,7 @@ class BodyAccount {
   const Scene& scene_;
   const Setup& setup_;
   const Trajectory& trajectory_;
+  double least_height_ = std::numeric_limits<double>::infinity();  ///< of a block, m
   GroundStep ground_;  ///< where the ground is, and how fast it has moved over the last step
   std::size_t samples_ = 0;
   std::vector<BlockPose> poses_, last_poses_;  ///< in the ground's frame, one a block

@@ -39,7 +39,8 @@ struct BodyRecord {
   std::vector<double> penetration;
   /// Centres of mass at each sample, x and y in turn, from the middle of the ground's interface, m.
   std::vector<double> centres;
-  /// Since when each block has had nothing of what it stood on below it, s; infinite where it has at the end.
+  /// Since when each block has had nothing of what it stood on below it, or has lain on the ground beside it,
+  /// s; infinite where neither is so at the end.
   std::vector<double> unsupported_since;
   std::optional<ContactRecord> contacts;  ///< where the engine tells them
   /// Largest height of a block over what it stands on at each sample, m.

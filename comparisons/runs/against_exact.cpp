@@ -98,16 +98,17 @@ void add_patterns(const Scene& scene, const std::vector<double>& times, const Hi
   files["patterns.csv"] = patterns_csv(shares);
 }
 
-/// What rises in the exact motion, and what goes on in the other where that has come to rest.
-void add_rest(const Scene& scene, const History& exact, const BodyRecord& bodies, RunMetrics& row) {
-  row.exact_gap = 0;
-  for (const double gap : exact.gaps)
-    if (std::isfinite(gap)) row.exact_gap = std::max(*row.exact_gap, gap);
-  if (const auto unrest = unrest_of(scene, exact, bodies.centres, bodies.gaps)) {
-    row.hover = unrest->hover;
-    row.creep = unrest->creep;
-    row.offset = unrest->offset;
-  }
+/// What rises higher than in the exact motion, and what goes on where that does not.
+void add_rest(const Scene& scene, const History& exact, const CandidateMotion& candidate, double horizon,
+              RunMetrics& row) {
+  constexpr double lag = 2;  // steps: engines are late by about one
+  const BodyRecord& bodies = *candidate.bodies;
+  row.rise = largest_rise(exact, bodies.gaps, horizon, lag * candidate.interval);
+  const Unrest unrest = unrest_of(scene, exact, candidate.history, bodies.centres, bodies.gaps);
+  row.hover = unrest.hover;
+  row.turn = unrest.turn;
+  row.creep = unrest.creep;
+  row.offset = unrest.offset;
 }
 
 CornerSpring corner_of(const ContactRecord& contacts) {
@@ -281,7 +282,7 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
   if (wanted.patterns) add_patterns(scene, compared.times, exact, history, row, files);
   const bool bodies = candidate.bodies && wanted.bodies;
   if (bodies) add_bodies(scene, *candidate.bodies, row);
-  if (bodies) add_rest(scene, exact, *candidate.bodies, row);
+  if (bodies) add_rest(scene, exact, candidate, horizon, row);
   if (bodies && wanted.impacts) add_contact_impacts(scene, exact, candidate, gaps, horizon, row, files);
   if (bodies && suite.softness) add_parts(scene, exact, candidate, horizon, wanted.histories, row, files);
   if (!wanted.histories) return;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "analytic/scene/kinematics.hpp"
@@ -168,6 +169,24 @@ TEST(Bodies, ABlockHasFallenOffSinceItLastHadSomethingBelowIt) {
   };
   EXPECT_EQ(since({0, 0.3, 0.5, 0.3, 0.5, 0.6}), (std::vector<double>{infinity, 4 * dt}));
   EXPECT_EQ(since({0, 0.3, 0.5, 0.6, 0.5, 0.3}), (std::vector<double>{infinity, infinity}));
+}
+
+// The same cubes: the upper one turns by 45° over the edge of the lower one, on which it still leans at the
+// end.
+TEST(Bodies, ABlockThatLiesOnTheGroundBesideItsBaseHasFallen) {
+  Scene scene;
+  scene.duration = 0.2;
+  scene.blocks = {make_block(0.4, 0.4, 2500), make_block(0.4, 0.4, 2500)};
+  scene.initial = {{0, 0}, {0, 0}};
+  const double dt = 0.1, corner = 0.2 * std::numbers::sqrt2,
+               infinity = std::numeric_limits<double>::infinity();
+  Trajectory cubes;
+  cubes.angles = {0, 0, 0, std::numbers::pi / 4, 0, std::numbers::pi / 4};
+  cubes.velocities.assign(6, 0);
+  for (const double height : {0.6, corner + 0.1, corner})
+    cubes.bodies.insert(cubes.bodies.end(), {{.x = 0, .y = 0.2}, {.x = 0.39, .y = height}});
+  const BodyRecord record = account_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
+  EXPECT_EQ(record.unsupported_since, (std::vector<double>{infinity, 2 * dt}));
 }
 
 /// A slender block under one sine in both directions that lifts it; it does not come back in time to hit.

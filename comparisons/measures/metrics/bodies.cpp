@@ -6,6 +6,37 @@ namespace {
 /// Up to what share of the least block height centres have not moved.
 constexpr double rest_share = 1e-9;
 
+/// The last tenth of an exact motion's samples. Quantities are vectors at a sample.
+struct LastTenth {
+  const History& exact;
+  std::size_t first, last;
+
+  /// Whether a quantity stays, by what it is measured by.
+  template <class Quantity>
+  bool rests(const Quantity& quantity, double scale) const {
+    const Vector<double> end = quantity(last);
+    for (std::size_t i = first; i < last; ++i)
+      if ((quantity(i) - end).cwiseAbs().maxCoeff() > rest_share * scale) return false;
+    return true;
+  }
+
+  /// The largest speed at which a part of a quantity, of so many numbers, goes one way in both halves.
+  template <class Quantity>
+  double largest_drift(const Quantity& quantity, int part) const {
+    const std::size_t middle = (first + last) / 2;
+    const Vector<double> before = (quantity(middle) - quantity(first)) /
+                                  (exact.times[middle] - exact.times[first]),
+                         after =
+                             (quantity(last) - quantity(middle)) / (exact.times[last] - exact.times[middle]);
+    double drift = 0;
+    for (Eigen::Index k = 0; k < before.size(); k += part) {
+      const auto one = before.segment(k, part), other = after.segment(k, part);
+      if (one.dot(other) > 0) drift = std::max(drift, std::min(one.norm(), other.norm()));
+    }
+    return drift;
+  }
+};
+
 }  // namespace
 
 Points<double> centre_places(const Stack<double>& stack, const History& history, std::size_t sample) {
@@ -67,31 +98,54 @@ double extent_of_motion(const Scene& scene, const History& history, const std::v
   return std::max(turn, way / least_height(scene.blocks));
 }
 
-std::optional<Unrest> unrest_of(const Scene& scene, const History& exact, const std::vector<double>& centres,
-                                const std::vector<double>& gaps) {
+Unrest unrest_of(const Scene& scene, const History& exact, const History& motion,
+                 const std::vector<double>& centres, const std::vector<double>& gaps) {
   const std::size_t count = std::min(exact.size(), gaps.size());
   if (count < 20) return {};
   const Stack<double> stack = make_stack<double>(scene);
-  const std::size_t last = count - 1, first = count - count / 10, middle = (first + last) / 2;
-  const Points<double> rest = centre_places(stack, exact, last);
-  for (std::size_t i = first; i < last; ++i)
-    if ((centre_places(stack, exact, i) - rest).cwiseAbs().maxCoeff() >
-        rest_share * least_height(scene.blocks))
-      return {};
-  const auto at = [&](std::size_t sample) {
-    return Points<double>::Map(centres.data() + 2 * sample * scene.blocks.size(), 2, stack.size());
+  const LastTenth tenth{exact, count - count / 10, count - 1};
+  const auto exact_angles = [&](std::size_t sample) { return vector_of(exact.angles_at(sample)); };
+  const auto exact_places = [&](std::size_t sample) {
+    return Vector<double>(centre_places(stack, exact, sample).reshaped());
   };
-  const Points<double> before = (at(middle) - at(first)) / (exact.times[middle] - exact.times[first]),
-                       after = (at(last) - at(middle)) / (exact.times[last] - exact.times[middle]);
+  const auto angles = [&](std::size_t sample) { return vector_of(motion.angles_at(sample)); };
+  const auto places = [&](std::size_t sample) {
+    return Vector<double>(Vector<double>::Map(centres.data() + 2 * sample * scene.blocks.size(),
+                                              Eigen::Index{2} * stack.size()));
+  };
   Unrest unrest;
-  for (int k = 0; k < stack.size(); ++k)
-    if (before.col(k).dot(after.col(k)) > 0)
-      unrest.creep = std::max(unrest.creep, std::min(before.col(k).norm(), after.col(k).norm()));
-  unrest.offset = (at(last) - rest).colwise().norm().maxCoeff();
-  const auto shown = std::span(gaps).subspan(first, count - first);
-  const auto [low, high] = std::minmax_element(shown.begin(), shown.end());
-  if (*high - *low < 0.01 * *high) unrest.hover = *low;
+  if (tenth.rests(exact_angles, 1)) unrest.turn = tenth.largest_drift(angles, 1);
+  if (tenth.rests(exact_places, least_height(scene.blocks))) {
+    unrest.creep = tenth.largest_drift(places, 2);
+    unrest.offset =
+        (places(tenth.last) - exact_places(tenth.last)).reshaped(2, stack.size()).colwise().norm().maxCoeff();
+  }
+  const auto shown = [&](const std::vector<double>& list) {
+    return std::span(list).subspan(tenth.first, count - tenth.first);
+  };
+  const auto [low, high] = std::ranges::minmax_element(shown(gaps));
+  if (std::ranges::max(shown(largest_gaps(exact))) == 0)
+    unrest.hover = *high - *low < 0.01 * *high ? *low : 0;
   return unrest;
+}
+
+std::vector<double> largest_gaps(const History& history) {
+  std::vector<double> list(history.size(), 0);
+  const auto blocks = static_cast<std::size_t>(history.blocks);
+  for (std::size_t i = 0; i < history.gaps.size(); ++i)
+    if (std::isfinite(history.gaps[i])) list[i / blocks] = std::max(list[i / blocks], history.gaps[i]);
+  return list;
+}
+
+double largest_rise(const History& exact, const std::vector<double>& gaps, double horizon, double lag) {
+  std::vector<double> later = largest_gaps(exact);  // the largest from each sample on
+  for (std::size_t i = later.size(); i-- > 1;) later[i - 1] = std::max(later[i - 1], later[i]);
+  double rise = 0;
+  for (std::size_t i = 0, from = 0; i < std::min(later.size(), gaps.size()); ++i) {
+    while (exact.times[from] < std::min(exact.times[i], horizon) - lag) ++from;
+    rise = std::max(rise, gaps[i] - later[from]);
+  }
+  return rise;
 }
 
 double least_height(const std::vector<Block>& blocks) {

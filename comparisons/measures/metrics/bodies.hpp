@@ -37,20 +37,28 @@ double extent_of_motion(const Scene& scene, const History& history, const std::v
 /// The least height of a block, m: what positions are held against.
 double least_height(const std::vector<Block>& blocks);
 
-/// What bodies still do over the last tenth of their samples, where the exact motion is at rest all that
-/// time.
+/// What bodies still do over the last tenth of their samples. Each is told where the exact motion has none of
+/// it all that time: `hover` where nothing is apart, `turn` where no angle changes, the others at rest.
 struct Unrest {
-  double hover = 0;   ///< height at which one stays over what it stands on, m
-  double creep = 0;   ///< speed at which a centre goes one way, m/s
-  double offset = 0;  ///< largest distance of a centre from the exact one at the end, m
+  std::optional<double> hover = {};   ///< height at which one stays over what it stands on, m
+  std::optional<double> turn = {};    ///< speed at which angles go one way, rad/s
+  std::optional<double> creep = {};   ///< speed at which a centre goes one way, m/s
+  std::optional<double> offset = {};  ///< largest distance of a centre from the exact one at the end, m
 };
 
-/// From centres as centres_of() has them and the largest gap, m, at each of the first samples of `exact`. A
-/// gap that varies by a hundredth is none at which a block stays; the creep is the smaller of the mean
-/// velocities in both halves of that time, 0 where these point apart. Nothing where the exact motion is not
-/// at rest, or of less than 20 samples.
-std::optional<Unrest> unrest_of(const Scene& scene, const History& exact, const std::vector<double>& centres,
-                                const std::vector<double>& gaps);
+/// From a motion, its centres as centres_of() has them and the largest gap, m, at each of the first samples
+/// of `exact`. A gap that varies by a hundredth is none at which a block stays; what goes one way has the
+/// smaller of its mean velocities in both halves of that time, 0 where these point apart. Nothing of less
+/// than 20 samples.
+Unrest unrest_of(const Scene& scene, const History& exact, const History& motion,
+                 const std::vector<double>& centres, const std::vector<double>& gaps);
+
+/// The largest height, m, of a block over what it stands on at each sample; zero where places do not tell.
+std::vector<double> largest_gaps(const History& history);
+
+/// By how much the gaps of a motion exceed all that the exact motion has from `lag`, s, before that time on,
+/// m, at the samples of both. Beyond `horizon`, s, where times do not tell, from the horizon on.
+double largest_rise(const History& exact, const std::vector<double>& gaps, double horizon, double lag);
 
 /// How deep a block must have sunk in for that to be told, as a share of the least block height.
 inline constexpr double told_sinking = 1e-3;

@@ -13,12 +13,12 @@ struct RowEvent {
     stands,  ///< where the exact motion falls
     ends,    ///< by a fall, where the exact motion leans past balance as the scene ends
     thrown,  ///< up, by m
+    shifts,  ///< and rests, m off
     sinks,   ///< in, by m, to the end
     hovers,  ///< at rest, m high
     creeps,  ///< to the end, m/s
     turns,   ///< to the end, rad/s
     dips,    ///< sinks in for a moment, by m
-    shifts,  ///< and rests, m off
     moves,   ///< for a while where the exact motion rests, by m
   };
   Kind kind{};

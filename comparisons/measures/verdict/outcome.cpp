@@ -30,12 +30,12 @@ constexpr std::array<KindWords, 12> kind_words{
      {"stands, though in the exact motion a block falls", "blocks stand that fall in the exact motion", ""},
      {"", "blocks topple that lean past balance in the exact motion, and would fall later", ""},
      {"is thrown up by {}", "blocks are thrown up, by {} at most", "m"},
+     {"is {} off at the end", "blocks come to rest elsewhere, {} off at most", "m"},
      {"sinks in by {}", "blocks sink in, by {} at most", "m"},
      {"hovers {} high", "blocks hover, {} high at most", "m"},
      {"creeps at {} to the end", "blocks creep to the end, at {} at most", "m/s"},
      {"turns at {} to the end", "blocks turn to the end, at {} at most", "rad/s"},
      {"sinks in by {} for a moment", "blocks sink in for a moment, by {} at most", "m"},
-     {"is {} off at the end", "blocks come to rest elsewhere, {} off at most", "m"},
      {"moves by {} for a while", "blocks that rest are moved for a while, by {} at most", "m"}}};
 
 const KindWords& words_of(Happening kind) {
@@ -67,20 +67,26 @@ std::map<Happening, double> events_in(const RunMetrics& run, const JudgedScene& 
     if (size > least) events[kind] = size;
   };
   const double tolerance = scene.tolerance * scene.least_height, told = told_sinking * scene.least_height,
-               off = run.largest_position_difference.value_or(0), sinking = run.sinking.value_or(0),
-               hover = run.hover.value_or(0);
+               off = run.largest_position_difference.value_or(0), hover = run.hover.value_or(0),
+               creep = run.creep.value_or(0);
+  // What is nowhere else than in the exact motion has not sunk in, as far as that can be said.
+  const bool whole = run.horizon.value_or(scene.duration) >= scene.duration;
+  const auto sunk = [&](const std::optional<double>& depth) {
+    return whole ? std::min(depth.value_or(0), off) : depth.value_or(0);
+  };
+  const double sinking = sunk(run.sinking);
   // What hovers has risen to there.
-  add(Happening::thrown, run.gap.value_or(0), std::max(run.exact_gap.value_or(0) + tolerance, 1.1 * hover));
+  add(Happening::thrown, run.rise.value_or(0), std::max(tolerance, 1.1 * hover));
   const bool thrown = events.contains(Happening::thrown);
-  add(Happening::sinks, std::min(sinking, off), told);
+  // What sinks in, hovers and creeps is off by that.
+  add(Happening::shifts, run.offset.value_or(0), tolerance + 2 * (sinking + hover) + creep * scene.duration);
+  add(Happening::sinks, sinking, told);
   add(Happening::hovers, hover, told);
   if (!thrown && !events.contains(Happening::ends)) {  // what is thrown or topples goes on as it falls
-    add(Happening::creeps, run.creep.value_or(0), told / scene.duration);
-    add(Happening::turns, run.residual_motion.value_or(0), scene.tolerance / scene.duration);
+    add(Happening::creeps, creep, told / scene.duration);
+    add(Happening::turns, run.turn.value_or(0), scene.tolerance / scene.duration);
   }
-  if (!thrown)
-    add(Happening::dips, std::min(run.penetration.value_or(0), off), std::max(tolerance, 2 * sinking));
-  if (events.empty()) add(Happening::shifts, run.offset.value_or(0), tolerance);
+  if (!thrown) add(Happening::dips, sunk(run.penetration), std::max(tolerance, 2 * sinking));
   if (events.empty() && at_rest(run) && !agrees(run, scene)) events[Happening::moves] = off;
   return events;
 }

@@ -166,7 +166,7 @@ std::string steps_csv(const std::vector<LargestSteps>& list) {
 Json limits_json() {
   constexpr StabilityLimits limits = stability_limits;
   return {{"unstable_energy", limits.unstable_energy},
-          {"unstable_gap", limits.unstable_gap},
+          {"unstable_rise", limits.unstable_rise},
           {"unstable_tilt", limits.unstable_tilt},
           {"energy", limits.energy},
           {"penetration", limits.penetration},
@@ -190,7 +190,7 @@ StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene) {
   std::string unstable = first_beyond(
       {{"energy gained, of what tips the stack over,", row.energy_gain, scale.tipping,
         limits.unstable_energy},
-       {"a block thrown up, of the smallest height,", row.gap, scale.height, limits.unstable_gap},
+       {"a block thrown up, of the smallest height,", row.rise, scale.height, limits.unstable_rise},
        {"tilt out of the plane", row.out_of_plane_tilt, 1, limits.unstable_tilt}});
   if (unstable.empty() && row.toppling_verdict == TopplingVerdict::engine_alone)
     unstable = "topples though the exact solution does not";

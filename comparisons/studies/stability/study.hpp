@@ -9,14 +9,14 @@ namespace rockstack {
 /// slenderness, and of √(g/H), H the stack's height.
 struct StabilityLimits {
   double unstable_energy = 0.5;  ///< energy gained that could tip over what stands
-  double unstable_gap = 0.1;     ///< height above what a block stands on: it is thrown up
-  double unstable_tilt = 0.1;    ///< sine of an angle out of the plane
-  double energy = 0.05;          ///< energy gained
-  double penetration = 0.01;     ///< of the height
-  double slip = 0.02;            ///< of the width
-  double out_of_plane = 0.01;    ///< of the width
-  double angle = 0.05;           ///< difference from the exact angles, of the slenderness
-  double residual = 1e-3;        ///< angular velocity left where the exact stack is at rest
+  double unstable_rise = 0.1;  ///< height beyond the exact one above what a block stands on: it is thrown up
+  double unstable_tilt = 0.1;  ///< sine of an angle out of the plane
+  double energy = 0.05;        ///< energy gained
+  double penetration = 0.01;   ///< of the height
+  double slip = 0.02;          ///< of the width
+  double out_of_plane = 0.01;  ///< of the width
+  double angle = 0.05;         ///< difference from the exact angles, of the slenderness
+  double residual = 1e-3;      ///< angular velocity left where the exact stack is at rest
 };
 
 inline constexpr StabilityLimits stability_limits;

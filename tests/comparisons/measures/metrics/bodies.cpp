@@ -156,29 +156,46 @@ TEST(SoftContact, ConvergesWhereItsSpringStaysTheSame) {
   }
 }
 
-/// What is told of one block at rest whose centre goes by so much, m, at each of 101 times within 1 s.
+/// What is told of one block at rest whose centre goes by so much, m, and turns by as much, rad, at each of
+/// 101 times within 1 s.
 template <class Way>
-std::optional<Unrest> unrest(const Way& way, double height) {
+Unrest unrest(const Way& way, double height) {
   Scene scene = free_rocking(1);
   scene.blocks.resize(1);
   scene.initial = {{0}, {0}};
   const History exact = solve(scene, {.sample_times = regular_times(0.01, 1)});
   std::vector<double> centres = centres_of(scene, exact), gaps(exact.size(), height);
-  for (std::size_t i = 0; i < exact.size(); ++i) centres[2 * i] += way(exact.times[i]);
-  return unrest_of(scene, exact, centres, gaps);
+  History motion = exact;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    centres[2 * i] += way(exact.times[i]);
+    motion.angles[i] += way(exact.times[i]);
+  }
+  return unrest_of(scene, exact, motion, centres, gaps);
 }
 
 TEST(Unrest, OfASteadyCreepIsItsSpeedAndOfATrembleNothing) {
-  const auto creep = unrest([](double time) { return 7e-3 * time; }, 0.015);
-  ASSERT_TRUE(creep);
-  EXPECT_NEAR(creep->creep, 7e-3, 1e-12);
-  EXPECT_NEAR(creep->offset, 7e-3, 1e-12);
-  EXPECT_EQ(creep->hover, 0.015);
-  const auto slowing = unrest([](double time) { return -0.5 * (1 - time) * (1 - time); }, 0);
-  EXPECT_LT(slowing->creep, 0.05) << "the mean over the last tenth";
-  const auto tremble =
+  const Unrest creep = unrest([](double time) { return 7e-3 * time; }, 0.015);
+  EXPECT_NEAR(creep.creep.value(), 7e-3, 1e-12);
+  EXPECT_NEAR(creep.turn.value(), 7e-3, 1e-12);
+  EXPECT_NEAR(creep.offset.value(), 7e-3, 1e-12);
+  EXPECT_EQ(creep.hover.value(), 0.015);
+  const Unrest slowing = unrest([](double time) { return -0.5 * (1 - time) * (1 - time); }, 0);
+  EXPECT_LT(slowing.creep.value(), 0.05) << "the mean over the last tenth";
+  const Unrest tremble =
       unrest([](double time) { return 1e-3 * std::cos(2 * std::numbers::pi * time / 0.1); }, 0);
-  EXPECT_EQ(tremble->creep, 0);
+  EXPECT_EQ(tremble.creep.value(), 0);
+  EXPECT_EQ(tremble.turn.value(), 0);
+}
+
+// A fall, a landing at the third sample, and a hop of 4 cm after it.
+TEST(LargestRise, IsBeyondWhatTheExactMotionHasThenAndLater) {
+  History exact;
+  exact.blocks = 1;
+  exact.times = {0, 1, 2, 3, 4, 5};
+  exact.gaps = {1, 0.5, 0, 0, 0, 0};
+  const std::vector<double> hop{1, 0.52, 0.01, 0, 0.04, 0};
+  EXPECT_DOUBLE_EQ(largest_rise(exact, hop, 5, 1), 0.04) << "a step late is not higher";
+  EXPECT_DOUBLE_EQ(largest_rise(exact, hop, 0.5, 0), 0.52 - 0.5) << "beyond the horizon times do not tell";
 }
 
 TEST(EnergyGain, IsTheLargestRiseAboveTheLeastBefore) {

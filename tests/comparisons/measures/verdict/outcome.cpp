@@ -64,10 +64,9 @@ TEST(Outcome, WhatSinksForAMomentOrRisesHigherThanExactlyIsTold) {
   row.sinking = 0.06;
   EXPECT_EQ(told({row}), "sinks in by 60 mm");
   row.sinking = row.penetration = 0;
-  row.gap = 0.02;
-  row.exact_gap = 0.017;
-  EXPECT_EQ(told({row}), "") << "it lifts off in the exact motion as well";
-  row.exact_gap = 0;
+  row.rise = 0.003;
+  EXPECT_EQ(told({row}), "");
+  row.rise = 0.02;
   EXPECT_EQ(told({row}), "is thrown up by 20 mm");
 }
 
@@ -76,7 +75,7 @@ TEST(Outcome, ABlockThatTopplesWhereTheExactOneWouldLaterIsTold) {
   row.largest_angle_difference = 0.12;
   row.agreement_time = 0.919;
   row.toppled = "block 1 at 1.367 s";
-  row.residual_motion = 1;
+  row.turn = 1;
   EXPECT_EQ(outcome({row}, scale), "agrees until 919 ms; block 1 topples at 1.37 s");
 }
 
@@ -100,18 +99,36 @@ TEST(Outcome, WhatSlidesAwayDoesNotRest) {
   EXPECT_EQ(outcome({row}, scale), "creeps at 7.1 mm/s to the end");
 }
 
+// Where the block is at the end is graver than how fast it still goes.
+TEST(Outcome, WhatEndsFarOffIsToldBeforeItsCreep) {
+  RunMetrics row = resting();
+  row.largest_position_difference = row.offset = 0.34;
+  row.relative_position_difference = 0.34 / 0.4;
+  row.sinking = 4e-4;
+  row.creep = 5.2e-4;
+  EXPECT_EQ(outcome({row}, scale), "is 340 mm off at the end; creeps at 0.52 mm/s to the end");
+}
+
+// Places are compared up to the horizon alone, and no motion lies in what it stands on.
+TEST(Outcome, WhatSinksInBeyondTheHorizonIsTold) {
+  RunMetrics row = moving();
+  row.horizon = 0.144;
+  row.sinking = 0.026;
+  EXPECT_EQ(outcome({row}, scale), "agrees to the horizon; sinks in by 26 mm");
+}
+
 TEST(Outcome, WhatIsThrownUpDoesNotRest) {
   RunMetrics row = resting();
   row.largest_position_difference = 1;
   row.relative_position_difference = 0.5;
-  row.gap = 1;
+  row.rise = 1;
   row.sinking = 0.017;
   EXPECT_EQ(outcome({row}, scale), "is thrown up by 1 m; sinks in by 17 mm");
 }
 
 TEST(Outcome, WhatStaysAboveItsBaseHovers) {
   RunMetrics row = resting();
-  row.largest_position_difference = row.offset = row.gap = row.hover = 0.015;
+  row.largest_position_difference = row.offset = row.rise = row.hover = 0.015;
   row.relative_position_difference = 0.015 / 0.4;
   EXPECT_EQ(outcome({row}, scale), "rests, but hovers 15 mm high");
 }
@@ -120,8 +137,8 @@ TEST(Outcome, WhatStaysAboveItsBaseHovers) {
 TEST(Outcome, WhatHappensInSomeReplicatesIsCounted) {
   std::vector<RunMetrics> runs(5, resting());
   for (std::size_t i = 1; i < 5; ++i) {
-    runs[i].gap = 0.25 * static_cast<double>(i);
-    runs[i].largest_position_difference = runs[i].gap;
+    runs[i].rise = 0.25 * static_cast<double>(i);
+    runs[i].largest_position_difference = runs[i].rise;
   }
   EXPECT_EQ(outcome(runs, scale), "is thrown up by 250 mm to 1 m in 4 of 5 replicates");
   runs.assign(5, moving());

@@ -234,7 +234,6 @@ TEST(Changes, EveryDrawnColumnIsReportedOrFollowsFromOthers) {
                                    "relative_position_difference",
                                    "exact_peak_angle",
                                    "exact_peak_over_slenderness",
-                                   "exact_gap",
                                    "first_impact_time",
                                    "first_impact_speed",
                                    "impacts",
