@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -13,9 +14,20 @@ bool is_esm_field(std::string_view line) {
   return colon != std::string_view::npos && colon > 0 && line[0] >= 'A' && line[0] <= 'Z';
 }
 
+/// Refuses samples whose peak is not that of the header, m/s², where that names one.
+void check_peak(const Cursor& cursor, double peak, const std::vector<double>& samples, double factor) {
+  constexpr double tolerance = 0.05;  // of what is rounded, or taken from data before their last processing
+  double largest = 0;
+  for (const double sample : samples) largest = std::max(largest, std::abs(sample * factor));
+  if (peak > 0 && std::abs(largest - peak) > tolerance * peak)
+    cursor.fail("PGA is " + number_text(peak, 6) + " m/s² here, and the samples below peak at " +
+                number_text(largest, 6) + " m/s²");
+}
+
 void read_esm(Cursor& cursor, std::vector<Record>& series) {
   std::optional<double> factor, interval;
-  std::size_t announced = 0, announced_in = 0;
+  double peak = 0;  // cm/s²; 0: not said
+  std::size_t announced = 0, announced_in = 0, peak_line = 0;
   while (is_esm_field(cursor.peek())) {
     const std::string_view line = cursor.next({});
     const std::string_view key = line.substr(0, line.find(':'));
@@ -25,6 +37,10 @@ void read_esm(Cursor& cursor, std::vector<Record>& series) {
     if (key == "UNITS") factor = unit_factor(value);
     if (key == "UNITS" && !factor)
       cursor.fail("UNITS " + in_quotes(value) + " are not known as acceleration: cm/s^2, m/s^2, g are");
+    if (key == "PGA_CM/S^2" && !value.empty()) {
+      peak = std::abs(number(cursor, value));
+      peak_line = cursor.line_number();
+    }
     if (key == "SAMPLING_INTERVAL_S") interval = checked_interval(cursor, number(cursor, value));
     if (key == "NDATA") {
       announced = count(cursor, value);
@@ -36,6 +52,7 @@ void read_esm(Cursor& cursor, std::vector<Record>& series) {
   if (announced == 0) cursor.fail("the header ends here without NDATA");
   std::vector<double> samples = read_values(cursor);
   check_count(cursor, samples.size(), announced, announced_in);
+  check_peak(cursor.at_line(peak_line), peak * centimetre_per_second_squared, samples, *factor);
   series.push_back(make_record(*interval, std::move(samples), *factor, "ESM ASCII"));
 }
 

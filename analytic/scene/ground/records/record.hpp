@@ -5,7 +5,8 @@
 
 namespace rockstack {
 
-/// Whether steps above 0.5 s and peaks above 10 g are refused, which come as a rule of a unit read wrongly.
+/// Whether steps below 10 µs and above 0.5 s and peaks above 10 g are refused, which come as a rule of a unit
+/// read wrongly.
 enum class RecordLimits { usual, none };
 
 /// An accelerogram as read from a file, in SI units.

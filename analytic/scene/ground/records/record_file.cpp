@@ -59,16 +59,21 @@ Place place_of(const std::filesystem::path& name) {
 
 void check_usual(const std::string& file, const std::string& read_as, double interval,
                  const std::vector<double>& samples) {
-  constexpr double longest = 0.5;  // s
-  constexpr double largest = 10;   // g
+  constexpr double shortest = 1e-5, longest = 0.5;  // s
+  constexpr double largest = 10;                    // g
   double peak = 0;
   for (const double sample : samples) peak = std::max(peak, std::abs(sample) / records::standard_gravity);
-  if (interval <= longest && peak <= largest) return;
+  const bool usual_step = interval >= shortest && interval <= longest;
+  if (usual_step && peak <= largest) return;
+  const std::string step = "steps by " + number_text(interval, 6) + " s, ";
   throw InputError(
       file + ": read as " + read_as + ": " +
-      (interval > longest ? "steps by " + number_text(interval, 6) + " s, more than 0.5 s"
-                          : "peaks at " + number_text(peak, 6) + " g, more than 10 g") +
-      ": where that is meant, say limits = \"none\" beside the record in a scene, or --set limits=none");
+      (usual_step
+           ? "peaks at " + number_text(peak, 6) +
+                 " g, more than 10 g: must be in the unit that its title or header says, without marks of missing data"
+           : step + (interval > longest ? "more than 0.5 s" : "less than 1e-05 s") +
+                 ": a unit of time other than s must be in the title or header, as in \"time (ms)\"") +
+      "; where that is meant, say limits = \"none\" beside the record in a scene, or --set limits=none");
 }
 
 std::filesystem::path record_file(const std::filesystem::path& name) {

@@ -16,8 +16,8 @@ std::filesystem::path record_file(const std::filesystem::path& name);
 /// format or units, a channel that is not there; as check_usual() unless there are no limits.
 Record read_record(const std::filesystem::path& name, RecordLimits limits = RecordLimits::usual);
 
-/// Refuses a step above 0.5 s and a peak above 10 g (98.0665 m/s²), which come as a rule of a unit read
-/// wrongly. `read_as` is description(). @throws InputError.
+/// Refuses a step below 10 µs or above 0.5 s and a peak above 10 g (98.0665 m/s²), which come as a rule of a
+/// unit read wrongly. `read_as` is description(). @throws InputError.
 void check_usual(const std::string& file, const std::string& read_as, double interval,
                  const std::vector<double>& samples);
 

@@ -31,6 +31,8 @@ struct Title {
   std::optional<Quantity> quantity = {};  ///< by words, else by the unit
   bool counts = false;                    ///< numbers of samples, dates
   bool spectral = false;                  ///< of a spectrum: its periods or ordinates
+  bool other = false;   ///< a force, a temperature: what no record holds, whatever unit it has
+  bool scaled = false;  ///< names a factor, or says that the numbers are normalised
 };
 
 /// A text of columns. The text of the file must outlive it.
@@ -66,6 +68,15 @@ RecordTable read_rows(std::string_view file, std::string_view text);
 /// Finds the line of titles, and the row of units under it: the last lines above the numbers that have as
 /// many cells as there are columns, and words or units that titles have.
 void find_titles(RecordTable& table);
+
+/// Refuses a line above the numbers that has titles, a time among them, but not as many as there are columns.
+void check_titles(const RecordTable& table);
+
+/// The last text in brackets, from its opening on; npos where a text ends in none.
+std::size_t last_bracket(std::string_view text);
+
+/// Units of what no record holds, and of numbers without one.
+bool is_other_unit(std::string_view text);
 
 /// Reads the title of one column.
 Title read_title(std::string_view text);

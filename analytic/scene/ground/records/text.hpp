@@ -49,6 +49,10 @@ struct Columns {
 /// A piece of the file for an error message: printable, in quotes, cut after 40 characters.
 std::string in_quotes(std::string_view text);
 
+inline bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 std::string lower(std::string_view text);  ///< A–Z only, whatever the locale
 std::string_view trimmed(std::string_view text);
 /// Of texts in upper and lower case alike; so is the next.

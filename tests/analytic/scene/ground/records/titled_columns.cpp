@@ -132,10 +132,18 @@ TEST(UsualLimits, AStepAndAPeakBeyondThemAreRefusedWithWhatWasRead) {
     return "";
   };
   const std::string way =
-      ": where that is meant, say limits = \"none\" beside the record in a scene, or --set limits=none";
+      "; where that is meant, say limits = \"none\" beside the record in a scene, or --set limits=none";
+  const std::string unit =
+      ": a unit of time other than s must be in the title or header, as in \"time (ms)\"" + way;
   EXPECT_EQ(error(0.5, 10 * g), "");
-  EXPECT_EQ(error(25, 1), "motion.csv: read as text columns: steps by 25 s, more than 0.5 s" + way);
-  EXPECT_EQ(error(0.02, 343 * g), "motion.csv: read as text columns: peaks at 343 g, more than 10 g" + way);
+  EXPECT_EQ(error(1e-5, 10 * g), "");
+  EXPECT_EQ(error(25, 1), "motion.csv: read as text columns: steps by 25 s, more than 0.5 s" + unit);
+  EXPECT_EQ(error(1e-6, 1), "motion.csv: read as text columns: steps by 1e-06 s, less than 1e-05 s" + unit);
+  EXPECT_EQ(
+      error(0.02, 343 * g),
+      "motion.csv: read as text columns: peaks at 343 g, more than 10 g: must be in the unit that its title or "
+      "header says, without marks of missing data" +
+          way);
 }
 
 }  // namespace

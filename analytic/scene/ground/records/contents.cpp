@@ -1,0 +1,188 @@
+#include "analytic/scene/ground/records/contents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "analytic/scene/ground/records/vocabulary.hpp"
+#include "analytic/scene/messages/number_text.hpp"
+
+namespace rockstack::records {
+namespace {
+
+constexpr double step_tolerance = 0.01;
+
+bool rises(const std::vector<double>& values) {
+  return std::is_sorted(values.begin(), values.end(), std::less_equal<>());
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+/// The mean step, which all others must equal. `times` in s.
+double constant_step(const RecordTable& table, const std::vector<double>& times) {
+  const Cursor& cursor = table.cursor;
+  if (times.size() < 2) cursor.fail_at(table.lines.front(), "one time alone gives no time step");
+  const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  checked_interval(cursor.at_line(table.lines.back()), step);
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const double expected = times.front() + static_cast<double>(k) * step;
+    if (std::abs(times[k] - expected) > step_tolerance * step)
+      cursor.fail_at(table.lines[k], "time " + number_text(times[k]) + " where a constant step gives " +
+                                         number_text(expected));
+  }
+  return step;
+}
+
+Unit unit_of_column(const RecordTable& table, const Header& header, std::size_t column) {
+  const Title& title = table.titles[column];
+  const Unit unit = title.unit ? *title.unit : stated_unit(table, header);
+  const Stated& stated = header.acceleration;
+  if (unit.quantity == Quantity::acceleration && stated.unit && stated.contradicted == 0 &&
+      *stated.unit != unit)
+    table.cursor.fail_at(stated.line,
+                         "names another unit of acceleration than the title of " + table.column_name(column));
+  if (title.quantity && unit.quantity != *title.quantity)
+    table.cursor.fail_at(table.title_line, table.column_name(column) + " has no unit of " +
+                                               std::string(name(*title.quantity)) +
+                                               (title.unit ? "" : ", nor has the header") +
+                                               ": say e.g. \"units: m/s2\", or (m/s2) in its title");
+  return unit;
+}
+
+[[noreturn]] void fail_unknown(const RecordTable& table, std::size_t column) {
+  table.cursor.fail_at(table.title_line,
+                       table.column_name(column) + ": " + in_quotes(table.titles[column].unknown_unit) +
+                           " is no unit of acceleration: must be e.g. m/s2, cm/s2, gal or g");
+}
+
+/// Columns of the highest derivative that titles name; else those that no title says to be something else.
+std::vector<std::size_t> titled_series(const RecordTable& table, const std::optional<std::size_t>& time) {
+  const auto those = [&](std::optional<Quantity> quantity) {
+    std::vector<std::size_t> list;
+    for (std::size_t k = 0; k < table.columns(); ++k) {
+      const Title& title = table.titles[k];
+      if (k != time && title.quantity == quantity && !title.counts && !title.other) list.push_back(k);
+    }
+    return list;
+  };
+  for (const Quantity quantity : {Quantity::acceleration, Quantity::velocity, Quantity::displacement})
+    if (auto list = those(quantity); !list.empty()) return list;
+  return those(std::nullopt);
+}
+
+/// Refuses a factor in a title: whether the numbers are multiplied by it is not said.
+void check_unscaled(const RecordTable& table, std::size_t column) {
+  if (table.titles[column].scaled)
+    table.cursor.fail_at(table.title_line,
+                         table.column_name(column) +
+                             ", names a factor, or numbers that are normalised: a factor must be "
+                             "applied to them and taken out of the title");
+}
+
+}  // namespace
+
+bool counts(const std::vector<double>& values) {
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (values[k] != values[k - 1] + 1) return false;
+  return true;
+}
+
+bool rises_evenly(const std::vector<double>& values) {
+  if (values.size() < 3) return false;
+  const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (!(std::abs(values[k] - values.front() - static_cast<double>(k) * step) <= step_tolerance * step))
+      return false;
+  return step > 0;
+}
+
+std::optional<std::size_t> time_column(const RecordTable& table, const Header& header) {
+  std::optional<std::size_t> time;
+  for (std::size_t k = 0; k < table.titles.size(); ++k) {
+    if (table.titles[k].quantity != Quantity::time) continue;
+    if (time)
+      table.cursor.fail_at(table.title_line, table.column_name(*time) + ", and " + table.column_name(k) +
+                                                 ", are both times: leave one out");
+    time = k;
+  }
+  if (time) {
+    const Title& title = table.titles[*time];
+    const bool clock = table.rows.front()[*time].find(':') != std::string_view::npos;
+    if (clock || (title.unknown_unit.empty() && (!title.unit || title.unit->quantity == Quantity::time)))
+      return time;
+    table.cursor.fail_at(table.title_line,
+                         table.column_name(*time) + ": its unit is no unit of time: must be s, ms or min");
+  }
+  if (!table.titles.empty()) return std::nullopt;
+  if (table.columns() < 2 || table.rows.size() < (table.columns() > 2 ? 3U : 1U)) return std::nullopt;
+  const std::vector<double> first = table.column(0);
+  const bool numbers = header.interval && counts(first) && *header.interval != 1;
+  if (table.columns() == 2 && !header.interval) return 0;
+  return rises(first) && !numbers ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+double interval_of(const RecordTable& table, const Header& header, const std::optional<std::size_t>& time) {
+  if (!time) {
+    if (header.interval) return *header.interval;
+    const std::size_t columns = table.columns();
+    table.cursor.fail_at(
+        table.lines.front(),
+        (columns == 1 ? "one column"
+                      : std::to_string(columns) + " columns, none of them times" +
+                            (table.titles.empty() ? "" : " by its title, as \"time (s)\" is")) +
+            std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
+  }
+  const bool titled = !table.titles.empty() && table.titles[*time].unit;
+  const double step =
+      constant_step(table, scaled(table.column(*time), titled ? table.titles[*time].unit->factor : 1));
+  if (header.interval && std::abs(step - *header.interval) > step_tolerance * step)
+    table.cursor.fail_at(header.interval_line, "dt = " + number_text(*header.interval) +
+                                                   " s here, and times step by " + number_text(step) + " s");
+  return step;
+}
+
+Content titled_content(const RecordTable& table, const Header& header) {
+  for (std::size_t k = 0; k < table.columns(); ++k)
+    if (table.titles[k].spectral)
+      table.cursor.fail_at(table.title_line,
+                           table.column_name(k) + ": a spectrum is no record: must be a history in time");
+  const auto time = time_column(table, header);
+  Content content{0, titled_series(table, time), {}};
+  if (content.columns.empty())
+    table.cursor.fail_at(table.title_line,
+                         "no column is an acceleration, velocity or displacement by its title");
+  if (time) check_unscaled(table, *time);
+  for (const std::size_t column : content.columns) {
+    check_unscaled(table, column);
+    if (!table.titles[column].unknown_unit.empty() && !table.titles[column].unit) fail_unknown(table, column);
+    content.units.push_back(unit_of_column(table, header, column));
+  }
+  content.interval = interval_of(table, header, time);
+  return content;
+}
+
+Content plain_content(const RecordTable& table, const Header& header) {
+  const Unit unit = stated_unit(table, header);
+  const auto time = time_column(table, header);
+  Content content{interval_of(table, header, time), {}, {}};
+  const bool numbered = !time && table.columns() > 1 && counts(table.column(0));
+  for (std::size_t k = time || numbered ? 1 : 0; k < table.columns(); ++k) content.columns.push_back(k);
+  content.units.assign(content.columns.size(), unit);
+  for (const std::size_t column : content.columns)
+    if (time && table.column(column) == table.column(*time))
+      table.cursor.fail_at(table.lines.front(),
+                           table.column_name(column) +
+                               " has the times of column 1 again: a line of titles must say what "
+                               "the columns are");
+  if (content.columns.size() > 1 && header.mixed_line != 0)
+    table.cursor.fail_at(
+        header.mixed_line,
+        "names an acceleration and a velocity or displacement, and is no line of titles: one "
+        "above the numbers, parted as they are, must say which columns have which");
+  return content;
+}
+
+}  // namespace rockstack::records

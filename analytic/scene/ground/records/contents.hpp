@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analytic/scene/ground/records/header.hpp"
+
+namespace rockstack::records {
+
+/// What a table holds: its time step, and columns that are a series each.
+struct Content {
+  double interval = 0;
+  std::vector<std::size_t> columns;
+  std::vector<Unit> units;  ///< of those
+};
+
+/// Whether the numbers of a column count rows, one by one.
+bool counts(const std::vector<double>& values);
+
+/// Whether numbers rise by equal steps, as times do.
+bool rises_evenly(const std::vector<double>& values);
+
+/// The column of times: the one whose title says so; without titles the first, where it rises from row to row
+/// as no acceleration does.
+std::optional<std::size_t> time_column(const RecordTable& table, const Header& header);
+
+/// The step of the header, which times must agree with.
+double interval_of(const RecordTable& table, const Header& header, const std::optional<std::size_t>& time);
+
+/// Of titled columns those of the highest derivative; without titles all but times and numbers of rows.
+/// @throws InputError where there is none, where a unit is missing, unknown, or contradicts the header, and
+/// where titles name factors.
+Content titled_content(const RecordTable& table, const Header& header);
+Content plain_content(const RecordTable& table, const Header& header);
+
+}  // namespace rockstack::records

@@ -1,0 +1,80 @@
+#include "analytic/scene/ground/records/layout_checks.hpp"
+
+#include <algorithm>
+
+#include "analytic/scene/ground/records/contents.hpp"
+#include "analytic/scene/ground/records/vocabulary.hpp"
+
+namespace rockstack::records {
+
+void check_whole(const RecordTable& table) {
+  for (const Line& line : table.header)
+    if (line.number > table.lines.front() && line.number < table.lines.back())
+      table.cursor.fail_at(line.number, "text between the numbers: " + in_quotes(trimmed(line.text)) +
+                                            "; a second series must be in a file of its own");
+}
+
+void check_commas(const RecordTable& table) {
+  const auto is_cut = [](std::string_view cell) {
+    return cell.size() > 1 && cell.front() == '0' && cell.find_first_not_of("0123456789") == cell.npos;
+  };
+  for (std::size_t k = 0; k < table.rows.size() && table.dialect.separator == ','; ++k)
+    if (std::ranges::any_of(table.rows[k], is_cut))
+      table.cursor.fail_at(table.lines[k],
+                           "commas part columns and may be decimal points: columns must be parted by "
+                           "semicolons or tabs");
+}
+
+void check_history(const RecordTable& table, const Header& header) {
+  const auto is_time = [](const Title& title) {
+    return title.quantity == Quantity::time && speaks_of(title.name, Topic::time);
+  };
+  if (header.spectrum_line == 0 || std::ranges::any_of(table.titles, is_time)) return;
+  table.cursor.fail_at(
+      header.spectrum_line,
+      "speaks of a spectrum, which is no record: of a history the time must be named in full, as in "
+      "a title \"time (s)\"");
+}
+
+void check_cards(const RecordTable& table) {
+  constexpr std::size_t least = 3;                 // lines
+  const std::size_t full = table.rows.size() - 1;  // the last may be shorter
+  if (full < least || table.columns() < 2) return;
+  for (const std::size_t column : {std::size_t{0}, table.columns() - 1}) {
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < full && table.rows[k].size() > column; ++k)
+      if (table.rows[k][column].find_first_not_of("0123456789") == std::string_view::npos)
+        numbers.push_back(table.number_at(k, column));
+    if (numbers.size() == full && counts(numbers))
+      table.cursor.fail_at(table.lines.front(), table.column_name(column) +
+                                                    " counts the lines: numbers of cards must be taken out");
+  }
+}
+
+void check_present(const RecordTable& table, const Header& header, const std::vector<std::size_t>& columns) {
+  if (!header.missing) return;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (const std::size_t column : columns)
+      if (column < table.rows[row].size() && table.number_at(row, column) == *header.missing)
+        table.cursor.fail_at(table.lines[row], in_quotes(table.rows[row][column]) + " marks missing data");
+}
+
+void unfold_pairs(RecordTable& table) {
+  const std::size_t columns = table.rows.empty() ? 0 : table.columns();
+  if (!table.titles.empty() || columns < 4 || columns % 2 != 0 || table.rows.size() < 2) return;
+  RecordTable pairs = table;
+  pairs.rows.clear();
+  pairs.lines.clear();
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto& cells = table.rows[row];
+    const bool last = row + 1 == table.rows.size();
+    if (cells.size() % 2 != 0 || !(cells.size() == columns || (last && cells.size() < columns))) return;
+    for (std::size_t k = 0; k < cells.size(); k += 2) {
+      pairs.rows.push_back({cells[k], cells[k + 1]});
+      pairs.lines.push_back(table.lines[row]);
+    }
+  }
+  if (rises_evenly(pairs.column(0))) table = std::move(pairs);
+}
+
+}  // namespace rockstack::records

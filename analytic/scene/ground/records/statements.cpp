@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "analytic/scene/ground/records/header.hpp"
+#include "analytic/scene/ground/records/vocabulary.hpp"
+
+namespace rockstack::records {
+namespace {
+
+using Tokens = std::vector<std::string_view>;
+
+template <std::size_t size>
+bool is_one_of(std::string_view word, const std::array<std::string_view, size>& list) {
+  return std::ranges::find(list, word) != list.end();
+}
+
+/// A comma between digits: a decimal point, or of thousands where three digits follow, and nothing.
+std::string comma_at(std::string_view text, std::size_t at) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789", at + 1), text.size());
+  if (at == 0 || !is_digit(text[at - 1]) || end == at + 1) return ",";
+  return end - at - 1 == 3 ? "" : ".";
+}
+
+/// A folded line with blanks around each "=" and ":", and decimal points.
+std::string with_signs_apart(std::string_view line) {
+  const std::string plain = folded(line);
+  std::string text;
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    const char c = plain[k];
+    text += c == '=' || c == ':' ? std::string{' ', c, ' '}
+            : c == ','           ? comma_at(plain, k)
+                                 : std::string(1, c);
+  }
+  return text;
+}
+
+bool is_sign(std::string_view token) {
+  return token == "=" || token == ":";
+}
+
+std::size_t after_signs(const Tokens& tokens, std::size_t at) {
+  while (at < tokens.size() && is_sign(tokens[at])) ++at;
+  return at;
+}
+
+/// The number that a token is, whole.
+std::optional<double> value_of(const Tokens& tokens, std::size_t at) {
+  if (at >= tokens.size()) return std::nullopt;
+  const std::string_view token = tokens[at];
+  double value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  return error == std::errc() && end == token.data() + token.size() ? std::optional(value) : std::nullopt;
+}
+
+bool is_counted(std::string_view word) {
+  constexpr std::array<std::string_view, 27> list{
+      "points",       "samples",    "data",   "values",   "records",   "readings", "lines",
+      "rows",         "datapoints", "punkte", "werte",    "messwerte", "punti",    "campioni",
+      "dati",         "valori",     "puntos", "muestras", "datos",     "valores",  "donnees",
+      "echantillons", "veri",       "nokta",  "σημειων",  "точек",     "отсчетов"};
+  return is_one_of(word, list);
+}
+
+/// Where the number of values would stand that words from `at` on announce: "number of data points", "NPTS",
+/// "samples:".
+std::optional<std::size_t> count_place(const Tokens& tokens, std::size_t at) {
+  constexpr std::array<std::string_view, 16> alone{"npts",      "sample_count", "point_count", "npoints",
+                                                   "nsamples",  "ndata",        "npt",         "n_points",
+                                                   "n_samples", "numpoints",    "num_points",  "num_samples",
+                                                   "nsamp",     "nrecords",     "nopoints",    "ndatos"};
+  constexpr std::array<std::string_view, 14> numbers{"number", "no",      "no.",    "nr",        "nr.",
+                                                     "num",    "num.",    "anzahl", "nombre",    "numero",
+                                                     "sayisi", "αριθμοσ", "число",  "количество"};
+  constexpr std::size_t longest = 4;  // words from the number to what it counts
+  if (is_one_of(tokens[at], alone)) return at + 1;
+  for (std::size_t k = at + 1; is_one_of(tokens[at], numbers) && k < std::min(at + longest, tokens.size());
+       ++k)
+    if (is_counted(tokens[k]) && !(k + 1 < tokens.size() && is_counted(tokens[k + 1]))) return k + 1;
+  const bool signed_after = at + 1 < tokens.size() && is_sign(tokens[at + 1]);
+  return is_counted(tokens[at]) && signed_after ? std::optional(at + 1) : std::nullopt;
+}
+
+bool is_of_rate(const Tokens& tokens, std::size_t at) {
+  return at < tokens.size() &&
+         (tokens[at] == "per" || tokens[at].starts_with('/') || (read_unit(tokens[at]) && tokens[at] != "g"));
+}
+
+void read_stated_count(const Cursor& cursor, const Tokens& tokens, Header& header) {
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    const auto place = count_place(tokens, k);
+    if (!place) continue;
+    const std::size_t at = after_signs(tokens, *place);
+    const auto value = value_of(tokens, at);
+    constexpr double most = 1e9;
+    if (!value || !(*value >= 1) || *value > most || is_of_rate(tokens, at + 1)) continue;
+    const auto stated = static_cast<std::size_t>(*value);
+    if (header.stated_count != 0 && header.stated_count != stated)
+      cursor.fail("announces " + std::to_string(stated) + " values, line " +
+                  std::to_string(header.stated_count_line) + " " + std::to_string(header.stated_count));
+    header.stated_count = stated;
+    header.stated_count_line = cursor.line_number();
+  }
+}
+
+/// Where a factor would stand that words from `at` on announce: "scale factor", "multiplied by".
+std::optional<std::size_t> factor_place(const Tokens& tokens, std::size_t at) {
+  constexpr std::array<std::string_view, 8> done{"multiplied", "multiply", "divided",       "divide",
+                                                 "scaled",     "scale",    "multipliziert", "geteilt"};
+  constexpr std::array<std::string_view, 3> by{"by", "durch", "mit"};
+  if (at + 1 < tokens.size() && is_one_of(tokens[at], done) && is_one_of(tokens[at + 1], by)) return at + 2;
+  return any_of_topic(words_in(tokens[at]), Topic::factor) ? std::optional(at + 1) : std::nullopt;
+}
+
+void refuse_factor(const Cursor& cursor, const Tokens& tokens) {
+  constexpr std::array<std::string_view, 8> physical{"damping", "dampfungs", "quality",    "safety",
+                                                     "q",       "load",      "importance", "behaviour"};
+  constexpr std::array<std::string_view, 5> done{"applied", "angewandt", "applique", "applicato", "aplicado"};
+  const bool applied = std::ranges::any_of(tokens, [&](auto word) { return is_one_of(word, done); }) &&
+                       std::ranges::find(tokens, "not") == tokens.end() &&
+                       std::ranges::find(tokens, "be") == tokens.end();
+  for (std::size_t k = 0; k < tokens.size() && !applied; ++k) {
+    const auto place = factor_place(tokens, k);
+    if (!place || (k > 0 && is_one_of(tokens[k - 1], physical))) continue;
+    const std::size_t at = after_signs(tokens, *place);
+    const auto value = value_of(tokens, at);
+    const bool ratio = at + 1 < tokens.size() && tokens[at + 1] == ":";  // of lengths, "1:5"
+    if (value && *value != 1 && !ratio)
+      cursor.fail(
+          "names a factor, " + std::string(tokens[at]) +
+          ", and not whether the numbers below are multiplied by it: must be applied to them and taken "
+          "out of this line");
+  }
+  if (any_of_topic(tokens, Topic::normalised))
+    cursor.fail(
+        "says that the numbers are normalised, which have no unit then: must be multiplied by their peak, "
+        "and this word taken out");
+}
+
+/// "missing data: 999", "null value = -999".
+void read_missing(const Tokens& tokens, Header& header) {
+  constexpr std::array<std::string_view, 9> marks{
+      "missing", "null", "nodata", "no_data", "fill", "fehlwert", "fehlende", "missing_value", "fill_value"};
+  constexpr std::array<std::string_view, 8> fillers{"value", "values", "data",   "code",
+                                                    "is",    "are",    "marker", "flag"};
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    const bool no_data = tokens[k] == "no" && k + 1 < tokens.size() && tokens[k + 1] == "data";
+    const bool counted = k > 1 && tokens[k - 1] == "of";  // "number of missing data: 0"
+    if (counted || !(is_one_of(tokens[k], marks) || no_data)) continue;
+    std::size_t at = k + 1;
+    while (at < tokens.size() && (is_sign(tokens[at]) || is_one_of(tokens[at], fillers))) ++at;
+    if (const auto value = value_of(tokens, at)) header.missing = value;
+  }
+}
+
+}  // namespace
+
+void read_statements(const Cursor& cursor, const Line& line, Header& header) {
+  const std::string text = with_signs_apart(line.text);
+  const Tokens tokens = words(text, ",;()[]\"'#%!*");
+  read_stated_count(cursor, tokens, header);
+  refuse_factor(cursor, tokens);
+  read_missing(tokens, header);
+  if (header.spectrum_line == 0 && any_of_topic(tokens, Topic::spectrum) &&
+      !any_of_topic(tokens, Topic::history))
+    header.spectrum_line = line.number;
+}
+
+}  // namespace rockstack::records
