@@ -84,8 +84,9 @@ void print_change(const ResultsChange& result, const ChangeOptions& options) {
   const auto count = [&](const auto& counts) { return std::ranges::count_if(result.rows, counts); };
   const auto turned = turned_numbers(result);
   if (!turned.empty()) print_table(turned);
-  fmt::print("rows in both: {}, to the bit {}; worse {}, better alone {}\n", result.rows.size(),
-             count([](const RowChange& row) { return row.bits == "same"; }),
+  fmt::print("rows in both: {}, to the bit {}, of the nominal run alone {}; worse {}, better alone {}\n",
+             result.rows.size(), count([](const RowChange& row) { return row.bits == "same"; }),
+             count([](const RowChange& row) { return row.bits == "nominal"; }),
              count([](const RowChange& row) { return row.worst() == Turn::worse; }),
              count([](const RowChange& row) { return row.worst() == Turn::better; }));
   print_tests(result);
@@ -101,6 +102,8 @@ void print_change(const ResultsChange& result, const ChangeOptions& options) {
   for (const RowChange& row : result.rows)
     if (row.old_row.engine == "exact" && row.bits == "different") moved.push_back(row.old_row.scene);
   print_names("the exact motion itself has other bits in", moved);
+  print_names("looks worse, with too few replicates to decide", result.in_doubt);
+  print_names("more replicates than before", result.more_failures);
   print_names("nothing can be said of", result.undecided);
 }
 
@@ -133,7 +136,7 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
     fmt::print("\n{}\n", result.headline());
   }
   constexpr int undecided = 3;
-  return result.worse() ? 1 : result.undecided.empty() ? 0 : undecided;
+  return result.worse() ? 1 : result.decided() ? 0 : undecided;
 }
 
 }  // namespace rockstack

@@ -192,6 +192,9 @@ void add_diff(CLI::App& command, DiffArguments& arguments) {
   command.add_option("--across", options.across, "what may differ between two rows that are held together")
       ->delimiter(',')
       ->check(one_of(row_names()));
+  command.add_flag(
+      "--common", options.common_alone,
+      "ask nothing of rows that the old results alone have; left out: they leave the result undecided");
   command.add_option("--out", arguments.out, "folder for diff.json and diff.csv; left out: none are written");
 }
 

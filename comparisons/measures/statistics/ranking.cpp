@@ -7,6 +7,7 @@
 
 #include "analytic/scene/lists.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/statistics/joint_test.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 
 namespace rockstack {
@@ -172,6 +173,13 @@ int replicates_that_show_changes(const std::vector<std::size_t>& rows_of_sets, d
     const std::vector<bool> shown = sets_that_can_change(sets, level);
     if (std::ranges::find(shown, false) == shown.end()) return n;
   }
+}
+
+int replicates_that_decide(std::size_t numbers, double level) {
+  std::size_t n = 2;
+  const double share = (1 - foremost_share) * level;
+  while (least_joint_chance(n, n) * static_cast<double>(numbers) > share) ++n;
+  return static_cast<int>(n);
 }
 
 std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows) {

@@ -83,6 +83,11 @@ std::vector<bool> sets_that_can_change(const std::vector<std::vector<int>>& sets
 /// The least number of replicates in every row with which those are all sets that have so many rows each.
 int replicates_that_show_changes(const std::vector<std::size_t>& rows_of_sets, double level);
 
+/// The least number of replicates with which any of so many numbers of two comparisons is shown to have
+/// changed where it lies apart, each tested by itself, at the share of the level that is not the foremost
+/// one's.
+int replicates_that_decide(std::size_t numbers, double level);
+
 /// Ranks all sets of all solvers among the rows, best first: by their scores, over the scenes and steps where
 /// one of them is done and the scene is not at rest, of rows_that_count(). Rows of failed runs count where
 /// another of their scene moves.

@@ -1,19 +1,37 @@
-#include "comparisons/studies/diff/changes.hpp"
-
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "analytic/scene/lists.hpp"
+#include "comparisons/studies/diff/judgement.hpp"
 
 namespace rockstack {
 namespace {
 
+/// Of all columns but those that name the row and those that the machine took.
+bool same_cells(const RunMetrics& before, const RunMetrics& now) {
+  return std::ranges::all_of(columns(), [&](const Column& column) {
+    const bool naming =
+        column.name == "run" || std::ranges::find(row_names(), column.name) != row_names().end();
+    return naming || column.measured || column.cell(before) == column.cell(now);
+  });
+}
+
+bool same_cells(const RecordedRun& before, const RecordedRun& now) {
+  return same_cells(before.row, now.row) &&
+         std::ranges::equal(
+             before.replicates, now.replicates,
+             [](const RunMetrics& one, const RunMetrics& other) { return same_cells(one, other); });
+}
+
 std::string bits_of(const RowPair& pair) {
+  const std::string all = same_cells(*pair.old_run, *pair.new_run) ? "same" : "nominal";
   std::string bits;
   for (const auto& [file, sum] : pair.old_run->checksums) {
     const auto other = pair.new_run->checksums.find(file);
     if (other == pair.new_run->checksums.end()) continue;
     if (other->second != sum) return "different";
-    bits = "same";
+    bits = all;
   }
   return bits;
 }
@@ -34,15 +52,11 @@ RowChange row_change(const RowPair& pair, const ChangeOptions& options, bool tim
 /// Rows of one set with replicates in both, by the sets' names.
 using SetPairs = std::map<std::vector<std::string>, std::vector<RowPair>>;
 
-std::vector<std::string> set_of(const RunMetrics& old_row, const RunMetrics& new_row) {
-  return {old_row.engine, old_row.solver, old_row.settings, new_row.engine, new_row.solver, new_row.settings};
-}
-
 SetPairs sets_of(const std::vector<RowPair>& pairs) {
   SetPairs sets;
   for (const RowPair& pair : pairs)
     if (!pair.old_run->replicates.empty() && !pair.new_run->replicates.empty())
-      sets[set_of(pair.old_run->row, pair.new_run->row)].push_back(pair);
+      sets[set_of(RowChange{pair.old_run->row, pair.new_run->row, {}, true, {}})].push_back(pair);
   return sets;
 }
 
@@ -61,71 +75,6 @@ std::vector<RowChange> set_changes(const SetPairs& sets) {
       if (auto change = change_of(quantity, pairs)) set.quantities.push_back(std::move(*change));
   }
   return changes;
-}
-
-/// Corrects all tests of one half of the level for how many there are, and judges by them.
-void judge_share(const std::vector<QuantityChange*>& tested, double share, ResultsChange& result) {
-  const auto chances =
-      each_of(tested, [](const QuantityChange* change) -> TestChance { return *change->test; });
-  const AdjustedTests adjusted = adjust(chances, share * result.level);
-  const std::vector<bool> shown = could_show(chances, share * result.level);
-  result.counted += adjusted.counted;
-  result.tests += static_cast<std::size_t>(std::count_if(
-      chances.begin(), chances.end(), [](const TestChance& chance) { return chance.least_p_value < 1; }));
-  for (std::size_t i = 0; i < tested.size(); ++i) {
-    tested[i]->adjusted_p_value = std::min(1.0, adjusted.p_values[i] / share);
-    tested[i]->could_show = shown[i];
-    judge(result.level, *tested[i]);
-  }
-}
-
-/// What a row has shown, its set does not repeat.
-void leave_to_rows(ResultsChange& result) {
-  for (RowChange& set : result.sets)
-    for (QuantityChange& change : set.quantities)
-      for (const RowChange& row : result.rows)
-        if (set_of(row.old_row, row.new_row) == set_of(set.old_row, set.new_row))
-          for (const QuantityChange& own : row.quantities)
-            if (own.quantity == change.quantity && own.turn == change.turn) change.turn = Turn::none;
-}
-
-void judge_all(ResultsChange& result) {
-  for (const bool foremost : {true, false}) {
-    std::vector<QuantityChange*> tested;
-    for (std::vector<RowChange>* rows : {&result.rows, &result.sets})
-      for (RowChange& row : *rows)
-        for (QuantityChange& change : row.quantities)
-          if (change.test && change.foremost == foremost) tested.push_back(&change);
-    judge_share(tested, foremost ? foremost_share : 1 - foremost_share, result);
-  }
-  leave_to_rows(result);
-}
-
-/// Whether something can be said of a row by itself: it is an exact motion, or the same to the bit, has
-/// turned, never varies, or has numbers that could show a change.
-bool is_decided(const RowChange& row, const ChangeOptions& options) {
-  const auto never_varies = [](const QuantityChange& change) {
-    return change.test && change.test->least_p_value == 1 &&
-           change.old_values.lower == change.new_values.upper;
-  };
-  return !row.old_row.steps || row.bits == "same" || row.worst() != Turn::none || row.could_show() ||
-         (row.replicated ? std::ranges::all_of(row.quantities, never_varies) : options.single.has_value());
-}
-
-void find_undecided(const ChangeOptions& options, ResultsChange& result) {
-  for (const RowChange& row : result.rows) {
-    const auto names = set_of(row.old_row, row.new_row);
-    const bool by_set = row.replicated && std::ranges::any_of(result.sets, [&](const RowChange& set) {
-                          return set.could_show() && set_of(set.old_row, set.new_row) == names;
-                        });
-    if (!by_set && !is_decided(row, options)) result.undecided.push_back(row.old_row.run);
-  }
-  std::map<std::vector<std::string>, std::size_t> rows;
-  for (const RowChange& row : result.rows)
-    if (row.old_row.steps) ++rows[set_of(row.old_row, row.new_row)];
-  if (!result.undecided.empty())
-    result.replicates_needed =
-        replicates_that_show_changes(each_of(rows, [](const auto& one) { return one.second; }), result.level);
 }
 
 std::vector<std::string> other_environment(const RecordedResults& old_results,
@@ -161,6 +110,24 @@ bool ResultsChange::worse() const {
   return std::ranges::any_of(rows, is_worse) || std::ranges::any_of(sets, is_worse);
 }
 
+bool ResultsChange::judges_engines() const {
+  const auto is_of_engine = [](const RowChange& row) { return row.old_row.engine != "exact"; };
+  return (only_old.empty() && only_new.empty() && other_questions.empty()) ||
+         std::ranges::any_of(rows, is_of_engine);
+}
+
+std::vector<std::string> ResultsChange::judged_no_more() const {
+  if (common_alone) return {};
+  std::vector<std::string> all = only_old;
+  all.insert(all.end(), other_questions.begin(), other_questions.end());
+  return all;
+}
+
+bool ResultsChange::decided() const {
+  return undecided.empty() && in_doubt.empty() && more_failures.empty() && judged_no_more().empty() &&
+         judges_engines();
+}
+
 ResultsChange hold_against(const RecordedResults& old_results, const RecordedResults& new_results,
                            const ChangeOptions& options) {
   RowPairs pairs = pair_rows(old_results, new_results, options.across);
@@ -173,8 +140,9 @@ ResultsChange hold_against(const RecordedResults& old_results, const RecordedRes
       .only_new = std::move(pairs.only_new),
       .other_questions = std::move(pairs.other_questions),
       .other_environment = other_environment(old_results, new_results),
-      .level = options.level};
-  judge_all(result);
+      .level = options.level,
+      .common_alone = options.common_alone};
+  judge_all(pairs.pairs, result);
   find_undecided(options, result);
   return result;
 }

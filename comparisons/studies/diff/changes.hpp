@@ -107,6 +107,7 @@ struct ChangeOptions {
   std::optional<double> single = {};     ///< of single runs
   std::optional<double> cost = {};       ///< the time of a step, where no repeat of one is within the other's
   std::vector<std::string> across = {};  ///< of row_names(): as pair_rows()
+  bool common_alone = false;             ///< whether nothing is asked of what the old results alone have
 };
 
 /// The change of a quantity, tested but not yet judged by its test; empty where either has no value of it.
@@ -127,10 +128,21 @@ std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptio
 /// Changes of median and both quartiles by less than a hundredth, or 1e-12, are not reported.
 void judge(double level, QuantityChange& change);
 
+/// Whether a number is worse in every new replicate than in any old one, or its median is ten times worse
+/// at the level before any correction, and its own test could not show that. Where a test of its set judges
+/// it, only what is worse tenfold in every replicate looks so.
+bool looks_worse(const QuantityChange& change, bool judged_by_set, double level);
+
+/// Whether more replicates fail, or more topple otherwise and their test could not show that; and the test
+/// has not said so.
+bool fails_more_often(const QuantityChange& change);
+
 /// One row in both results; or all rows of a set, whose scene, step and bits are empty.
 struct RowChange {
   RunMetrics old_row, new_row;
-  std::string bits;         ///< "same" or "different" bytes in the files that both kept, "" where none are
+  /// "same" or "different" bytes in the files that both kept, "" where none are; "nominal" where they are the
+  /// same, but other numbers are not: of replicates, say.
+  std::string bits;
   bool replicated = false;  ///< whether both have replicates
   std::vector<QuantityChange> quantities;
 
@@ -147,12 +159,24 @@ struct ResultsChange {
   std::size_t tests = 0;    ///< numbers that have replicates on both sides, and vary
   std::size_t counted = 0;  ///< of them, those that could show a change at the level
   double level = 0;
+  bool common_alone = false;  ///< as ChangeOptions
   /// Names of engines' old rows of which nothing can be said: other bits, and no number that could show a
   /// change, neither of its own nor of its set.
   std::vector<std::string> undecided = {};
-  int replicates_needed = 0;  ///< in every row, with which none would be
+  std::vector<std::string> in_doubt = {};       ///< "run: sinking": looks_worse(), and no test says it
+  std::vector<std::string> more_failures = {};  ///< "run: failed": fails_more_often()
+  int replicates_needed = 0;                    ///< in every row, with which none of both would be
 
   bool worse() const;
+
+  /// Whether a row of an engine is in both, or there is nothing but exact motions.
+  bool judges_engines() const;
+
+  /// What the old results alone have, or ask otherwise; nothing where that is not asked.
+  std::vector<std::string> judged_no_more() const;
+
+  /// Whether there is none of the above.
+  bool decided() const;
 
   /// In one sentence: what is worse, that nothing is, or what cannot be said.
   std::string headline() const;

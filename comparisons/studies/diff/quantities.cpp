@@ -150,4 +150,21 @@ void judge(double level, QuantityChange& change) {
     change.turn = turn_of(change.better, change.test->superiority > 0.5);
 }
 
+bool looks_worse(const QuantityChange& change, bool judged_by_set, double level) {
+  if (!change.test || !apart(change.old_values, change.new_values)) return false;
+  constexpr double grave = 10;
+  const double superiority = change.test->superiority;
+  if (turn_of(change.better, superiority > 0.5) != Turn::worse) return false;
+  const bool in_all = superiority == 0 || superiority == 1;
+  const bool tenfold =
+      turn_by(grave, change.better, change.old_values.median, change.new_values.median) == Turn::worse;
+  if (judged_by_set) return in_all && tenfold;
+  return in_all || (tenfold && !change.could_show && change.test->p_value <= level);
+}
+
+bool fails_more_often(const QuantityChange& change) {
+  if (!change.test || change.turn != Turn::none || change.test->superiority <= 0.5) return false;
+  return change.quantity == "failed" || (change.quantity == "other_verdict" && !change.could_show);
+}
+
 }  // namespace rockstack

@@ -53,28 +53,48 @@ Json row_json(const RowChange& row) {
           {"quantities", each_of(row.quantities, change_json)}};
 }
 
+/// What leaves a result undecided, in words.
+std::vector<std::string> open_points(const ResultsChange& result) {
+  std::vector<std::string> points;
+  const auto add = [&](const std::vector<std::string>& names, const std::string& words) {
+    if (!names.empty()) points.push_back(words);
+  };
+  const std::string would_do = fmt::format("{} replicates in every row would do", result.replicates_needed);
+  if (!result.judges_engines()) points.push_back("no row of an engine is in both, and nothing was judged");
+  add(result.in_doubt, fmt::format("so few replicates do not decide what looks worse, {}: {}",
+                                   joined_up_to(3, result.in_doubt), would_do));
+  add(result.more_failures,
+      fmt::format("more replicates fail or topple otherwise, {}", joined_up_to(3, result.more_failures)));
+  add(result.undecided, fmt::format("of {} of {} nothing can be said: {}", result.undecided.size(),
+                                    rockstack::counted(result.rows.size(), "row"), would_do));
+  const auto no_more = result.judged_no_more();
+  add(no_more, fmt::format("what was judged before is judged no more, {}", joined_up_to(3, no_more)));
+  return points;
+}
+
 }  // namespace
 
 std::string ResultsChange::headline() const {
-  std::string unknown;
-  if (!undecided.empty())
-    unknown = fmt::format("of {} of {} nothing can be said: {} replicates in every row would do",
-                          undecided.size(), rockstack::counted(rows.size(), "row"), replicates_needed);
+  const std::vector<std::string> open = open_points(*this);
+  const std::string unknown = fmt::format("{}", fmt::join(open, "; "));
   if (!worse())
-    return undecided.empty() ? "Nothing is worse."
-                             : "Undecided: nothing is shown to be worse, but " + unknown + ".";
+    return open.empty() ? "Nothing is worse."
+                        : "Undecided: nothing is shown to be worse, but " + unknown + ".";
   std::vector<std::string> sets;
   for (const auto& [row, change] : turned_numbers(*this)) {
     const std::string name = set_name(row->new_row);
     if (change->turn == Turn::worse && std::ranges::find(sets, name) == sets.end()) sets.push_back(name);
   }
-  return fmt::format("Worse: {}{}.", joined_up_to(3, sets), undecided.empty() ? "" : "; " + unknown);
+  return fmt::format("Worse: {}{}.", joined_up_to(3, sets), open.empty() ? "" : "; " + unknown);
 }
 
 Json changes_json(const ResultsChange& result) {
   Json json{{"headline", result.headline()},
             {"worse", result.worse()},
+            {"decided", result.decided()},
             {"undecided", result.undecided},
+            {"in_doubt", result.in_doubt},
+            {"more_failures", result.more_failures},
             {"level", result.level},
             {"tests", result.tests},
             {"tests_counted", result.counted},

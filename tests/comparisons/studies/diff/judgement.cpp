@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "comparisons/studies/diff/changes.hpp"
+
+namespace rockstack {
+namespace {
+
+using Noise = std::mt19937_64;
+
+/// A run of an engine with chance in every number that is reported.
+RunMetrics noisy_row(Noise& noise) {
+  std::lognormal_distribution<double> size(std::log(1e-3), 0.5);
+  std::poisson_distribution<int> count(2);
+  RunMetrics row;
+  for (const Column& column : columns())
+    if (column.replicated)
+      column.set(row, std::holds_alternative<std::optional<int> RunMetrics::*>(column.field)
+                          ? Json(count(noise))
+                          : Json(size(noise)));
+  row.toppling_verdict = TopplingVerdict::neither;
+  return row;
+}
+
+/// An exact motion, and an engine beside it on so many scenes.
+RecordedResults noisy(Noise& noise, std::size_t replicates, std::size_t scenes = 1) {
+  RecordedResults results;
+  results.folder = "noisy";
+  RecordedRun exact;
+  exact.row.engine = exact.row.run = "exact";
+  results.runs.push_back(exact);
+  for (std::size_t scene = 0; scene < scenes; ++scene) {
+    RecordedRun run;
+    for (std::size_t i = 0; i < replicates; ++i) run.replicates.push_back(noisy_row(noise));
+    run.row = run.replicates.front();
+    run.row.scene = "scene" + std::to_string(scene);
+    run.row.engine = "engine";
+    run.row.solver = "solver";
+    run.row.settings = "default";
+    run.row.dt = 1e-3;
+    run.row.steps = 1000;
+    run.row.run = run.row.scene + ".engine";
+    results.runs.push_back(run);
+  }
+  return results;
+}
+
+ResultsChange held_with_sinking(std::size_t replicates, double factor) {
+  Noise noise(3);
+  const RecordedResults before = noisy(noise, replicates);
+  RecordedResults now = noisy(noise, replicates);
+  for (RunMetrics& replicate : now.runs[1].replicates) *replicate.sinking *= factor;
+  return hold_against(before, now, {});
+}
+
+// By itself each of fifty numbers of six replicates has 2/924 at best, fifty times what is left of the level.
+TEST(Judgement, SixReplicatesShowWhichOfFiftyNumbersIsAHundredTimesAsLarge) {
+  const ResultsChange result = held_with_sinking(6, 100);
+  ASSERT_EQ(turned_numbers(result).size(), 1U);
+  EXPECT_EQ(turned_numbers(result).front().change->quantity, "sinking");
+  EXPECT_EQ(result.headline(), "Worse: engine:solver (default).");
+  EXPECT_EQ(result.counted, result.tests);
+}
+
+TEST(Judgement, ANumberThatIsWorseInEveryReplicateOfTooFewIsUndecidedAndItIsSaidHowManyDecide) {
+  const ResultsChange few = held_with_sinking(5, 100);
+  EXPECT_FALSE(few.worse());
+  EXPECT_EQ(few.in_doubt, std::vector<std::string>{"scene0.engine: sinking"});
+  EXPECT_EQ(few.replicates_needed, 9);
+  EXPECT_NE(few.headline().find("looks worse, scene0.engine: sinking: 9 replicates in every row would do"),
+            std::string::npos)
+      << few.headline();
+  EXPECT_TRUE(held_with_sinking(9, 100).worse());
+
+  Noise noise(4);
+  RecordedResults before = noisy(noise, 6), now = noisy(noise, 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    before.runs[1].replicates[i].sinking = 1e-3 * static_cast<double>(20 + i);
+    now.runs[1].replicates[i].sinking = 1e-3 * static_cast<double>(26 + i);
+  }
+  const ResultsChange barely = hold_against(before, now, {});
+  EXPECT_FALSE(barely.worse());
+  EXPECT_EQ(barely.in_doubt, std::vector<std::string>{"scene0.engine: sinking"});
+  EXPECT_FALSE(barely.decided());
+  EXPECT_TRUE(hold_against(now, before, {}).in_doubt.empty()) << "what looks better leaves nothing open";
+}
+
+TEST(Judgement, OneRowOfASetThatIsTenTimesWorseIsUndecidedWhereItsReplicatesAreTooFew) {
+  Noise noise(5);
+  const RecordedResults before = noisy(noise, 5, 4);
+  RecordedResults now = noisy(noise, 5, 4);
+  EXPECT_TRUE(hold_against(before, now, {}).decided());
+  for (RunMetrics& replicate : now.runs[2].replicates) *replicate.hover *= 100;
+  const ResultsChange result = hold_against(before, now, {});
+  EXPECT_FALSE(result.worse());
+  EXPECT_EQ(result.in_doubt, std::vector<std::string>{"scene1.engine: hover"});
+}
+
+// Of 400 pairs at most 20 ± 4.4 have anything told at the level 0.05, whether rows are judged together or
+// not.
+TEST(Judgement, OfResultsThatHaveNotChangedNoMoreAreWorseThanTheLevelSays) {
+  for (const auto& [replicates, scenes] : {std::pair{6, 1}, {7, 2}, {9, 1}}) {
+    Noise noise(7);
+    const auto drawn = [&] {
+      return noisy(noise, static_cast<std::size_t>(replicates), static_cast<std::size_t>(scenes));
+    };
+    int alarms = 0;
+    for (int trial = 0; trial < 400; ++trial)
+      alarms += turned_numbers(hold_against(drawn(), drawn(), {.level = 0.05})).empty() ? 0 : 1;
+    EXPECT_LE(alarms, 33) << replicates;
+    EXPECT_GE(alarms, 1) << replicates;
+  }
+}
+
+TEST(Judgement, MoreReplicatesThatFailOrToppleOtherwiseAreAtLeastUndecided) {
+  Noise noise(8);
+  const RecordedResults before = noisy(noise, 6);
+  RecordedResults now = before;
+  now.runs[1].replicates[2].status = now.runs[1].replicates[4].status = RunStatus::failed;
+  const ResultsChange failing = hold_against(before, now, {});
+  EXPECT_EQ(failing.more_failures, std::vector<std::string>{"scene0.engine: failed"});
+  EXPECT_FALSE(failing.decided());
+  EXPECT_EQ(failing.headline(),
+            "Undecided: nothing is shown to be worse, but more replicates fail or topple otherwise, "
+            "scene0.engine: failed.");
+  EXPECT_TRUE(hold_against(now, before, {}).more_failures.empty()) << "fewer do";
+
+  now = before;
+  now.runs[1].replicates[3].toppling_verdict = TopplingVerdict::engine_alone;
+  EXPECT_EQ(hold_against(before, now, {}).more_failures,
+            std::vector<std::string>{"scene0.engine: other_verdict"});
+  for (RunMetrics& replicate : now.runs[1].replicates) replicate.status = RunStatus::failed;
+  EXPECT_TRUE(hold_against(before, now, {}).worse());
+}
+
+TEST(Judgement, RowsThatTheOldResultsAloneHaveLeaveItUndecidedUnlessNothingIsAskedOfThem) {
+  Noise noise(9);
+  const RecordedResults before = noisy(noise, 6, 2);
+  RecordedResults now = before;
+  now.runs.pop_back();
+  const ResultsChange result = hold_against(before, now, {});
+  EXPECT_EQ(result.headline(),
+            "Undecided: nothing is shown to be worse, but what was judged before is judged no more, "
+            "scene1.engine.");
+  EXPECT_TRUE(hold_against(before, now, {.common_alone = true}).decided());
+  EXPECT_TRUE(hold_against(now, before, {}).decided()) << "what is new was not judged before";
+
+  now.runs[1].row.settings = "default+erp=0.5";
+  const ResultsChange nothing = hold_against(before, now, {.common_alone = true});
+  EXPECT_EQ(nothing.headline(),
+            "Undecided: nothing is shown to be worse, but no row of an engine is in both, and nothing was "
+            "judged.");
+}
+
+TEST(Judgement, RowsAreTheSameToTheBitWhereAllNumbersAreBesidesTheFilesOfTheNominalRun) {
+  Noise noise(10);
+  RecordedResults before = noisy(noise, 6);
+  before.runs[1].checksums["history.csv"] = "1";
+  RecordedResults now = before;
+  now.runs[1].row.stepping_time_minimum = now.runs[1].replicates[3].processor_time = 7;
+  EXPECT_EQ(hold_against(before, now, {}).rows[1].bits, "same") << "times are not of the motion";
+  *now.runs[1].replicates[3].sinking *= 1.1;
+  EXPECT_EQ(hold_against(before, now, {}).rows[1].bits, "nominal");
+  now.runs[1].checksums["history.csv"] = "2";
+  EXPECT_EQ(hold_against(before, now, {}).rows[1].bits, "different");
+}
+
+}  // namespace
+}  // namespace rockstack
