@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "analytic/scene/files/file_text.hpp"
+#include "analytic/scene/ground/records/header.hpp"
 #include "analytic/scene/ground/records/plain_text.hpp"
-#include "analytic/scene/ground/records/table.hpp"
 
 namespace rockstack {
 namespace {
@@ -39,16 +39,30 @@ std::size_t column_named(const records::RecordTable& table, const std::string& n
                                    names.empty() ? "missing" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-/// The factor that a column's title has, which the key `unit` must not contradict; 1 where neither says one.
-double factor_of(const records::RecordTable& table, std::size_t column, records::Quantity quantity,
-                 std::optional<double> stated) {
+std::string_view units_of(records::Quantity quantity) {
+  return quantity == records::Quantity::angle  ? "rad, mrad or deg"
+         : quantity == records::Quantity::time ? "s, ms or min"
+                                               : "m, cm or mm";
+}
+
+/// The unit that the title of a column has, or else the header, which the key `unit` must not contradict.
+/// @throws InputError also where what stands in the place of a unit is none.
+std::optional<double> own_factor(const records::RecordTable& table, std::size_t column,
+                                 records::Quantity quantity, std::optional<double> stated) {
   const auto& title = table.titles[column];
-  const bool own = title.unit && title.unit->quantity == quantity;
-  if ((title.unit && !own) || (own && stated && *stated != title.unit->factor))
+  const auto topic = quantity == records::Quantity::angle  ? records::Topic::angle
+                     : quantity == records::Quantity::time ? records::Topic::time
+                                                           : records::Topic::displacement;
+  const bool unread = !title.unit && (!title.unknown_unit.empty() || (title.name != title.text && !stated));
+  if (unread || title.scaled || (title.unit && title.unit->quantity != quantity))
     table.cursor.fail_at(table.title_line,
-                         fmt::format("{} has another unit than measured.unit: must be of {}",
-                                     table.column_name(column), records::name(quantity)));
-  return own ? title.unit->factor : stated.value_or(1);
+                         fmt::format("{} has no unit of {}: must be {}", table.column_name(column),
+                                     records::name(quantity), units_of(quantity)));
+  const auto unit = title.unit || stated ? title.unit : records::unit_in_header(table, topic, quantity);
+  if (unit && stated && *stated != unit->factor)
+    table.cursor.fail_at(table.title_line,
+                         fmt::format("{} has another unit than measured.unit", table.column_name(column)));
+  return unit ? std::optional(unit->factor) : std::nullopt;
 }
 
 /// Refuses angles that no standing block has, where nobody has said that they are in rad.
@@ -94,19 +108,22 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
   const std::string time_name = time == nullptr ? "time" : text(*time);
   std::vector<std::string> names = measured.columns;
   names.push_back(time_name);
+  records::check_last_line(name, text_of_file);
   const records::RecordTable readings = records::read_titled(name, text_of_file, names);
   readings.check_even(false);
   const std::size_t time_column = column_named(readings, time_name);
   const auto quantity = measured.point ? records::Quantity::displacement : records::Quantity::angle;
   std::vector<std::vector<double>> columns{readings.column(time_column, true)};
-  const double time_factor = factor_of(readings, time_column, records::Quantity::time, std::nullopt);
+  const double time_factor =
+      own_factor(readings, time_column, records::Quantity::time, std::nullopt).value_or(1);
   for (double& at : columns[0]) at *= time_factor;
   double factor = 1;
   bool own = false;
   for (const std::string& one : measured.columns) {
     const std::size_t index = column_named(readings, one);
-    factor = factor_of(readings, index, quantity, stated);
-    own = own || readings.titles[index].unit;
+    const std::optional<double> unit = own_factor(readings, index, quantity, stated);
+    factor = unit.value_or(stated.value_or(1));
+    own = own || unit;
     columns.push_back(readings.column(index, true));
     for (double& value : columns.back()) value = factor * value;
   }
@@ -122,6 +139,11 @@ Measurement read_measurement(const Node& table, const std::filesystem::path& fol
     for (std::size_t k = 1; k < columns.size(); ++k) measured.values.push_back(columns[k][i]);
   }
   if (measured.times.empty()) throw wrong_value(file, "a file with readings within the scene's duration");
+  if (measured.times.size() == 1 && columns[0].size() > 1)
+    throw wrong_value(
+        file,
+        "a file with more than one reading within the scene's duration: times in ms must say so, as in "
+        "\"time (ms)\"");
   if (!measured.point && !stated && !own) require_standing(measured, scene, column);
   return measured;
 }

@@ -32,10 +32,10 @@ inline constexpr KeyTable measured_keys{
      {"column", "\"theta_1\"", "", "a name, or an array of one for each block from `block` up", required_key,
       "of the readings: angles, or displacements of a point"},
      {"time", "\"time\"", "", "a name", "\"time\"",
-      "of the column of times, ascending, in s or the unit of its title"},
+      "of the column of times, ascending, in s or the unit of its title or header"},
      {"start", "0.0", "s", "any number", "0", "time of the file at which the scene starts"},
      {"unit", "\"rad\"", "", "\"rad\", \"mrad\", \"deg\"; of a point \"m\", \"cm\" or \"mm\"",
-      "that of the title, or else \"rad\", of a point \"m\"", "of the readings"},
+      "that of the title or header, or else \"rad\", of a point \"m\"", "of the readings"},
      {"block", "1", "", "the number of a block", "1", "that the first column is of"},
      {"point", "[0.0, 0.5]", "m", "two numbers", "none: angles",
       "of the block, from its middle to the right and up, whose way along the ground is measured"},
@@ -44,7 +44,8 @@ inline constexpr KeyTable measured_keys{
 /// Reads the table [measured] of a scene; its file is seen from `folder`. Readings before the start or after
 /// the scene's duration are left out.
 /// @throws InputError with place, key, value and what is allowed; as records::read_titled() of the file;
-/// where times do not ascend, no reading is left, or angles without a unit are beyond toppling.
+/// where a unit is none or not known, its last line is cut, times do not ascend, no reading is left or one of
+/// several, or angles without a unit are beyond toppling.
 Measurement read_measurement(const Node& table, const std::filesystem::path& folder, const Scene& scene);
 
 /// The angles that were measured as a motion, with velocities from the reading before to the one after.

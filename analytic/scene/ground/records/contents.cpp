@@ -73,6 +73,14 @@ std::vector<std::size_t> titled_series(const RecordTable& table, const std::opti
   return those(std::nullopt);
 }
 
+/// In s: that of the title, or else of the header; of times of day 1.
+double unit_of_times(const RecordTable& table, std::size_t time) {
+  if (!table.titles.empty() && table.titles[time].unit) return table.titles[time].unit->factor;
+  if (table.rows.front()[time].find(':') != std::string_view::npos) return 1;
+  const auto unit = unit_in_header(table, Topic::time, Quantity::time);
+  return unit ? unit->factor : 1;
+}
+
 /// Refuses a factor in a title: whether the numbers are multiplied by it is not said.
 void check_unscaled(const RecordTable& table, std::size_t column) {
   if (table.titles[column].scaled)
@@ -135,9 +143,7 @@ double interval_of(const RecordTable& table, const Header& header, const std::op
                             (table.titles.empty() ? "" : " by its title, as \"time (s)\" is")) +
             std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
   }
-  const bool titled = !table.titles.empty() && table.titles[*time].unit;
-  const double step =
-      constant_step(table, scaled(table.column(*time), titled ? table.titles[*time].unit->factor : 1));
+  const double step = constant_step(table, scaled(table.column(*time), unit_of_times(table, *time)));
   if (header.interval && std::abs(step - *header.interval) > step_tolerance * step)
     table.cursor.fail_at(header.interval_line, "dt = " + number_text(*header.interval) +
                                                    " s here, and times step by " + number_text(step) + " s");

@@ -16,9 +16,13 @@ bool is_acceleration(std::string_view word) {
   return std::ranges::find(list, word) != list.end();
 }
 
-bool is_keyword(std::string_view word) {
+bool is_unit_word(std::string_view word) {
   constexpr std::array list{"unit", "units", "einheit", "einheiten"};
-  return is_acceleration(word) || std::ranges::find(list, word) != list.end() || word.ends_with("unit");
+  return std::ranges::find(list, word) != list.end() || word.ends_with("unit");
+}
+
+bool is_keyword(std::string_view word) {
+  return is_acceleration(word) || is_unit_word(word);
 }
 
 /// Words that may stand between "acceleration" or "units" and the unit.
@@ -123,6 +127,37 @@ Found unit_at(std::string_view text, std::size_t start) {
     return {unit, run};
   }
   return {std::nullopt, segment};
+}
+
+std::optional<Unit> unit_in_header(const RecordTable& table, Topic topic, Quantity quantity) {
+  Stated stated;
+  for (const Line& line : table.header) {
+    const std::string text = lower(line.text);
+    bool expected = false, strict = false;  // strict: what follows must be a unit of that quantity
+    for (const std::string_view word : words(text, borders)) {
+      const bool of_all = is_unit_word(word) && quantity != Quantity::time;
+      if (of_all || is_of(folded(word), topic)) {
+        expected = true;
+        strict = of_all;
+        continue;
+      }
+      if (!expected) continue;
+      strict = strict || (word == "in" && quantity != Quantity::time);
+      if (is_filler(word)) continue;
+      const Found found = unit_at(text, offset_in(text, word));
+      const std::size_t end = offset_in(text, found.text) + found.text.size();
+      const bool setting = text.find_first_of("=:", end) == end;  // as in "time in min: 3"
+      expected = found.unit && found.unit->quantity == Quantity::time && quantity != Quantity::time;
+      if (found.unit && found.unit->quantity == quantity && !setting) state(stated, *found.unit, line.number);
+      if (strict && !expected && !(found.unit && found.unit->quantity == quantity))
+        table.cursor.fail_at(line.number,
+                             in_quotes(found.text) + " is no unit of " + std::string(name(quantity)));
+    }
+  }
+  if (stated.contradicted != 0)
+    table.cursor.fail_at(stated.contradicted, "names another unit of " + std::string(name(quantity)) +
+                                                  " than line " + std::to_string(stated.line));
+  return stated.unit;
 }
 
 Header read_header(const RecordTable& table) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "analytic/scene/ground/records/table.hpp"
+#include "analytic/scene/ground/records/vocabulary.hpp"
 
 namespace rockstack::records {
 
@@ -36,6 +37,10 @@ Header read_header(const RecordTable& table);
 
 /// Of all columns that have none of their own. @throws InputError where it is not named, or twice.
 Unit stated_unit(const RecordTable& table, const Header& header);
+
+/// The unit of a quantity that lines of text name after words of a topic, or after "units"; of times only
+/// after such words. @throws InputError where another stands there, or two differ.
+std::optional<Unit> unit_in_header(const RecordTable& table, Topic topic, Quantity quantity);
 
 /// A unit among the words of a text, and what stands in its place.
 struct Found {

@@ -104,6 +104,7 @@ std::optional<RecordTable> read_below_names(std::string_view file, std::string_v
         table.titles.push_back(read_title(cell));
       if (!has_columns(table, names)) continue;
       table.title_line = line->number;
+      table.header.assign(lines.begin(), line);
       for (auto row = line + 1; row != lines.end(); ++row) {
         table.rows.push_back(split(row->text, table.dialect));
         table.lines.push_back(row->number);

@@ -93,6 +93,8 @@ constexpr Symbol symbols[] = {{"m", length(1)},
                               {"rad", angle(1)},
                               {"radian", angle(1)},
                               {"mrad", angle(1e-3)},
+                              {"urad", angle(1e-6)},
+                              {"milliradian", angle(1e-3)},
                               {"deg", angle(std::numbers::pi / 180)},
                               {"degree", angle(std::numbers::pi / 180)}};
 

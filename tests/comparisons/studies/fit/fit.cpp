@@ -390,6 +390,35 @@ TEST(Measured, IsReadAsRecordsAre) {
   }
 }
 
+TEST(Measured, UnitsAreReadOfTitlesAndHeadersOrRefused) {
+  const std::string lines = "file = \"test.csv\"\ncolumn = \"angle\"\n";
+  const std::string rows = "\n0,1\n0.5,2\n";
+  for (const std::string head :
+       {"time,angle_deg", "# units: deg\ntime,angle", "# angle in degrees\ntime,angle",
+        "# units: s, deg\ntime,angle", "time,angle [\u00b0]", "# Winkel in deg\ntime,angle"}) {
+    const Tested test(measured_block, head + rows);
+    EXPECT_DOUBLE_EQ(test.measured.values[0], std::acos(-1.0) / 180) << head;
+  }
+  const Tested milliseconds(measured_block, "# time in ms\ntime,angle (deg)\n0,1\n500,2\n");
+  EXPECT_DOUBLE_EQ(milliseconds.measured.times[1], 0.5);
+  for (const std::string unit :
+       {"(grad)", "[gon]", "(gradi)", "[derece]", "[\u03bc\u03bf\u03af\u03c1\u03b5\u03c2]", "(%)", "[mm/m]",
+        "[V]", "(deg/s)", "(rad/s)", "(arcmin)"})
+    EXPECT_NE(
+        error_of(lines, "time,angle " + unit + rows).find("has no unit of angle: must be rad, mrad or deg"),
+        std::string::npos)
+        << unit;
+  EXPECT_NE(error_of(lines, "# units: gon\ntime,angle" + rows).find("'gon' is no unit of angle"),
+            std::string::npos);
+  EXPECT_NE(
+      error_of(lines, "# units: deg\n# angle in rad\ntime,angle" + rows).find("names another unit of angle"),
+      std::string::npos);
+  EXPECT_NE(error_of(lines, "time,angle\n0.00,0.12\n0.01,0.1").find("this line has no end"),
+            std::string::npos);
+  EXPECT_NE(error_of(lines, "time,angle\n0,0.12\n10,0.1\n").find("more than one reading within"),
+            std::string::npos);
+}
+
 TEST(Measured, AnglesBeyondTopplingNeedAUnit) {
   const std::string lines = "file = \"test.csv\"\ncolumn = \"angle\"\n";
   const std::string readings = "time,angle\n0,0.2\n0.5,6\n";
