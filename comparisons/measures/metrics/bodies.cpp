@@ -120,12 +120,16 @@ Unrest unrest_of(const Scene& scene, const History& exact, const History& motion
     unrest.offset =
         (places(tenth.last) - exact_places(tenth.last)).reshaped(2, stack.size()).colwise().norm().maxCoeff();
   }
-  const auto shown = [&](const std::vector<double>& list) {
-    return std::span(list).subspan(tenth.first, count - tenth.first);
+  const auto extremes = [&](const std::vector<double>& list) {
+    const auto end = list.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto [low, high] =
+        std::minmax_element(list.begin() + static_cast<std::ptrdiff_t>(tenth.first), end);
+    return std::pair(*low, *high);
   };
-  const auto [low, high] = std::ranges::minmax_element(shown(gaps));
-  if (std::ranges::max(shown(largest_gaps(exact))) == 0)
-    unrest.hover = *high - *low < 0.01 * *high ? *low : 0;
+  if (extremes(largest_gaps(exact)).second == 0) {
+    const auto [low, high] = extremes(gaps);
+    unrest.hover = high - low < 0.01 * high ? low : 0;
+  }
   return unrest;
 }
 
