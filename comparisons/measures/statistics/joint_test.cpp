@@ -10,7 +10,11 @@ namespace {
 
 constexpr double least_scale = 1e-12;  ///< below it values are rounding
 
-/// Values of mean 0 and one sum of squares, all 0 where none differ; 0 where there is no value.
+/// Half a hundredth: what a change of the median by a hundredth makes of ln(1 + |v|/s). Values that are
+/// spread by less are nearly alike, and what sets them apart, such as rounding, does not count as a rise.
+constexpr double least_spread = 0.005;
+
+/// Values of mean 0 and at most one sum of squares, 0 where there is no value.
 std::vector<double> standardized(const ReplicatedNumber& number) {
   std::vector<double> sizes;
   for (const auto& value : number)
@@ -30,7 +34,8 @@ std::vector<double> standardized(const ReplicatedNumber& number) {
     if (number[i]) scores[i] -= mean;
     squares += scores[i] * scores[i];
   }
-  for (double& score : scores) score = squares > 0 ? score / std::sqrt(squares) : 0;
+  const double least_squares = static_cast<double>(sizes.size()) * least_spread * least_spread;
+  for (double& score : scores) score /= std::sqrt(squares + least_squares);
   return scores;
 }
 

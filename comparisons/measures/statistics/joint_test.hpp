@@ -20,8 +20,8 @@ double least_joint_chance(std::size_t first, std::size_t second);
 /// share of all ways to share out the replicates in which the largest standardized rise or fall of any number
 /// is at least this one's (P. H. Westfall & S. S. Young, "Resampling-based multiple testing", 1993, maxT).
 /// Numbers are compared by ln(1 + |v|/s) with their signs, where s is the median of |v|: a rise by factors
-/// is far beyond what chance makes of other numbers. Precondition: all numbers have as many replicates, of
-/// which both samples have some.
+/// is far beyond what chance makes of other numbers, and spreads below a hundredth are no rise. Precondition:
+/// all numbers have as many replicates, of which both samples have some.
 std::vector<double> joint_chances(const std::vector<ReplicatedNumber>& numbers, std::size_t first);
 
 }  // namespace rockstack

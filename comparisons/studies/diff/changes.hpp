@@ -163,8 +163,8 @@ struct ResultsChange {
   /// Names of engines' old rows of which nothing can be said: other bits, and no number that could show a
   /// change, neither of its own nor of its set.
   std::vector<std::string> undecided = {};
-  std::vector<std::string> in_doubt = {};       ///< "run: sinking": looks_worse(), and no test says it
-  std::vector<std::string> more_failures = {};  ///< "run: failed": fails_more_often()
+  std::vector<std::string> in_doubt = {};       ///< "sinking of RUN": looks_worse(), and no test says it
+  std::vector<std::string> more_failures = {};  ///< "failed of RUN": fails_more_often()
   int replicates_needed = 0;                    ///< in every row, with which none of both would be
 
   bool worse() const;

@@ -199,7 +199,7 @@ void find_undecided(const ChangeOptions& options, ResultsChange& result) {
     if (!is_decided_by_set(row, result) && !is_decided(row, options))
       result.undecided.push_back(row.old_row.run);
     for (const QuantityChange& change : row.quantities) {
-      const std::string name = row.new_row.run + ": " + change.quantity;
+      const std::string name = change.quantity + " of " + row.new_row.run;
       if (fails_more_often(change)) {
         result.more_failures.push_back(name);
       } else if (is_in_doubt(result, row, change)) {

@@ -61,14 +61,14 @@ std::vector<std::string> open_points(const ResultsChange& result) {
   };
   const std::string would_do = fmt::format("{} replicates in every row would do", result.replicates_needed);
   if (!result.judges_engines()) points.push_back("no row of an engine is in both, and nothing was judged");
-  add(result.in_doubt, fmt::format("so few replicates do not decide what looks worse, {}: {}",
+  add(result.in_doubt, fmt::format("so few replicates do not decide what looks worse ({}): {}",
                                    joined_up_to(3, result.in_doubt), would_do));
   add(result.more_failures,
-      fmt::format("more replicates fail or topple otherwise, {}", joined_up_to(3, result.more_failures)));
+      fmt::format("more replicates fail or topple otherwise ({})", joined_up_to(3, result.more_failures)));
   add(result.undecided, fmt::format("of {} of {} nothing can be said: {}", result.undecided.size(),
                                     rockstack::counted(result.rows.size(), "row"), would_do));
   const auto no_more = result.judged_no_more();
-  add(no_more, fmt::format("what was judged before is judged no more, {}", joined_up_to(3, no_more)));
+  add(no_more, fmt::format("what was judged before is judged no more ({})", joined_up_to(3, no_more)));
   return points;
 }
 

@@ -41,6 +41,16 @@ TEST(JointTest, ValuesThatAreMissingInfiniteZeroOrAlikeAreTaken) {
   EXPECT_EQ(chances[2], 1);
 }
 
+// By rounding alone the first number is parted in two, another way than the second.
+TEST(JointTest, RoundingIsNoRise) {
+  std::vector<ReplicatedNumber> numbers(2, ReplicatedNumber(12));
+  for (std::size_t i = 0; i < 12; ++i) {
+    numbers[0][i] = i % 2 == 0 ? 1.0 : 1 - 1e-15;
+    numbers[1][i] = (i < 6 ? 1.0 : 100.0) * static_cast<double>(3 + i % 4);
+  }
+  EXPECT_DOUBLE_EQ(joint_chances(numbers, 6)[1], 2.0 / 924);
+}
+
 // Of 1000 results 50 ± 6.9 have any number at or below 0.05.
 TEST(JointTest, TheChanceOfAnyAmongAllIsThatOfTheLevel) {
   std::mt19937_64 noise(3);
