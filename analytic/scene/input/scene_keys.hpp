@@ -101,7 +101,7 @@ inline constexpr KeyTable record_keys{
      {"time_scale", "1.0", "", "> 0", "1",
       "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"},
      {"limits", "\"none\"", "", "\"usual\" or \"none\"", "\"usual\"",
-      "of a record: refuses a step above 0.5 s and a peak above 10 g, or takes them as meant"}}};
+      "of a record: refuses a step below 10 µs or above 0.5 s and a peak above 10 g, or takes them as meant"}}};
 
 inline constexpr KeyTable samples_keys{
     "[ground.horizontal]",

@@ -58,6 +58,15 @@ Unit unit_of_column(const RecordTable& table, const Header& header, std::size_t 
                            " is no unit of acceleration: must be e.g. m/s2, cm/s2, gal or g");
 }
 
+/// Whether a title without a quantity and a unit may name a channel: a short one, a direction, a sensor.
+bool may_name_channel(const Title& title) {
+  constexpr std::size_t longest = 3;  // letters
+  const std::string plain = folded(title.name);
+  return std::ranges::all_of(words_in(plain), [](std::string_view word) {
+    return word.size() <= longest || is_of(word, Topic::channel) || is_of(word, Topic::history);
+  });
+}
+
 /// Columns of the highest derivative that titles name; else those that no title says to be something else.
 std::vector<std::size_t> titled_series(const RecordTable& table, const std::optional<std::size_t>& time) {
   const auto those = [&](std::optional<Quantity> quantity) {
@@ -163,6 +172,11 @@ Content titled_content(const RecordTable& table, const Header& header) {
   if (time) check_unscaled(table, *time);
   for (const std::size_t column : content.columns) {
     check_unscaled(table, column);
+    const Title& title = table.titles[column];
+    if (!title.quantity && title.unknown_unit.empty() && !may_name_channel(title))
+      table.cursor.fail_at(
+          table.title_line,
+          table.column_name(column) + ": whether this is an acceleration must be said in the title");
     if (!table.titles[column].unknown_unit.empty() && !table.titles[column].unit) fail_unknown(table, column);
     content.units.push_back(unit_of_column(table, header, column));
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "analytic/scene/ground/records/header.hpp"
 #include "analytic/scene/ground/records/vocabulary.hpp"
@@ -54,11 +55,11 @@ std::optional<double> value_of(const Tokens& tokens, std::size_t at) {
 }
 
 bool is_counted(std::string_view word) {
-  constexpr std::array<std::string_view, 27> list{
-      "points",       "samples",    "data",   "values",   "records",   "readings", "lines",
-      "rows",         "datapoints", "punkte", "werte",    "messwerte", "punti",    "campioni",
-      "dati",         "valori",     "puntos", "muestras", "datos",     "valores",  "donnees",
-      "echantillons", "veri",       "nokta",  "σημειων",  "точек",     "отсчетов"};
+  constexpr std::array<std::string_view, 29> list{
+      "pts",   "pt",     "points",     "samples",  "data",    "values",    "records", "readings",
+      "lines", "rows",   "datapoints", "punkte",   "werte",   "messwerte", "punti",   "campioni",
+      "dati",  "valori", "puntos",     "muestras", "datos",   "valores",   "donnees", "echantillons",
+      "veri",  "nokta",  "σημειων",    "точек",    "отсчетов"};
   return is_one_of(word, list);
 }
 
@@ -86,14 +87,31 @@ bool is_of_rate(const Tokens& tokens, std::size_t at) {
          (tokens[at] == "per" || tokens[at].starts_with('/') || (read_unit(tokens[at]) && tokens[at] != "g"));
 }
 
+/// Whether a number counts values that stand after it: "400 points", not "8 values per line" or "every 10
+/// points".
+bool counts_next(const Tokens& tokens, std::size_t at) {
+  constexpr std::array<std::string_view, 5> nouns{"points", "pts", "samples", "values", "datapoints"};
+  constexpr std::array<std::string_view, 8> before{"first", "last", "every", "each",
+                                                   "per",   "of",   "to",    "from"};
+  constexpr std::array<std::string_view, 5> after{"of", "at", "in", "with", "are"};
+  std::size_t noun = at + 1;
+  if (noun < tokens.size() && tokens[noun] == "data") ++noun;
+  if (noun >= tokens.size() || !is_one_of(tokens[noun], nouns)) return false;
+  const bool part = at > 0 && is_one_of(tokens[at - 1], before);
+  const bool line = std::ranges::any_of(tokens, [](auto word) { return word == "line" || word == "row"; });
+  return !part && !line && (noun + 1 == tokens.size() || is_one_of(tokens[noun + 1], after));
+}
+
 void read_stated_count(const Cursor& cursor, const Tokens& tokens, Header& header) {
   for (std::size_t k = 0; k < tokens.size(); ++k) {
-    const auto place = count_place(tokens, k);
+    const auto place = counts_next(tokens, k) ? std::optional(k) : count_place(tokens, k);
     if (!place) continue;
     const std::size_t at = after_signs(tokens, *place);
     const auto value = value_of(tokens, at);
     constexpr double most = 1e9;
-    if (!value || !(*value >= 1) || *value > most || is_of_rate(tokens, at + 1)) continue;
+    if (!value || !(*value >= 1) || *value > most || *value != std::floor(*value) ||
+        is_of_rate(tokens, at + 1))
+      continue;
     const auto stated = static_cast<std::size_t>(*value);
     if (header.stated_count != 0 && header.stated_count != stated)
       cursor.fail("announces " + std::to_string(stated) + " values, line " +
@@ -107,14 +125,15 @@ void read_stated_count(const Cursor& cursor, const Tokens& tokens, Header& heade
 std::optional<std::size_t> factor_place(const Tokens& tokens, std::size_t at) {
   constexpr std::array<std::string_view, 8> done{"multiplied", "multiply", "divided",       "divide",
                                                  "scaled",     "scale",    "multipliziert", "geteilt"};
-  constexpr std::array<std::string_view, 3> by{"by", "durch", "mit"};
+  constexpr std::array<std::string_view, 4> by{"by", "with", "durch", "mit"};
   if (at + 1 < tokens.size() && is_one_of(tokens[at], done) && is_one_of(tokens[at + 1], by)) return at + 2;
   return any_of_topic(words_in(tokens[at]), Topic::factor) ? std::optional(at + 1) : std::nullopt;
 }
 
 void refuse_factor(const Cursor& cursor, const Tokens& tokens) {
-  constexpr std::array<std::string_view, 8> physical{"damping", "dampfungs", "quality",    "safety",
-                                                     "q",       "load",      "importance", "behaviour"};
+  constexpr std::array<std::string_view, 12> physical{"richter", "magnitude", "mercalli",   "moment",
+                                                      "damping", "dampfungs", "quality",    "safety",
+                                                      "q",       "load",      "importance", "behaviour"};
   constexpr std::array<std::string_view, 5> done{"applied", "angewandt", "applique", "applicato", "aplicado"};
   const bool applied = std::ranges::any_of(tokens, [&](auto word) { return is_one_of(word, done); }) &&
                        std::ranges::find(tokens, "not") == tokens.end() &&

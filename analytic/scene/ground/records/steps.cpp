@@ -167,9 +167,9 @@ bool is_of_another(std::string_view plain, std::string_view number) {
 
 /// Rates that a line names beside its step must be that of the step, but those of filters.
 void check_rates(const Cursor& cursor, std::string_view plain, Header& header) {
-  constexpr std::array filters{"filter",  "pole",  "corner",  "cut",     "pass",  "hp",   "lp",
-                               "hc",      "lc",    "fc",      "band",    "high",  "low",  "butterworth",
-                               "nyquist", "up to", "resonan", "natural", "modes", "eigen"};
+  constexpr std::array filters{"filter",      "alias",   "pole",  "corner",  "cut",     "pass",  "hp",
+                               "lp",          "hc",      "lc",    "fc",      "band",    "high",  "low",
+                               "butterworth", "nyquist", "up to", "resonan", "natural", "modes", "eigen"};
   if (std::ranges::any_of(filters, [&](auto word) { return plain.find(word) != plain.npos; })) return;
   const auto list = words(plain, ",;:=()[]");
   for (std::size_t k = 0; k < list.size(); ++k) {

@@ -40,9 +40,11 @@ bool has_digit_at(std::string_view text, std::size_t place) {
   return place < text.size() && is_digit(text[place]);
 }
 
-/// Whether a name has a factor, as "acc x 1000", "acc/10" and "1e3*acc"; "acc x1" is an axis.
+/// Whether a name has a factor, as "acc x 1000", "acc/10", "1e3*acc" and "-acc"; "acc x1" is an axis.
 bool has_factor(std::string_view name) {
   std::string plain = folded(name);
+  if (plain.size() > 2 && plain[0] == '-' && plain[1] >= 'a' && plain[1] <= 'z' && quantity_in(plain))
+    return true;
   for (std::size_t at = plain.find("\u00d7"); at != plain.npos; at = plain.find("\u00d7"))
     plain.replace(at, 2, "*");
   for (std::size_t at = plain.find_first_of("x*/"); at != plain.npos;

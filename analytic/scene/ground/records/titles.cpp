@@ -17,7 +17,9 @@ bool may_be_titles(const Texts& cells) {
     const bool has_value =
         (cell.find_first_of("=:") != cell.npos && !contains(cell, "unnamed")) ||
         std::ranges::any_of(words(cell), [](auto word) { return is_numeric(word) && contains(word, "."); });
-    return has_value || is_numeric(cell);
+    if (has_value || !is_numeric(cell)) return has_value;
+    const Title title = read_title(cell);  // "10 x acc (g)" is one
+    return !title.unit && !title.scaled;
   });
 }
 

@@ -11,11 +11,12 @@ namespace {
 using Vocabulary = std::span<const std::string_view>;
 
 constexpr std::string_view acceleration_words[] = {
-    "acc",          "accs",           "accn",          "accel",       "accels",
-    "accelerogram", "accelerogramme", "beschl",        "aceleracion", "aceleraciones",
-    "aceleracao",   "accelerazione",  "accelerazioni", "ivme",        "ivmesi",
-    "επιταχυνση",   "επιταχυνσεις",   "ускорение",     "ускорения",   "加速度",
-    "gforce"};
+    "accx",          "accy",         "accz",           "accelx",        "accely",
+    "accelz",        "acc",          "accs",           "accn",          "accel",
+    "accels",        "accelerogram", "accelerogramme", "beschl",        "aceleracion",
+    "aceleraciones", "aceleracao",   "accelerazione",  "accelerazioni", "ivme",
+    "ivmesi",        "επιταχυνση",   "επιταχυνσεις",   "ускорение",     "ускорения",
+    "加速度",        "gforce"};
 constexpr std::string_view acceleration_letters[] = {"a", "ax", "ay", "az", "ag"};
 constexpr std::string_view acceleration_parts[] = {"acceleration", "beschleunigung"};
 constexpr std::string_view velocity_words[] = {"velocity", "velocities", "vel",      "veloc",      "vitesse",
@@ -45,9 +46,9 @@ constexpr std::string_view angle_words[] = {
     "angoli", "angulo", "angulos", "aci",  "acisi",       "γωνια",       "угол", "neigung",
     "pitch",  "roll",   "yaw",     "角度", "inclination", "inclinazione"};
 constexpr std::string_view angle_parts[] = {"winkel"};
-constexpr std::string_view rotation_words[] = {"angular",   "angulaire", "angolare", "gyro",
-                                               "gyroscope", "gyr",       "omega",    "ω",
-                                               "acisal",    "γωνιακη",   "угловое"};
+constexpr std::string_view rotation_words[] = {
+    "rot",  "rota",      "rotx", "roty",  "rotz", "angular", "angulaire", "angolare",
+    "gyro", "gyroscope", "gyr",  "omega", "ω",    "acisal",  "γωνιακη",   "угловое"};
 constexpr std::string_view rotation_parts[] = {"rotation",   "rotazion",     "rotacion",
                                                "drehung",    "drehrate",     "drehbeschl",
                                                "drehgeschw", "winkelbeschl", "winkelgeschw"};
@@ -70,10 +71,22 @@ constexpr std::string_view other_words[] = {
     "profondita", "profundidad", "derinlik", "βαθοσ", "глубина", "height", "hohe", "hauteur", "altezza",
     "altura", "yukseklik", "elevation", "altitude", "latitude", "longitude", "lat", "lon", "floor", "floors",
     "storey", "story", "etage", "stockwerk", "piano", "piso", "magnitude", "magnitudes",
-    // Measures of a record.
-    "pga", "pgv", "pgd", "arias", "husid", "intensity", "duration", "cav", "jerk", "ratio", "error",
-    "coherence", "phase"};
+    // Measures of a record, and of others.
+    "pga", "pgv", "pgd", "rpm", "bpm", "arias", "husid", "intensity", "duration", "cav", "jerk", "ratio",
+    "error", "coherence", "phase"};
 constexpr std::string_view other_parts[] = {"kraft", "gewicht", "druck", "spannung"};
+constexpr std::string_view channel_words[] = {
+    "north",  "south",     "east",      "west",    "nord",      "sued",       "sud",        "ost",
+    "ouest",  "est",       "norte",     "sur",     "este",      "oeste",      "kuzey",      "guney",
+    "dogu",   "bati",      "radial",    "lateral", "up",        "down",       "channel",    "channels",
+    "kanal",  "canal",     "canale",    "sensor",  "component", "komponente", "composante", "componente",
+    "comp",   "direction", "richtung",  "value",   "values",    "wert",       "werte",      "data",
+    "daten",  "signal",    "amplitude", "motion",  "ground",    "boden",      "base",       "table",
+    "shake",  "shaking",   "input",     "output",  "target",    "measured",   "filtered",   "corrected",
+    "record", "recorded",  "motion",    "series",  "command",   "reference",  "feedback",   "achieved",
+    "desired"};
+constexpr std::string_view channel_parts[] = {"longit", "transv",   "trasv",   "vertic",
+                                              "vertik", "horizont", "orizzont"};
 constexpr std::string_view counting_words[] = {
     "index",   "sample", "samples", "no",    "nr",     "#",      "point",  "points", "row",  "id",
     "unnamed", "date",   "datum",   "count", "number", "nummer", "numero", "numara", "line", "zeile"};
@@ -94,21 +107,22 @@ constexpr std::string_view spectral_words[] = {"sa",
                                                "spectra",
                                                "スペクトル",
                                                "谱"};
-constexpr std::string_view pseudo_words[] = {"pseudo", "スペクトル", "谱"};
-constexpr std::string_view spectrum_parts[] = {"spectr", "spektr", "spettr", "φασμα", "спектр"};
+constexpr std::string_view pseudo_words[] = {"pseudo", "スペクトル"};
+constexpr std::string_view spectrum_parts[] = {"widmo", "spektar", "spektr", "스펙트럼", "طیف",   "譜",
+                                               "谱",    "spectr",  "spektr", "spettr",   "φασμα", "спектр"};
 constexpr std::string_view period_parts[] = {
-    "period", "periyo",  "periyot", "schwingdauer", "schwingungsdauer", "περιοδο", "период", "周期",
-    "freq",   "frecuen", "frekan",  "frekven",      "συχνοτητ",         "частот",  "周波数", "频率"};
+    "okres", "period",  "periyo", "periyot", "schwingdauer", "schwingungsdauer", "περιοδο", "период", "周期",
+    "freq",  "frecuen", "frekan", "frekven", "συχνοτητ",     "частот",           "周波数",  "频率"};
 constexpr std::string_view history_words[] = {"history",       "histories",   "series",     "accelerogram",
                                               "accelerograms", "seismogram",  "matched",    "matching",
                                               "compatible",    "compatibile", "kompatibel", "angepasst"};
 constexpr std::string_view history_parts[] = {"zeitverlauf"};
 constexpr std::string_view factor_words[] = {
-    "factor",       "factors",       "multiplier",    "gain",         "calibration",   "scale",
-    "scaling",      "faktor",        "facteur",       "fattore",      "multiplikator", "verstarkung",
-    "kalibrierung", "skalierung",    "calibracion",   "calibrazione", "ganancia",      "guadagno",
-    "escala",       "echelle",       "scala",         "katsayi",      "katsayisi",     "carpan",
-    "olcek",        "amplification", "magnification", "kazanc"};
+    "sf",          "factor",       "factors",       "multiplier",    "gain",         "calibration",
+    "scale",       "scaling",      "faktor",        "facteur",       "fattore",      "multiplikator",
+    "verstarkung", "kalibrierung", "skalierung",    "calibracion",   "calibrazione", "ganancia",
+    "guadagno",    "escala",       "echelle",       "scala",         "katsayi",      "katsayisi",
+    "carpan",      "olcek",        "amplification", "magnification", "kazanc"};
 constexpr std::string_view factor_parts[] = {"faktor"};
 constexpr std::string_view normalised_parts[] = {"normali", "normiert"};
 constexpr std::string_view peak_words[] = {"pga", "peak", "max", "maximum", "min", "minimum", "pgv", "pgd"};
@@ -137,6 +151,7 @@ constexpr Entry entries_of_topics[] = {{Topic::acceleration, acceleration_words,
                                        {Topic::angle, angle_words, angle_parts},
                                        {Topic::rotation, rotation_words, rotation_parts},
                                        {Topic::other, other_words, other_parts},
+                                       {Topic::channel, channel_words, channel_parts},
                                        {Topic::counting, counting_words, {}},
                                        {Topic::spectrum, pseudo_words, spectrum_parts},
                                        {Topic::spectral_ordinate, spectral_words, spectrum_parts},

@@ -18,6 +18,7 @@ enum class Topic {
   angle,
   rotation,  ///< makes an angular acceleration of an acceleration
   other,     ///< a force, a voltage, a temperature: what no record holds
+  channel,   ///< a direction, a sensor: of whatever the header says
   counting,  ///< of samples and dates
   spectrum,
   spectral_ordinate,

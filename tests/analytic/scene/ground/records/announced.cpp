@@ -11,9 +11,10 @@ void expect_error(const std::string& text, const std::string& part) {
 }
 
 TEST(Counts, StatedAnywhereMustBeWhatIsThere) {
-  for (const std::string line : {"# NPTS = 4", "Number of points: 4", "NUMBER OF DATA : 4", "# samples: 4",
-                                 "# number of data points 4", "# Anzahl der Werte: 4", "# sample_count: 4",
-                                 "Number of records: 4", "# numero di punti = 4"}) {
+  for (const std::string line :
+       {"# NPTS = 4", "Number of points: 4", "NUMBER OF DATA : 4", "# samples: 4",
+        "# number of data points 4", "# Anzahl der Werte: 4", "# sample_count: 4", "Number of records: 4",
+        "# numero di punti = 4", "# No. of pts: 4", "# 4 data points"}) {
     expect_error(line + "\n# units: g\n# dt = 0.01\n0.1\n0.2\n0.3\n",
                  "the file ends after 3 values; line 1 announces 4");
     EXPECT_EQ(read_text(line + "\n# units: g\n# dt = 0.01\n0.1\n0.2\n0.3\n0.4\n").samples.size(), 4U) << line;
@@ -36,9 +37,10 @@ TEST(Steps, TwoThatDifferAreRefused) {
         "dt = 0.01 s, resampled from dt = 0.005 s"})
     expect_error(one_column(line), "names two time steps");
   for (const std::string line :
-       {"dt = 0.01 s (100 Hz)", "Sampling rate: 100 Hz, low-pass filter 40 Hz", "f = 1.9 Hz, fs = 100 Hz",
-        "sampled at 100 Hz", "samples: 3, rate: 100 Hz", "step: 0.01 s", "Sampling time: 10 ms",
-        "Sample rate 100 samples/s", "Schrittweite = 0,01 s", "intervalo de muestreo: 0.01 s"})
+       {"dt = 0.01 s (100 Hz)", "Sampling rate: 100 Hz, low-pass filter 40 Hz",
+        "sampled at 100 Hz, anti-alias 50 Hz", "f = 1.9 Hz, fs = 100 Hz", "sampled at 100 Hz",
+        "samples: 3, rate: 100 Hz", "step: 0.01 s", "Sampling time: 10 ms", "Sample rate 100 samples/s",
+        "Schrittweite = 0,01 s", "intervalo de muestreo: 0.01 s"})
     EXPECT_NEAR(read_text(one_column(line)).interval, 0.01, 1e-12) << line;
   expect_error(one_column("camera frame rate: 50 fps"), "no time step in the header");
 }

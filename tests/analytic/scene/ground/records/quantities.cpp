@@ -66,6 +66,15 @@ TEST(Titles, OfAnotherQuantityAreNoAcceleration) {
       "column 3 of 3, \"Acceleration at mass 1 (m/s2)\"");
 }
 
+TEST(Titles, ThatNameNoQuantityAreThoseOfChannels) {
+  for (const std::string title :
+       {"NS", "HNE", "CH1", "North", "Channel 2", "Longitudinal", "A1", "Table motion", "x"})
+    EXPECT_EQ(error_of_text("# units: g\nTime (s)," + title + "\n" + rows), "") << title;
+  for (const std::string title : {"Flow", "Brightness", "Helligkeit"})
+    expect_error("# units: g\nTime (s)," + title + "\n" + rows,
+                 "whether this is an acceleration must be said");
+}
+
 TEST(Titles, MustBeAsManyAsColumns) {
   EXPECT_EQ(error_of_text("Time (s),Disp (cm),Acc (g)\n" + std::string(rows)),
             "file:1: 3 titles above numbers in 2 columns: must be as many");
@@ -83,7 +92,8 @@ TEST(Factors, InHeadersAndTitlesAreRefused) {
   for (const std::string line : {"Scale factor: 1.0", "gain: 1", "scale 1:5", "Damping factor: 0.05",
                                  "Scale factor", "amplification factor 2 applied"})
     EXPECT_EQ(error_of_text("# " + line + "\ntime (s),acc (g)\n" + rows), "") << line;
-  for (const std::string title : {"acc x 1000 (g)", "acc/10 (g)", "acc x10 (g)"})
+  for (const std::string title :
+       {"acc x 1000 (g)", "acc/10 (g)", "1000*acc (g)", "10 x acc (g)", "-acc (g)", "acc x10 (g)"})
     expect_error("time (s)," + title + "\n" + rows, "names a factor");
   for (const std::string title : {"acc x1 (g)", "acc 2 (g)", "acc_x (g)", "Accel x (g)"})
     EXPECT_EQ(error_of_text("time (s)," + title + "\n" + rows), "") << title;
