@@ -77,10 +77,9 @@ void Cursor::fail_at(std::size_t line, const std::string& message) const {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string shown(text.substr(0, longest));
-  std::ranges::replace_if(
-      shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + shown + (text.size() > longest ? "…'" : "'");
+  std::size_t end = std::min(text.size(), longest);
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;
+  return "'" + one_line(text.substr(0, end)) + (text.size() > end ? "…'" : "'");
 }
 
 std::string lower(std::string_view text) {

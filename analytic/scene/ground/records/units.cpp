@@ -82,6 +82,7 @@ constexpr Symbol symbols[] = {{"m", length(1)},
                               {"mg", gravity(1e-3 * standard_gravity)},
                               {"milli-g", gravity(1e-3 * standard_gravity)},
                               {"ug", gravity(1e-6 * standard_gravity)},
+                              {"gn", gravity(standard_gravity)},
                               {"gal", gravity(centimetre_per_second_squared)},
                               {"mgal", gravity(1e-5)},
                               {"hz", rate(1)},
@@ -208,12 +209,27 @@ std::optional<Power> take_product(std::string_view& rest) {
   }
 }
 
+/// Spellings that are no products of symbols.
+std::string_view plain_name(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> names{{{"% g", "%g"},
+                                                                                {"% of g", "%g"},
+                                                                                {"micro-g", "ug"},
+                                                                                {"n/kg", "m/s^2"},
+                                                                                {"mps2", "m/s^2"},
+                                                                                {"mps^2", "m/s^2"},
+                                                                                {"mpss", "m/s^2"},
+                                                                                {"\u043c/\u0441^2", "m/s^2"},
+                                                                                {"\u043c/\u04412", "m/s^2"}}};
+  const auto found = std::ranges::find(names, text, &std::pair<std::string_view, std::string_view>::first);
+  return found == names.end() ? text : found->second;
+}
+
 std::optional<Power> read_power(std::string_view text) {
   constexpr std::size_t longest = 40;
   if (text.size() > longest) return std::nullopt;
   std::string plain = plain_spelling(text);
   if (plain.ends_with('.')) plain.pop_back();
-  std::string_view rest = plain;
+  std::string_view rest = plain_name(plain);
   const auto power = take_product(rest);
   return rest.empty() ? power : std::nullopt;
 }

@@ -21,8 +21,9 @@ void expect_read(const std::string& text, double unit = 1, const std::string& ta
 
 TEST(Units, AreReadInAllSpellingsOrNotAtAll) {
   using records::Quantity, records::read_unit;
-  for (const char* text : {"m s-2", "m s^-2", "m s\u207b\u00b2", "m\u00b7s\u207b\u00b2", "m / s2", "m * s^-2",
-                           "M/S**2", "m/s^(2)", "m/sec/sec", "metres per second squared"})
+  for (const char* text :
+       {"m s-2", "m s^-2", "m s\u207b\u00b2", "m\u00b7s\u207b\u00b2", "m / s2", "m * s^-2", "M/S**2",
+        "m/s^(2)", "m/sec/sec", "metres per second squared", "N/kg", "mps2", "\u043c/\u04412"})
     EXPECT_EQ(read_unit(text), (records::Unit{1, Quantity::acceleration})) << text;
   for (const char* text :
        {"m/s 2", "m/s*s", "m/s s", "ms-2", "g/10", "s m", "", "2", "m s -2", "kg", "m/s^4"})
@@ -30,7 +31,8 @@ TEST(Units, AreReadInAllSpellingsOrNotAtAll) {
   EXPECT_EQ(read_unit("Hz")->quantity, Quantity::frequency);
   EXPECT_EQ(read_unit("samples/s")->quantity, Quantity::frequency);
   EXPECT_EQ(read_unit("msec"), (records::Unit{1e-3, Quantity::time}));
-  EXPECT_DOUBLE_EQ(read_unit("%g")->factor, 0.01 * g);
+  for (const char* text : {"%g", "% g", "% of g"})
+    EXPECT_DOUBLE_EQ(read_unit(text)->factor, 0.01 * g) << text;
 }
 
 TEST(TitledColumns, AfterTheWordAccelerationNothingButAnAccelerationIsRead) {
