@@ -128,9 +128,9 @@ std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptio
 /// Changes of median and both quartiles by less than a hundredth, or 1e-12, are not reported.
 void judge(double level, QuantityChange& change);
 
-/// Whether a number is worse in every new replicate than in any old one, or its median is ten times worse
+/// Whether a number is worse in every new replicate than in any old one, or its median is five times worse
 /// at the level before any correction, and its own test could not show that. Where a test of its set judges
-/// it, only what is worse tenfold in every replicate looks so.
+/// it, only what is both looks so.
 bool looks_worse(const QuantityChange& change, bool judged_by_set, double level);
 
 /// Whether more replicates fail, or more topple otherwise and their test could not show that; and the test

@@ -152,14 +152,14 @@ void judge(double level, QuantityChange& change) {
 
 bool looks_worse(const QuantityChange& change, bool judged_by_set, double level) {
   if (!change.test || !apart(change.old_values, change.new_values)) return false;
-  constexpr double grave = 10;
+  constexpr double grave = 5;  // medians of errors that are ten times as large are hardly ever less apart
   const double superiority = change.test->superiority;
   if (turn_of(change.better, superiority > 0.5) != Turn::worse) return false;
   const bool in_all = superiority == 0 || superiority == 1;
-  const bool tenfold =
+  const bool several_times =
       turn_by(grave, change.better, change.old_values.median, change.new_values.median) == Turn::worse;
-  if (judged_by_set) return in_all && tenfold;
-  return in_all || (tenfold && !change.could_show && change.test->p_value <= level);
+  if (judged_by_set) return in_all && several_times;
+  return in_all || (several_times && !change.could_show && change.test->p_value <= level);
 }
 
 bool fails_more_often(const QuantityChange& change) {
