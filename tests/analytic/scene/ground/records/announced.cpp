@@ -1,14 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "analytic/scene/ground/records/record_file.hpp"
-#include "tests/analytic/scene/ground/records/layouts.hpp"
+#include "tests/analytic/scene/ground/records/refusals.hpp"
 
 namespace rockstack {
 namespace {
-
-void expect_error(const std::string& text, const std::string& part) {
-  EXPECT_NE(error_of_text(text).find(part), std::string::npos) << text << error_of_text(text);
-}
 
 TEST(Counts, StatedAnywhereMustBeWhatIsThere) {
   for (const std::string line :

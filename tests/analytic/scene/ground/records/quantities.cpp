@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic/scene/ground/records/record_file.hpp"
-#include "tests/analytic/scene/ground/records/layouts.hpp"
+#include "tests/analytic/scene/ground/records/refusals.hpp"
 
 namespace rockstack {
 namespace {
@@ -12,10 +12,6 @@ constexpr const char* rows = "0.00,0.5\n0.02,1\n0.04,0.7\n";
 std::string taken_of(const std::string& text) {
   const std::string error = error_of_text(text);
   return error.empty() ? records::read_series("file", text).front().taken : error;
-}
-
-void expect_error(const std::string& text, const std::string& part) {
-  EXPECT_NE(error_of_text(text).find(part), std::string::npos) << text << error_of_text(text);
 }
 
 TEST(Titles, TimeIsWhatTheyCallSoAndNoOtherFirstColumn) {
