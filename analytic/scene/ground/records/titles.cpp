@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "analytic/scene/ground/records/cells.hpp"
 #include "analytic/scene/ground/records/units.hpp"
