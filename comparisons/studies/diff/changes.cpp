@@ -1,14 +1,15 @@
+#include "comparisons/studies/diff/changes.hpp"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/lists.hpp"
-#include "comparisons/studies/diff/judgement.hpp"
 
 namespace rockstack {
 namespace {
 
-/// Of all columns but those that name the row and those that the machine took.
+/// Whether all columns are equal but those that name the row and those that the machine took.
 bool same_cells(const RunMetrics& before, const RunMetrics& now) {
   return std::ranges::all_of(columns(), [&](const Column& column) {
     const bool naming =

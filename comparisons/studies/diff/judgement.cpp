@@ -1,4 +1,4 @@
-#include "comparisons/studies/diff/judgement.hpp"
+#include "comparisons/studies/diff/changes.hpp"
 
 #include "comparisons/measures/statistics/joint_test.hpp"
 

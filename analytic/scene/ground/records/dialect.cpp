@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "analytic/scene/ground/records/text.hpp"
+
 namespace rockstack::records {
 namespace {
 

@@ -3,9 +3,19 @@
 #include <string_view>
 #include <vector>
 
-#include "analytic/scene/ground/records/table.hpp"
-
 namespace rockstack::records {
+
+/// A line of a file, its number from 1.
+struct Line {
+  std::size_t number = 0;
+  std::string_view text;
+};
+
+/// How a file parts its columns and writes its numbers.
+struct Dialect {
+  char separator = ' ';  ///< ' ': blanks, and commas where these are no decimal points
+  bool decimal_comma = false;
+};
 
 using Cells = std::vector<std::string_view>;
 
