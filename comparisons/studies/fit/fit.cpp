@@ -82,8 +82,8 @@ std::vector<Place> best_places(const Shares& shares) {
   return best;
 }
 
-/// The place that the method comes to, begun anew for as long as that brings it nearer: impacts make residuals
-/// bend, and its trust region shrinks at each bend.
+/// The place that the method comes to, begun anew for as long as that brings it nearer: impacts make
+/// residuals bend, and its trust region shrinks at each bend.
 Place refined(Shares shares, Place place) {
   for (double before = std::numeric_limits<double>::infinity(); place.sum < 0.9 * before;) {
     before = place.sum;
