@@ -111,6 +111,7 @@ void take_count_row(RecordTable& table, Header& header) {
 void read(Cursor& cursor, std::vector<Record>& records) {
   RecordTable table = read_rows(cursor.file(), cursor.take_rest());
   check_commas(table);
+  if (!table.rows.empty()) label_labview(table);
   Header header = read_header(table);
   const std::size_t rows = table.rows.size();
   if (rows == 0 && header.count == 0)
@@ -123,7 +124,7 @@ void read(Cursor& cursor, std::vector<Record>& records) {
   Header counted;
   take_count_row(table, counted);
   table.check_even(true);
-  find_titles(table);
+  if (table.titles.empty()) find_titles(table);
   unfold_pairs(table);
   if (table.titles.empty()) find_titles(table);
   check_titles(table);

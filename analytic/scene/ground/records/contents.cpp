@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "analytic/scene/ground/records/vocabulary.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -21,12 +22,27 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
   return values;
 }
 
+/// Refuses times that leave a gap, or go back: a step that is not half to twice the usual one.
+void check_gaps(const RecordTable& table, const std::vector<double>& times) {
+  std::vector<double> steps(times.size());
+  std::adjacent_difference(times.begin(), times.end(), steps.begin());
+  std::vector<double> sorted(steps.begin() + 1, steps.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (!(steps[k] > *middle / 2 && steps[k] < 2 * *middle))
+      table.cursor.fail_at(table.lines[k], "time " + number_text(times[k]) + " after " +
+                                               number_text(times[k - 1]) + ", where most steps are " +
+                                               number_text(*middle, 6) + ": must have a constant step");
+}
+
 /// The mean step, which all others must equal. `times` in s.
 double constant_step(const RecordTable& table, const std::vector<double>& times) {
   const Cursor& cursor = table.cursor;
   if (times.size() < 2) cursor.fail_at(table.lines.front(), "one time alone gives no time step");
   const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   checked_interval(cursor.at_line(table.lines.back()), step);
+  check_gaps(table, times);
   for (std::size_t k = 1; k < times.size(); ++k) {
     const double expected = times.front() + static_cast<double>(k) * step;
     if (std::abs(times[k] - expected) > step_tolerance * step)

@@ -25,4 +25,9 @@ void check_present(const RecordTable& table, const Header& header, const std::ve
 /// the times in the order of reading rise by equal steps.
 void unfold_pairs(RecordTable& table);
 
+/// Names the columns of a LabVIEW measurement file (.lvm) by its header: channels in the line X_Value, their
+/// units after Y_Unit_Label, times in s. @throws InputError where the count after Samples is another, or
+/// channels have times of their own.
+void label_labview(RecordTable& table);
+
 }  // namespace rockstack::records

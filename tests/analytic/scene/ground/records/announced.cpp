@@ -83,5 +83,29 @@ TEST(Contradictions, InHeadersOfNetworksAreRefused) {
   EXPECT_EQ(error_of_text(with(esm_text(made_up_samples()), "PGA_CM/S^2: 0", "PGA_CM/S^2: -0.83")), "");
 }
 
+// One column of times, two channels, each with its unit.
+TEST(LabView, ChannelsAreNamedByTheHeader) {
+  const std::string head =
+      "LabVIEW Measurement\t\nSeparator\tTab\nX_Columns\tOne\nTime\t10:22:31.123\n***End_of_Header***\t\n\t\n"
+      "Channels\t2\t\t\nSamples\t3\t3\t\nTime\t10:22:31.1\t10:22:31.1\t\nY_Unit_Label\tmm\tg\t\n"
+      "X_Dimension\tTime\tTime\t\nDelta_X\t0.010000\t0.010000\t\n***End_of_Header***\t\t\t\n"
+      "X_Value\tTable\tBlock\tComment\n";
+  const std::string rows = "0.000\t1.0\t0.1\n0.010\t2.0\t0.2\n";
+  const auto read = records::read_series("file", head + rows + "0.020\t3.0\t-0.5\n");
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_NEAR(read.front().interval, 0.01, 1e-12);
+  EXPECT_NEAR(read.front().samples.back(), -0.5 * 9.80665, 1e-12);
+  EXPECT_EQ(read.front().taken, "column 3 of 3, \"Block (g)\"");
+  expect_error(head + rows, "announces 3");
+  std::string none = head;
+  none.replace(none.find("One"), 3, "No");
+  expect_error(none + rows, "file:3: X_Columns must be One");
+}
+
+TEST(Steps, AGapIsToldWhereItIs) {
+  expect_error("time (s),acc (g)\n0,1\n0.1,2\n0.2,3\n0.5,4\n0.6,5\n",
+               "file:5: time 0.5 after 0.2, where most steps are 0.1");
+}
+
 }  // namespace
 }  // namespace rockstack
