@@ -102,16 +102,15 @@ TEST(Judgement, OneRowOfASetThatIsTenTimesWorseIsUndecidedWhereItsReplicatesAreT
 // Of 250 pairs at most 12.5 ± 3.4 have anything told at the level 0.05, whether rows are judged together or
 // not.
 TEST(Judgement, OfResultsThatHaveNotChangedNoMoreAreWorseThanTheLevelSays) {
-  for (const auto& [replicates, scenes] : {std::pair{6, 1}, {7, 2}, {9, 1}}) {
+  using Sizes = std::pair<std::size_t, std::size_t>;  // replicates, scenes
+  for (const Sizes& sizes : {Sizes(6, 1), Sizes(7, 2), Sizes(9, 1)}) {
     Noise noise(7);
-    const auto drawn = [&] {
-      return noisy(noise, static_cast<std::size_t>(replicates), static_cast<std::size_t>(scenes));
-    };
+    const auto drawn = [&] { return noisy(noise, sizes.first, sizes.second); };
     int alarms = 0;
     for (int trial = 0; trial < 250; ++trial)
       alarms += turned_numbers(hold_against(drawn(), drawn(), {.level = 0.05})).empty() ? 0 : 1;
-    EXPECT_LE(alarms, 23) << replicates;
-    EXPECT_GE(alarms, 1) << replicates;
+    EXPECT_LE(alarms, 23) << sizes.first;
+    EXPECT_GE(alarms, 1) << sizes.first;
   }
 }
 
