@@ -1,6 +1,6 @@
 #include "comparisons/interfaces/python/convert.hpp"
 
-#include <bit>
+#include <cstring>
 
 #include "analytic/scene/input/whole_number.hpp"
 
@@ -115,7 +115,9 @@ void read_value(const py::handle& value, Node& target, int depth) {
 }
 
 bool is_known(const bool& value) {
-  return std::bit_cast<unsigned char>(value) <= 1;
+  unsigned char byte = 0;
+  std::memcpy(&byte, &value, sizeof(value));  // to read it as a truth value would be undefined
+  return byte <= 1;
 }
 
 bool is_known(EventKind kind) {
