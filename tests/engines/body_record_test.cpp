@@ -171,8 +171,8 @@ TEST(Bodies, ABlockHasFallenOffSinceItLastHadSomethingBelowIt) {
   EXPECT_EQ(since({0, 0.3, 0.5, 0.6, 0.5, 0.3}), (std::vector<double>{infinity, infinity}));
 }
 
-// The same cubes: the upper one turns by 45° over the edge of the lower one, on which it still leans at the
-// end.
+// Two cubes of 0.4 m: the upper one turns by 45° over the edge of the lower one, on which it still leans at
+// the end.
 TEST(Bodies, ABlockThatLiesOnTheGroundBesideItsBaseHasFallen) {
   Scene scene;
   scene.duration = 0.2;

@@ -27,7 +27,7 @@ std::optional<std::size_t> time_column(const RecordTable& table, const Header& h
 /// The step of the header, which times must agree with.
 double interval_of(const RecordTable& table, const Header& header, const std::optional<std::size_t>& time);
 
-/// Of titled columns those of the highest derivative; without titles all but times and numbers of rows.
+/// Takes of titled columns those of the highest derivative; without titles all but times and numbers of rows.
 /// @throws InputError where there is none, where a unit is missing, unknown, or contradicts the header, and
 /// where titles name factors.
 Content titled_content(const RecordTable& table, const Header& header);

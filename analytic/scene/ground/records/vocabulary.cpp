@@ -58,12 +58,12 @@ constexpr std::string_view other_words[] = {
     "forze", "carico", "fuerza", "carga", "charge", "kuvvet", "kuvveti", "yuk", "δυναμη", "φορτιο", "сила",
     "нагрузка", "stress", "spannung", "spannungen", "tensione", "esfuerzo", "contrainte", "gerilme", "energy",
     "energie", "energia", "power", "leistung", "work", "impulse", "shear",
-    // Of recorders.
+    // Quantities of recorders.
     "voltage", "voltages", "volt", "volts", "tension", "voltaje", "voltaggio", "gerilim", "ταση",
     "напряжение", "current", "strom", "courant", "corriente", "battery", "status", "flag", "temp",
     "temperature", "temperatures", "temperatur", "temperatura", "sicaklik", "θερμοκρασια", "температура",
     "humidity", "light", "magnetic", "magnetometer", "mag",
-    // Of bodies and places.
+    // Quantities of bodies and places.
     "mass", "masses", "masse", "massen", "massa", "masa", "kutle", "μαζα", "масса", "weight", "gewicht",
     "peso", "poids", "pressure", "pressures", "druck", "pression", "pressione", "presion", "basinc", "πιεση",
     "давление", "strain", "strains", "dehnung", "deformation", "deformazione", "deformacion",

@@ -51,7 +51,7 @@ TEST(JointTest, RoundingIsNoRise) {
   EXPECT_DOUBLE_EQ(joint_chances(numbers, 6)[1], 2.0 / 924);
 }
 
-// Of 1000 results 50 ± 6.9 have any number at or below 0.05.
+// Chance gives 50 ± 6.9 of 1000 results with any number at or below 0.05.
 TEST(JointTest, TheChanceOfAnyAmongAllIsThatOfTheLevel) {
   std::mt19937_64 noise(3);
   int below = 0;

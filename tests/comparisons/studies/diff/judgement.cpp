@@ -99,8 +99,8 @@ TEST(Judgement, OneRowOfASetThatIsTenTimesWorseIsUndecidedWhereItsReplicatesAreT
   EXPECT_EQ(result.in_doubt, std::vector<std::string>{"hover of scene1.engine"});
 }
 
-// Of 250 pairs at most 12.5 ± 3.4 have anything told at the level 0.05, whether rows are judged together or
-// not.
+// Chance gives at most 12.5 ± 3.4 of 250 pairs with anything told at the level 0.05, whether rows are judged
+// together or not.
 TEST(Judgement, OfResultsThatHaveNotChangedNoMoreAreWorseThanTheLevelSays) {
   using Sizes = std::pair<std::size_t, std::size_t>;  // replicates, scenes
   for (const Sizes& sizes : {Sizes(6, 1), Sizes(7, 2), Sizes(9, 1)}) {
