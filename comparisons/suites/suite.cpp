@@ -244,8 +244,8 @@ std::vector<std::string> engines_left_out(const std::vector<Suite>& suites) {
   return {names.begin(), names.end()};
 }
 
-void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record) {
-  const Record replacement = read_record(record);
+void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record, RecordLimits limits) {
+  const Record replacement = read_record(record, limits);
   const double largest = peak({replacement.interval, replacement.samples, ""});
   if (largest == 0)
     throw InputError(fmt::format("--record {}: must not be zero throughout", record.string()));

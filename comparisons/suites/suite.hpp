@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/scene/ground/records/record.hpp"
 #include "comparisons/suites/measurement.hpp"
 #include "engines/worker/registry.hpp"
 
@@ -173,7 +174,8 @@ std::vector<std::string> engines_left_out(const std::vector<Suite>& suites);
 /// Puts a record, scaled to the same peak, in the place of the horizontal motion of every scene of a suite
 /// that is shaken by samples: a record, or a synthetic motion. A scene lasts to the record's end at least.
 /// @throws InputError as read_record(), or where no scene is.
-void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record);
+void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record,
+                    RecordLimits limits = RecordLimits::usual);
 
 /// What a comparison of a single scene runs.
 struct SceneChoice {

@@ -23,6 +23,17 @@ std::vector<double> exact_energies(const Scene& scene, const History& history) {
   return values;
 }
 
+/// What moves the ground, as it was read, and how far.
+std::string ground_text(const Scene& scene) {
+  std::string text;
+  for (const auto& [motion, axis] :
+       {std::pair(&scene.horizontal, ""), std::pair(&scene.vertical, "vertical, ")})
+    if (!motion->empty())
+      text += fmt::format("{}{}, {}peak {:.4g} m/s²", text.empty() ? "" : "; ", motion->source, axis,
+                          peak(*motion));
+  return text;
+}
+
 /// The motion as far as it can be followed, and why no further.
 std::pair<History, std::string> followed(const Scene& scene, const SolveOptions& options) {
   try {
@@ -58,6 +69,7 @@ Json whole_answer(const Scene& scene, SolveOptions options) {
             reported_impacts(scene, history, chatter_speed(scene)));
   plots::add_forces(scene, history, 1, answer["track"]);
   add_energies(answer, scene, history.times, exact_energies(scene, history), 1);
+  answer["ground"] = ground_text(scene);
   answer["verdict"] = motion_verdict(scene, history);
   answer["end"] = {{"angles", history.angles_at(history.size() - 1)},
                    {"velocities", history.velocities_at(history.size() - 1)}};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
@@ -103,13 +104,14 @@ LivePage make_live_page(const PageStart& start) {
   const Json state = state_json(start, page.records);
   MotionLibrary library;
   read_state(state, page.records, library);
-  for (const std::string& record : page.records) library.record(record);
+  for (const auto& record : start.records) read_record(record, start.limits);
   const Json scenes = shipped_scenes(page.records), lessons = lesson_list(start, page.records);
   if (!start.course.empty()) page.course = course_files(start.course);
   const Json setup{{"start", state},
                    {"scenes", scenes},
                    {"engines", engine_list()},
                    {"records", page.records},
+                   {"limits", start.limits == RecordLimits::none ? Json{{"limits", "none"}} : Json::object()},
                    {"lesson", start.lesson},
                    {"lessons", lessons},
                    {"pages", page.course.lessons},

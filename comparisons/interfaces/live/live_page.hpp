@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analytic/scene/ground/records/record.hpp"
 #include "analytic/scene/input/json.hpp"
 
 namespace rockstack::live {
@@ -19,6 +20,7 @@ struct PageStart {
   std::map<std::string, std::filesystem::path> lessons;  ///< the scene's file of each, by name
   std::filesystem::path course;                          ///< a folder with pages of lessons; empty: none
   std::vector<std::filesystem::path> records;  ///< that scenes may name, besides those that the scene has
+  RecordLimits limits = RecordLimits::usual;   ///< of those
 };
 
 /// What `rockstack teach` has written into a folder.
@@ -36,7 +38,7 @@ struct LivePage {
 };
 
 /// The page: one file that needs no network but this server. @throws InputError for a scene that is none, or
-/// beyond what a live page takes.
+/// beyond what a live page takes, and as read_record().
 LivePage make_live_page(const PageStart& start);
 
 }  // namespace rockstack::live

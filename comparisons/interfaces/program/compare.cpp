@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/record_limits.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
@@ -44,11 +45,12 @@ Suite read_input(const std::string& input, const CompareArguments& arguments, co
                                             : read_suite(file, common.overrides);
 }
 
-std::vector<Suite> read_inputs(const CompareArguments& arguments, const Common& common) {
+std::vector<Suite> read_inputs(const CompareArguments& arguments, Common common) {
+  const RecordLimits limits = arguments.record ? take_record_limits(common) : RecordLimits::usual;
   std::vector<Suite> suites;
   for (const std::string& input : arguments.inputs)
     apply(arguments.choice, suites.emplace_back(read_input(input, arguments, common)));
-  if (arguments.record) replace_motion(suites, *arguments.record);
+  if (arguments.record) replace_motion(suites, *arguments.record, limits);
   return suites;
 }
 

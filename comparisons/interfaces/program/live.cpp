@@ -9,6 +9,7 @@
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/live/requests.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/record_limits.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
 
@@ -22,8 +23,9 @@ std::filesystem::path lesson_scene(const std::string& name) {
   return find_file(nearest(root, "scenes.1").text, "scenes", suite.parent_path());
 }
 
-live::PageStart start_of(const LiveArguments& arguments, const Common& common) {
+live::PageStart start_of(const LiveArguments& arguments, Common common) {
   live::PageStart start;
+  if (!arguments.records.empty()) start.limits = take_record_limits(common);
   start.overrides = common.overrides;
   if (const EngineList usual = usual_engines(); !usual.empty()) start.engine = usual.front().get().name;
   start.records = arguments.records;

@@ -16,7 +16,7 @@ constexpr double spectrum_damping = 0.05;
 
 /// A record as the command sees it: where it came from, the motion to be measured and what it measures.
 struct MeasuredRecord {
-  std::string file, channel, format, taken;
+  std::string file, channel, format, taken, unit, step;
   BaseLine base_line;
   GroundMotion motion;
   GroundMeasures measures;
@@ -30,7 +30,8 @@ MeasuredRecord measure_record(const RecordArguments& arguments, RecordLimits lim
   const BaseLine line = arguments.base_line == "fitted" ? fitted_base_line(motion) : BaseLine{};
   motion = without(motion, line);
   const GroundMeasures measures = measure_ground(motion);
-  return {file, channel, record.format, record.taken, line, std::move(motion), measures};
+  return {file,        channel, record.format,     record.taken, record.unit,
+          record.step, line,    std::move(motion), measures};
 }
 
 Json to_json(const Peak& peak) {
@@ -47,6 +48,8 @@ Json to_json(const MeasuredRecord& record, const RecordArguments& arguments) {
           {"channel", record.channel},
           {"format", record.format},
           {"taken", record.taken},
+          {"unit", record.unit},
+          {"step", record.step},
           {"points", measures.points},
           {"interval", measures.interval},
           {"duration", measures.duration},
@@ -78,7 +81,9 @@ void print_text(const MeasuredRecord& record, const std::string& base_line) {
   line("format", record.format);
   line("channel", record.channel);
   if (!record.taken.empty()) line("taken", record.taken);
+  line("unit", "1 in the file is " + record.unit);
   line("points", fmt::format("{}, {:.12g} s apart, {:.6g} s in all", m.points, m.interval, m.duration));
+  line("step by", record.step);
   line("base line taken off",
        base_line == "none"
            ? base_line

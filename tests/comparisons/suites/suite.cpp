@@ -228,13 +228,17 @@ TEST(Suites, ARecordTakesThePlaceOfMotionsBySamplesAtTheirPeak) {
   EXPECT_EQ(motion(3).samples, (std::vector<double>{2, -4, 1}));
   EXPECT_EQ(motion(3).interval, 0.02);
   EXPECT_FALSE(motion(3).made_up);
-  EXPECT_EQ(motion(3).source, "new.csv (text columns), scaled by 2");
+  EXPECT_EQ(motion(3).source, "new.csv (text columns, in 1 m/s², steps of 0.02 s by line 2), scaled by 2");
   const double still = suites[0].scenes[0].scene.duration;
   std::string longer = "# units: m/s2\n# dt = 0.5\n-2\n";
   for (int k = 1; k <= 80; ++k) longer += "1\n";
   replace_motion(suites, folder.write("long.csv", longer));
   EXPECT_EQ(suites[0].scenes[2].scene.duration, 40) << "it lasts as long as the record";
   EXPECT_EQ(suites[0].scenes[0].scene.duration, still);
+  const auto slow = folder.write("slow.csv", "# units: m/s2\n# dt = 0.6\n1\n-2\n");
+  EXPECT_THROW(replace_motion(suites, slow), InputError);
+  replace_motion(suites, slow, RecordLimits::none);
+  EXPECT_EQ(motion(3).interval, 0.6) << "that is meant";
   std::vector<Suite> unshaken{suite_of(R"("still.toml", "pulse.toml")")};
   EXPECT_THROW(replace_motion(unshaken, record), InputError);
 }

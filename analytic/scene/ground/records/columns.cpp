@@ -29,6 +29,8 @@ Record accelerogram(const Cursor& cursor, Record record, Quantity quantity) {
                       ? acceleration_of_velocity(record.interval, record.samples)
                       : acceleration_of_displacement(record.interval, record.samples);
   motion.format = record.format + " of " + std::string(name(quantity));
+  motion.unit = record.unit;
+  motion.step = record.step;
   return motion;
 }
 
@@ -49,8 +51,8 @@ void add_columns(const RecordTable& table, const Header& header, const Content& 
   check_present(table, header, content.columns);
   const Cursor last = table.cursor.at_line(table.lines.back());
   for (std::size_t k = 0; k < content.columns.size(); ++k) {
-    Record record = make_record(content.interval, table.column(content.columns[k]), content.units[k].factor,
-                                "text columns");
+    Record record =
+        make_record(content.interval, table.column(content.columns[k]), content.units[k], "text columns");
     record = accelerogram(last, std::move(record), content.units[k].quantity);
     record.taken = taken_column(table, content, content.columns[k]);
     records.push_back(std::move(record));
@@ -82,14 +84,14 @@ void add_counted(const RecordTable& table, const Header& header, std::vector<Rec
   if (values.size() == header.count + 1) values.pop_back();
   if (values.empty() || table.columns() == 1 || values.size() + 1 != header.count)
     check_count(end, values.size(), header.count, header.count_line);
-  records.push_back(make_record(*header.interval, std::move(values), unit.factor, "PEER AT2"));
+  records.push_back(make_record(step_of(header), std::move(values), unit, "PEER AT2"));
 }
 
 /// Five columns or more without times and titles: one series that goes on from line to line.
 void add_continued(const RecordTable& table, const Header& header, std::vector<Record>& records) {
   const Unit unit = stated_unit(table, header);
-  const double interval = interval_of(table, header, std::nullopt);
-  Record record = make_record(interval, all_numbers(table, header), unit.factor, "text columns");
+  Record record =
+      make_record(interval_of(table, header, std::nullopt), all_numbers(table, header), unit, "text columns");
   records.push_back(accelerogram(table.cursor.at_line(table.lines.back()), std::move(record), unit.quantity));
 }
 

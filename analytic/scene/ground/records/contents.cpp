@@ -157,9 +157,13 @@ std::optional<std::size_t> time_column(const RecordTable& table, const Header& h
   return rises(first) && !numbers ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
-double interval_of(const RecordTable& table, const Header& header, const std::optional<std::size_t>& time) {
+Interval step_of(const Header& header) {
+  return {*header.interval, "line " + std::to_string(header.interval_line)};
+}
+
+Interval interval_of(const RecordTable& table, const Header& header, const std::optional<std::size_t>& time) {
   if (!time) {
-    if (header.interval) return *header.interval;
+    if (header.interval) return step_of(header);
     const std::size_t columns = table.columns();
     table.cursor.fail_at(
         table.lines.front(),
@@ -172,7 +176,7 @@ double interval_of(const RecordTable& table, const Header& header, const std::op
   if (header.interval && std::abs(step - *header.interval) > step_tolerance * step)
     table.cursor.fail_at(header.interval_line, "dt = " + number_text(*header.interval) +
                                                    " s here, and times step by " + number_text(step) + " s");
-  return step;
+  return {step, table.column_name(*time)};
 }
 
 Content titled_content(const RecordTable& table, const Header& header) {
@@ -181,7 +185,7 @@ Content titled_content(const RecordTable& table, const Header& header) {
       table.cursor.fail_at(table.title_line,
                            table.column_name(k) + ": a spectrum is no record: must be a history in time");
   const auto time = time_column(table, header);
-  Content content{0, titled_series(table, time), {}};
+  Content content{{}, titled_series(table, time), {}};
   if (content.columns.empty())
     table.cursor.fail_at(table.title_line,
                          "no column is an acceleration, velocity or displacement by its title");

@@ -81,7 +81,8 @@ void read_channel(Cursor& cursor, std::vector<Record>& series) {
   if (contains(line.substr(0, line.find(',')), "accel")) {
     const double factor = data_factor(cursor, line, integers);
     const double interval = header_interval(cursor, reals, null);
-    series.push_back(make_record(interval, read_columns(cursor, values, columns, null), factor, "COSMOS"));
+    series.push_back(
+        make_record({interval}, read_columns(cursor, values, columns, null), {factor}, "COSMOS"));
   } else {
     read_columns(cursor, values, columns);
   }
@@ -142,7 +143,7 @@ void read_smc(Cursor& cursor, std::vector<Record>& series) {
     cursor.next({});
     cursor.fail("surplus line after " + std::to_string(announced) + " samples");
   }
-  series.push_back(make_record(interval, std::move(samples), centimetre_per_second_squared, "USGS SMC"));
+  series.push_back(make_record({interval}, std::move(samples), {centimetre_per_second_squared}, "USGS SMC"));
 }
 
 }  // namespace
@@ -217,7 +218,7 @@ void read_block(Cursor& cursor, std::string_view interval, std::vector<Record>& 
   if (starts_with(field_after(line, "points of"), "acc")) {
     const double factor = block_factor(cursor, line);
     const double step = block_interval(cursor, line, interval);
-    series.push_back(make_record(step, read_columns(cursor, values, columns), factor, "CSMIP volume 2"));
+    series.push_back(make_record({step}, read_columns(cursor, values, columns), {factor}, "CSMIP volume 2"));
   } else {
     read_columns(cursor, values, columns);
   }

@@ -1,12 +1,16 @@
 #pragma once
 
-#include <utility>
-
 #include "analytic/scene/ground/records/record.hpp"
 #include "analytic/scene/ground/records/text.hpp"
 #include "analytic/scene/ground/records/units.hpp"
 
 namespace rockstack::records {
+
+/// A time step, and where it was found.
+struct Interval {
+  double length = 0;  ///< s
+  std::string place = "the header";
+};
 
 /// A layout of record files. `recognises` starts at the first line; `read` goes on until the end of the file,
 /// or of a channel that others may follow.
@@ -21,11 +25,9 @@ extern const Format knet, esm, cosmos, smc, geonet, volume2, obspy, columns;
 inline constexpr std::string_view known_formats =
     "PEER AT2, COSMOS, CSMIP volume 2, USGS SMC, ESM, K-NET/KiK-net, GeoNet, ObsPy, columns of numbers";
 
-/// Samples times a factor to m/s².
-inline Record make_record(double interval, std::vector<double> samples, double factor, std::string format) {
-  for (double& sample : samples) sample *= factor;
-  return {interval, std::move(samples), std::move(format)};
-}
+/// Samples of that unit, in SI units.
+Record make_record(const Interval& interval, std::vector<double> samples, const Unit& unit,
+                   std::string format);
 
 /// The acceleration, linear in pieces, whose integral from v[0] on passes through every sample of a velocity:
 /// its knots lie at the middles between samples (a quadratic spline, Subbotin 1967), and so it is given at

@@ -55,8 +55,8 @@ void read_component(Cursor& cursor, std::vector<Record>& series) {
     cursor.fail_at(rounded_line, "time step " + number_text(*rounded) + " s here, and " +
                                      number_text(interval) + " s in the reals below");
   if (samples == 0) cursor.fail("the header announces no samples of acceleration");
-  series.push_back(make_record(interval, read_columns(cursor, samples, ten_a_line),
-                               millimetre_per_second_squared, "GeoNet"));
+  series.push_back(make_record({interval}, read_columns(cursor, samples, ten_a_line),
+                               {millimetre_per_second_squared}, "GeoNet"));
   for (const std::size_t count : passed) read_columns(cursor, count, ten_a_line);
   cursor.skip_blank();
 }

@@ -53,7 +53,7 @@ void read_esm(Cursor& cursor, std::vector<Record>& series) {
   std::vector<double> samples = read_values(cursor);
   check_count(cursor, samples.size(), announced, announced_in);
   check_peak(cursor.at_line(peak_line), peak * centimetre_per_second_squared, samples, *factor);
-  series.push_back(make_record(*interval, std::move(samples), *factor, "ESM ASCII"));
+  series.push_back(make_record({*interval}, std::move(samples), {*factor}, "ESM ASCII"));
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ void read_knet(Cursor& cursor, std::vector<Record>& series) {
   const double sum = std::accumulate(samples.begin(), samples.end(), 0.0);
   const double offset = sum / static_cast<double>(samples.size());
   for (double& sample : samples) sample -= offset;
-  series.push_back(make_record(interval, std::move(samples), factor * centimetre_per_second_squared,
+  series.push_back(make_record({interval}, std::move(samples), {factor * centimetre_per_second_squared},
                                "K-NET/KiK-net ASCII"));
 }
 
@@ -141,7 +141,7 @@ void read_obspy(Cursor& cursor, std::vector<Record>& series) {
     for (std::size_t k = pairs ? 1 : 0; k < values.size(); ++k) samples.push_back(number(cursor, values[k]));
   }
   check_count(cursor, samples.size(), announced, announced_in);
-  series.push_back(make_record(interval, std::move(samples), *factor, "ObsPy " + std::string(fields[7])));
+  series.push_back(make_record({interval}, std::move(samples), {*factor}, "ObsPy " + std::string(fields[7])));
 }
 
 }  // namespace

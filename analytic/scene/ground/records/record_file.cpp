@@ -33,6 +33,12 @@ std::vector<Record> read_series(std::string_view file, std::string_view bytes) {
   cursor.fail("not a known format: must be " + std::string(known_formats));
 }
 
+Record make_record(const Interval& interval, std::vector<double> samples, const Unit& unit,
+                   std::string format) {
+  for (double& sample : samples) sample *= unit.factor;
+  return {interval.length, std::move(samples), std::move(format), text(unit), interval.place};
+}
+
 }  // namespace records
 
 namespace {

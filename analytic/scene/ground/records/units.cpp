@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analytic/scene/ground/records/text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -268,6 +269,12 @@ std::optional<double> unit_factor(std::string_view name) {
 std::string_view name(Quantity quantity) {
   constexpr std::array names{"acceleration", "velocity", "displacement", "time", "frequency", "angle"};
   return names[static_cast<std::size_t>(quantity)];
+}
+
+std::string text(const Unit& unit) {
+  constexpr std::array symbols{"m/s²", "m/s", "m", "s", "Hz", "rad"};
+  constexpr int digits = 7;
+  return number_text(unit.factor, digits) + " " + symbols[static_cast<std::size_t>(unit.quantity)];
 }
 
 }  // namespace rockstack::records

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace rockstack::records {
@@ -34,5 +35,8 @@ std::optional<double> unit_factor(std::string_view name);
 
 /// "acceleration", "velocity" …
 std::string_view name(Quantity quantity);
+
+/// "0.01 m/s²".
+std::string text(const Unit& unit);
 
 }  // namespace rockstack::records

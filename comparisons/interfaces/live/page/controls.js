@@ -150,7 +150,7 @@ function controlsOf(page) {
     ricker: { pulse: "ricker", amplitude: 3, period: 0.5 },
     "mavroeidis-papageorgiou": { pulse: "mavroeidis-papageorgiou", amplitude: 3, period: 0.5, cycles: 2, phase: 0 },
     "made-up earthquake": { synthetic: 1, peak: 4 } };
-  for (const record of page.setup.records) motions[record] = { record, scale: 1 };
+  for (const record of page.setup.records) motions[record] = { record, scale: 1, ...page.setup.limits };
 
   // Half of what the squattest block leaves of a right angle, which is what a scene may have, and no more than topples slender ones.
   const steepest = () => Math.min(0.4, ...scene().blocks.map((block) => (Math.PI / 2 - slenderness(block)) / 2));

@@ -258,7 +258,7 @@ const drawFigures = () => {
   const told = off ? `The engine is at most ${Math.max(...off.y).toPrecision(3)} rad off` +
     (parted === undefined ? " and never parts." : `; it parts from the exact motion at ${parted.toFixed(2)} s.`) : "";
   const among = wide ? ` ${shown.cloud.length} runs of the cloud ` + (spread === undefined ? "stay together." : `part at ${spread.toFixed(2)} s.`) : "";
-  shown.words = [`Exact: ${exact.verdict}.`, current ? `${state.engine}: ${engine.verdict}. ${told}${warned(engine)}` : "", among.trim()].filter(Boolean).join("\n");
+  shown.words = [`Exact: ${exact.verdict}.`, exact.ground ? `Ground: ${exact.ground}.` : "", current ? `${state.engine}: ${engine.verdict}. ${told}${warned(engine)}` : "", among.trim()].filter(Boolean).join("\n");
   find("verdicts").textContent = shown.words;
   find("angles").setAttribute("aria-label", `Angle of block ${block + 1} over time. ${shown.words}`);
   find("differences").setAttribute("aria-label", "Difference of angles over time. " + told + among);
