@@ -44,7 +44,7 @@ double deepest_corner(const Face& face, const Face& other) {
   return depth;
 }
 
-/// Of `upper`, a bottom, on `lower`, a top. `leaning`: −1 or 1.
+/// Slip of `upper`, a bottom, on `lower`, a top. `leaning`: −1 or 1.
 double slip_of(const Face& lower, const Face& upper, double leaning) {
   const double on_lower = seen_from(lower, corner(upper, leaning)).x();
   if (leaning * on_lower <= lower.half_length) return on_lower - leaning * upper.half_length;

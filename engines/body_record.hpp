@@ -22,10 +22,10 @@ struct InterfaceState {
   double slip = 0;
 };
 
-/// Of the lowest block on the ground, whose face is y = 0.
+/// State of the lowest block on the ground, whose face is y = 0.
 InterfaceState on_ground(const Block& block, const BlockPose& pose);
 
-/// Of a block on another.
+/// State of a block on another.
 InterfaceState on_block(const Block& lower, const BlockPose& lower_pose, const Block& upper,
                         const BlockPose& upper_pose);
 

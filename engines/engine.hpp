@@ -57,7 +57,7 @@ double choice_value(const std::string& engine, const Setting& setting, const std
 /// gives the stack that mass, kg: cfm, forces and limits of impulses mean the same for grams and tonnes.
 double mass_factor(const Setup& setup, const Parameters& parameters);
 
-/// Of a set: &Setting::standard or &Setting::tuned.
+/// Values of a set: &Setting::standard or &Setting::tuned.
 Parameters values_of(const std::vector<Setting>& settings, double Setting::*set);
 
 /// The setting of that name. @throws std::invalid_argument naming the engine, the setting and all there are.
@@ -108,7 +108,7 @@ struct Engine : EngineDescription {
   /// Builds a scene anew, with parameters that are checked.
   std::function<std::unique_ptr<Simulation>(const Setup&, const Parameters&)> build = {};
 
-  /// Likewise. `parameters` holds exactly the keys of default_parameters().
+  /// Checks the parameters, then builds. `parameters` holds exactly the keys of default_parameters().
   /// @throws std::invalid_argument for an unknown or missing parameter, or one out of range.
   std::unique_ptr<Simulation> start(const Setup& setup, const Parameters& parameters) const {
     check(name, settings, parameters);

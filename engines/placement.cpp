@@ -14,7 +14,7 @@ void require_for_engines(const Scene& scene) {
           ".center_of_mass: must be left out for engines, which are given uniform boxes");
 }
 
-/// Of a block or the ground, −1.
+/// Value of a block or the ground, −1.
 double value(const std::vector<double>& values, int block) {
   return block < 0 || values.empty() ? 0 : values[static_cast<std::size_t>(block)];
 }

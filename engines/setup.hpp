@@ -37,9 +37,9 @@ struct Setup {
   std::vector<double> toppling_angles;  ///< of each block, rad: a run ends where |angle| is above it
   double dt = 0;                        ///< s
   std::size_t steps = 0;
-  /// Of each step, gravity less the ground's mean acceleration; empty where every step has gravity alone.
+  /// Gravity less the ground's mean acceleration, of each step; empty where every step has gravity alone.
   std::vector<BodyAcceleration> accelerations;
-  /// Of each step, where the ground really moves; else empty.
+  /// Motion of the ground in each step, where it really moves; else empty.
   std::vector<GroundStep> ground;
 };
 

@@ -11,14 +11,14 @@
 namespace rockstack {
 namespace {
 
-/// Of each interface: what its block has less what the block below has.
+/// Relative values of interfaces: what a block has less what the block below has.
 std::vector<double> relative_to_below(std::span<const double> values) {
   std::vector<double> list(values.begin(), values.end());
   for (std::size_t k = 1; k < values.size(); ++k) list[k] -= values[k - 1];
   return list;
 }
 
-/// Of each interface: the lesser value of the two bodies that meet there; above the ground that of the block.
+/// Lesser value of the two bodies that meet at each interface; above the ground that of the block.
 std::vector<double> lesser(const std::vector<Placement>& blocks, double Placement::*value) {
   std::vector<double> list;
   for (std::size_t k = 0; k < blocks.size(); ++k)

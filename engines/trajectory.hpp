@@ -26,8 +26,8 @@ struct ContactRecord {
   /// Impulse across the contacts' normals above what Coulomb's cone allows, over the whole run, as a share of
   /// all that they push; whatever law of friction the engine has.
   double friction_excess = 0;
-  /// Of the spring that a contact point is, N/m: by it all impulses together overlap as much as by the
-  /// points' own, the harmonic mean by impulse. Infinite where some are rigid.
+  /// Stiffness of the spring that a contact point is, N/m: by it all impulses together overlap as much as by
+  /// the points' own, the harmonic mean by impulse. Infinite where some are rigid.
   double stiffness = std::numeric_limits<double>::infinity();
   double damping = 0;                  ///< of the dashpot beside it, N s/m: the mean by impulse
   std::vector<ContactImpact> impacts;  ///< in order of steps
@@ -74,7 +74,7 @@ class ContactWatch {
   double counted_ = 0, borne_ = 0;  ///< sums over ends that bear: impulse times points, and impulse, N·s
   bool rigid_ = false;              ///< whether a point that pushed was no spring
   std::vector<Ends> last_ends_;
-  /// Of each interface at the last sample; the angles of the one before as well.
+  /// Values of interfaces at the last sample; the angles of the one before as well.
   std::vector<double> angles_, angles_before_, velocities_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace rockstack {
 
-/// Of "bullet:ode".
+/// Names in "bullet:ode".
 inline std::vector<std::string> names_in(const std::string& text) {
   std::vector<std::string> list;
   std::istringstream names(text);

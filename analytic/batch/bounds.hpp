@@ -95,7 +95,7 @@ struct Roots {
   typename Real::Mask found;
 };
 
-/// As bracketed_root() over (0, 1) from s, in the lanes asked for; not found where Newton's method creeps.
+/// Gives bracketed_root() over (0, 1) from s, in the lanes asked for; not found where Newton's method creeps.
 template <class Real>
 Roots<Real> bracketed_roots(const Polynomial<Real>& polynomial, Real s, const typename Real::Mask& asked) {
   constexpr int most_points = 64;
@@ -141,8 +141,8 @@ typename Real::Mask crosses_once(Polynomial<Real> coefficients, const Real& term
   return (changes == Real(1)) & (last < Real(0));
 }
 
-/// As first_crossing(), of polynomials of so many terms each that start at or above zero, and fall from there
-/// on or from a rise, or cross once; not found in the others.
+/// Gives first_crossing() of polynomials of so many terms each that start at or above zero, and fall from
+/// there on or from a rise, or cross once; not found in the others.
 template <class Real>
 Roots<Real> first_crossings(const Polynomial<Real>& whole, const Real& terms,
                             const typename Real::Mask& asked) {

@@ -5,7 +5,7 @@
 #include "analytic/batch/record_walk.hpp"
 #include "analytic/steps/taylor_step.hpp"
 
-// Of functions whose parts are so small that calls count. Under a sanitizer they would only take long to
+// Inlines functions whose parts are so small that calls count. Under a sanitizer they would only take long to
 // compile.
 #ifdef __SANITIZE_ADDRESS__
 #define ROCKSTACK_WITHOUT_CALLS
@@ -91,7 +91,7 @@ class StepKernel {
     }
   }
 
-  /// As directions_at().
+  /// Direction of one angle, as in directions_at().
   PlaneVector<Real> direction(const Real& angle) const {
     if (rows_.linear) return {Real(1), Real(0)};
     const auto [cosine, sine] = direction_of_each(angle);

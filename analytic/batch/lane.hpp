@@ -44,7 +44,7 @@ class Lane {
     return true;
   }
 
-  /// Of a motion that cannot go on, what is known of it.
+  /// History so far of a motion that cannot go on.
   const History& so_far(StepRows<N>& rows, std::size_t lane) {
     catch_up(rows, lane);
     arrive(rows, lane);

@@ -51,7 +51,7 @@ ScaledBodyForce<Real> load_body_force(const StepRows<N>& rows, std::size_t lane)
   return body_force;
 }
 
-/// As direction_of(), of each angle of a pack.
+/// Directions of the angles of a pack, as direction_of() gives them.
 template <class Set>
 PlaneDirection<Pack<Set>> direction_of_each(const Pack<Set>& angle) {
   using Real = Pack<Set>;

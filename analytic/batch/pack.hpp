@@ -29,7 +29,7 @@ struct Pack {
   friend Pack operator-(const Pack& a, const Pack& b) { return a.lanes - b.lanes; }
   friend Pack operator*(const Pack& a, const Pack& b) { return a.lanes * b.lanes; }
   friend Pack operator/(const Pack& a, const Pack& b) { return a.lanes / b.lanes; }
-  // Of AVX-512, the library takes numbers from zero: the opposite of zero would have no sign.
+  // AVX-512: the library subtracts numbers from zero, and the opposite of zero would have no sign.
   friend Pack operator-(const Pack& a) { return a.lanes ^ Lanes(-0.0); }
   Pack& operator+=(const Pack& b) { return *this = *this + b; }
   Pack& operator-=(const Pack& b) { return *this = *this - b; }

@@ -77,7 +77,7 @@ class TieBreaker {
   bool all_clear() const { return fresh_.none() && held_.none(); }
 
   const Real& slack() const { return slack_; }
-  /// Of the next step, with `remaining` s to go, s.
+  /// Longest length of the next step, with `remaining` s to go, s.
   Real longest_step(const Real& remaining) const {
     return held_.any() ? std::min(remaining, brief_) : remaining;
   }

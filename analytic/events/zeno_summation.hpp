@@ -94,7 +94,7 @@ class ZenoSummation {
   // chatter counts by a share of 10⁻⁶.
   static constexpr double slow = 1e-2;
   static constexpr double brief = 2e-2;
-  // Of r: chatter that falls more slowly lasts so long that the motion changes it on the way.
+  // Bound of r: chatter that falls more slowly lasts so long that the motion changes it on the way.
   static constexpr double brisk = 0.8;
   // A share of u³ that is less is not told from rounding. It lets chatter be summed up from 5·10⁻⁵ on.
   static constexpr double least_share = 2e-3;

@@ -39,7 +39,8 @@ class ConstrainedMass {
     }
   }
 
-  /// Of D: what is left of a diagonal entry when the motions of the interfaces below are taken out of it.
+  /// Entry of D: what is left of a diagonal entry when the motions of the interfaces below are taken out of
+  /// it.
   const Real& diagonal(std::size_t k) const { return factors_[k][k]; }
 
   /// The relative motions that take up generalised momenta; zero where an interface is closed. Series ask for

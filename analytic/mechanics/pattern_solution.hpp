@@ -38,7 +38,7 @@ template <class Real, int N>
     };
     const Real cosine = along_face(directions.cosine, 1);
     const Real sine = along_face(directions.sine, 0);
-    // Of small angles, what is of second order is left out.
+    // Small angles leave out what is of second order.
     result.normal[k] = (stack.small_angles ? Real(0) : force.x() * sine) + force.y() * cosine;
     result.tangential[k] = force.x() * cosine - force.y() * sine;
     result.moment[k] = moment;

@@ -10,7 +10,7 @@
 
 namespace rockstack {
 
-// Of the processor's numbers; those of other types come with them.
+// Functions of the processor's numbers; those of other types come with them.
 using std::abs;
 using std::cbrt;
 using std::ceil;
@@ -46,7 +46,7 @@ Real select(bool truth, const Real& one, const Real& other) {
   return truth ? one : other;
 }
 
-/// Of a number, or of a vector.
+/// Zero as a number, or as a vector.
 template <class Coefficient>
 Coefficient zero() {
   if constexpr (requires { Coefficient::Zero(); })
@@ -273,7 +273,7 @@ Polynomial<Real> product(const Polynomial<Real>& first, const Polynomial<Real>& 
   return result;
 }
 
-/// Of each coefficient.
+/// Multiplies each coefficient.
 template <class Real>
 Polynomial<Real> times(const std::type_identity_t<Real>& factor, const Polynomial<Real>& series) {
   Polynomial<Real> result;

@@ -6,7 +6,7 @@
 
 namespace rockstack {
 
-// Of the processor's numbers; those of other types come with them.
+// Functions of the processor's numbers; those of other types come with them.
 using std::abs;
 using std::atan2;
 using std::cos;
@@ -72,7 +72,7 @@ PlaneDirection<Real> near_upright(const Real& angle) {
   return {upright + (lost + square * square * cosine), angle + angle * square * sine};
 }
 
-/// Of one angle.
+/// Direction of one angle.
 inline PlaneDirection<double> direction_of(double angle) {
   if (is_near_upright(angle)) return near_upright(angle);
   return {std::cos(angle), std::sin(angle)};

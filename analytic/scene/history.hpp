@@ -17,7 +17,7 @@ enum class EventKind {
   closure,  ///< the last of ever smaller impacts: the interface stays closed
   rest,     ///< a closure after which no interface is open
   topple,   ///< a block passes its toppling angle; the history ends
-  // Of laws that leave pivots (leaves_pivots()) alone:
+  // Events of laws that leave pivots (leaves_pivots()) alone:
   lift_off,  ///< blocks part, without impact
   slip,      ///< what stuck starts to slide
   stick,     ///< what slid sticks, or slides back
@@ -121,7 +121,8 @@ struct BasicHistory {
   std::vector<BasicGraze<Real>> grazes;  ///< events in doubt
   /// Openings under tension: either side would do as well as the one that was taken.
   std::vector<BasicGraze<Real>> choices;
-  // Of laws that leave pivots, where angles do not tell where blocks are; else empty. Row by row as angles.
+  // Samples of laws that leave pivots, where angles do not tell where blocks are; else empty. Row by row as
+  // angles.
   std::vector<Real> slips;  ///< how far each block's middle is to the right of that of what is below,
                             ///< along the face, m: its offset at the start and what it has slipped since
   std::vector<Real> gaps;   ///< between each block and what is below it, m; infinite over nothing
@@ -130,7 +131,7 @@ struct BasicHistory {
   std::vector<BasicReaction<Real>> reactions;            ///< times.size() × blocks
   std::vector<BasicSpringEnergy<Real>> spring_energies;  ///< likewise, of law `compliant`; else empty
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
-  /// Of laws that leave pivots, with peaks: how far blocks slipped in the end, and were apart at most, m.
+  /// Slips in the end and largest gaps, m, of laws that leave pivots, with peaks.
   std::vector<Real> slips_left, lifts;
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts
@@ -138,7 +139,7 @@ struct BasicHistory {
   std::size_t size() const { return times.size(); }
   std::span<const Real> angles_at(std::size_t sample) const { return row(angles, sample); }
   std::span<const Real> velocities_at(std::size_t sample) const { return row(velocities, sample); }
-  /// Of values that are stored row by row.
+  /// Row of values that are stored row by row.
   template <class Value>
   std::span<const Value> row(const std::vector<Value>& values, std::size_t sample) const {
     const auto width = static_cast<std::size_t>(blocks);

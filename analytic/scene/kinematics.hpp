@@ -37,7 +37,7 @@ using Point = Eigen::Matrix<Real, 2, 1>;
 /// A set of interfaces, by index from 0.
 using Interfaces = std::bitset<max_blocks>;
 
-/// Of a set that has any.
+/// Lowest interface of a set that has any.
 inline int lowest(const Interfaces& interfaces) {
   return std::countr_zero(interfaces.to_ulong());
 }

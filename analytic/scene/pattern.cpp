@@ -6,7 +6,8 @@
 namespace rockstack {
 namespace {
 
-/// Of two blocks, in threes of the lower interface left, closed and right: the upper one left, closed, right.
+/// Names for two blocks, in threes of the lower interface left, closed and right: the upper one left, closed,
+/// right.
 constexpr std::array<std::string_view, 9> paper_names{"1b", "4b", "2a", "3b", "rest", "3a", "2b", "4a", "1a"};
 
 std::optional<Pattern> spelt_pattern(std::string_view text, int size) {

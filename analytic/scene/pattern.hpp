@@ -59,10 +59,10 @@ inline bool is_closed(const Pattern& pattern) {
 /// the way that it slides.
 std::string name(const Pattern& pattern);
 
-/// The same for people: an arrow the way an interface slides, a dash where it is apart.
+/// Pattern as people read it: an arrow the way an interface slides, a dash where it is apart.
 std::string shown_pattern(const Pattern& pattern);
 
-/// The same in words: "block 1 flat, block 2 leaning right and sliding left", or "in flight".
+/// Pattern in words: "block 1 flat, block 2 leaning right and sliding left", or "in flight".
 std::string pattern_words(const Pattern& pattern);
 
 /// The pattern of `size` blocks with that name. @throws std::invalid_argument where there is none.

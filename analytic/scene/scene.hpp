@@ -69,13 +69,15 @@ enum class Equations {
 struct InitialState {
   std::vector<double> angles;      ///< rad, one a block, clockwise positive
   std::vector<double> velocities;  ///< rad/s, one a block
-  /// Of each block along what is below it, m/s, to the right positive, or none; of laws with friction alone.
+  /// Speeds of blocks along what is below them, m/s, to the right positive, or none; of laws with friction
+  /// alone.
   std::vector<double> slip_velocities = {};
   bool preloaded = true;  ///< springs carry what rests on them at the start; else they are not loaded yet
   // One a block, or none; of laws with friction alone.
   std::vector<double> offsets = {};  ///< of its middle from that of what is below, along the face below, m
   std::vector<double> gaps = {};     ///< by which it is above what is below, across the face there, m, ≥ 0
-  /// Of the centre of a block with a gap, away from what is below, m/s, as its slip velocity is then.
+  /// Velocity of the centre of a block with a gap, away from what is below, m/s, as its slip velocity is
+  /// then.
   std::vector<double> gap_velocities = {};
 };
 
@@ -119,7 +121,7 @@ struct Scene {
   double inclination = 0;
   Law law = Law::consistent;  ///< engines follow it; `paper` is that of Spanos et al. 2001
   Equations equations = Equations::nonlinear;
-  /// Of each interface, or none: what an impact leaves of its relative angular velocity, 0 … 1, where that
+  /// Ratios of interfaces, or none: what an impact leaves of the relative angular velocity, 0 … 1, where that
   /// interface alone was open before and no other opens, so that all above it rocks as one body. Other
   /// impacts, and all without it, have the ratio of the law.
   std::vector<double> restitution = {};
@@ -166,7 +168,7 @@ double interface_half_width(const Scene& scene, int interface);
 /// interface; the larger one where the centre of mass is off the middle. rad.
 double slenderness(const Scene& scene, int block);
 
-/// The same of one side: 1 where the block leans right, −1 left. rad.
+/// Angle of balance on one side: 1 where the block leans right, −1 left. rad.
 double balance_angle(const Scene& scene, int block, int side);
 
 /// The angle at which a block counts as toppled, rad: halfway between lying on its side, π/2, and its balance

@@ -39,7 +39,7 @@ void validate_inclination(const Scene& scene) {
                    "between ±" + number_text(most, 4) + " rad" + in_degrees(given, most));
 }
 
-/// Of what only some equations and impacts are made for.
+/// Checks what only some equations and impacts are made for.
 void validate_off_middle(const Scene& scene) {
   const auto off = std::ranges::find_if(
       scene.blocks, [](const Block& block) { return block.offset_x != 0 || block.offset_y != 0; });
@@ -109,7 +109,7 @@ void validate_point_restitution(const Scene& scene) {
                                                     : ", whose impacts have the ratio restitution"));
 }
 
-/// Of what is made for some laws alone.
+/// Checks what is made for some laws alone.
 void validate_law(const Scene& scene) {
   if (!leaves_pivots(scene.law)) {
     for (const auto& [key, values] : of_free_blocks)

@@ -15,7 +15,7 @@ enum class Integrator {
 /// What a history tells of its events.
 enum class EventsKept {
   all,  ///< every one, with the state on both sides
-  /// Of states nothing, and of impacts in a row that throw one interface to and fro their number. Chatter of
+  /// No states, and of impacts in a row that throw one interface to and fro their number. Chatter of
   /// one interface alone ends in the closure that stands for all its impacts to come as soon as these neither
   /// move the motion by more than the resolution, nor hold anything else that is asked for. Of resolutions
   /// below 1e-10, and not of small-angle equations.
@@ -42,11 +42,12 @@ struct SolveOptions {
   bool peaks = false;
   /// Chatter ends where a flight would stay below it, rad, ≥ 0; 0: the rounding of 1.
   double resolution = 0;
-  /// Of laws that leave pivots: an event decides for so much later, √(H/g), ≥ 0; 0: 6.7 √ε.
+  /// Look-ahead of laws that leave pivots: modes are chosen from the state this long after an event, √(H/g),
+  /// ≥ 0; 0: 6.7 √ε.
   double look_ahead = 0;
-  /// Of taylor: the share of the velocity that a step may leave out, ≥ 0; 0: rounding.
+  /// Tolerance of taylor: the share of the velocity that a step may leave out, ≥ 0; 0: rounding.
   double tolerance = 0;
-  /// Of rk4: the longest step, s, > 0.
+  /// Longest step of rk4, s, > 0.
   double step = 2e-4;
   /// Asked before every step: true ends the motion, which throws Stopped; null: none.
   const std::function<bool()>* cancelled = nullptr;

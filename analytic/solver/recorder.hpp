@@ -119,7 +119,7 @@ class Recorder {
     if (options_.end) add_sample(state, end);
   }
 
-  /// Of a whole step that takes them to these.
+  /// Raises peaks to those of a whole step.
   void raise_peaks(const PerBlock<Real, N>& peaks) {
     std::copy_n(peaks.begin(), history_.peaks.size(), history_.peaks.begin());
   }
@@ -240,7 +240,7 @@ class Recorder {
   const Model<Real, N>& model_;
   const SolveOptions& options_;
   std::vector<Real> friction_;  ///< that each interface has
-  /// Of forces, N.
+  /// Rounding of forces, N.
   Real rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model_.gravity * model_.stack.mass.sum());
   Real negligible_impulse_ =  ///< N·s
       Real(1e-6) * model_.stack.mass.sum() * sqrt(2 * model_.gravity * model_.stack.half_height.sum());

@@ -100,7 +100,7 @@ class Solver {
     go(1, length);
   }
 
-  /// The same along so many pieces of a record.
+  /// Passes so many pieces of a record.
   void pass_pieces(std::ptrdiff_t pieces) {
     ties_.note_uneventful_step();
     pieces_.advance_by(pieces);
@@ -172,7 +172,7 @@ class Solver {
       const Bearing<Real> bears = bearing(model_.gravity, pieces_.current(), pieces_.offset());
       return bears.tilt < resting_.critical_tilt && !recorder_.wants(resting_, bears);
     };
-    // Of samples it is enough to look at each, where gravity stays as it is.
+    // Samples are looked at one by one where gravity stays as it is; that is enough.
     const Real quiet = model_.gravity * std::min(resting_.critical_tilt, recorder_.known_friction()) *
                        (1 - 1024 * std::numeric_limits<Real>::epsilon());
     bool skipped = false;

@@ -27,7 +27,7 @@ Real convergent(const Real& bound) {
   return pow(power, 1 / Real(max_orders<Real>));
 }
 
-/// The same for a sine of x, and for Ricker's pulse of z.
+/// Largest x of a sine, and largest z of Ricker's pulse, whose series leave no more out.
 template <class Real>
 inline const Real convergent_sine = convergent(Real(1));
 template <class Real>
@@ -48,7 +48,7 @@ Real longest_series(const Pulse& pulse) {
   return convergent_sine<Real> / turn;
 }
 
-/// The same for a ground piece.
+/// Longest series of a ground piece.
 template <class Real>
 Real longest_series(const GroundPiece<Real>& piece) {
   Real longest = std::numeric_limits<Real>::infinity();

@@ -93,7 +93,7 @@ class ChainSeries {
                                                 : own.x - pushed_aside(k, static_cast<std::size_t>(face), n)};
     return force(k, direction(static_cast<std::size_t>(face)), n);
   }
-  /// Likewise, along a face of this direction.
+  /// Force along a face of this direction.
   Force force(std::size_t k, const PlaneSeries& direction, std::size_t n) const {
     const BlockSeries<Real>& block = blocks_[k];
     Force sum{Real(0), Real(0)};
@@ -107,7 +107,7 @@ class ChainSeries {
   /// The cosine and the sine of a block's angle.
   const PlaneSeries& direction(std::size_t block) const { return blocks_[block].direction; }
 
-  /// Of a closed interface, from its push(), order n, in kg·m² of s-time.
+  /// Margins of a closed interface, from its push(), order n, in kg·m² of s-time.
   Margins<Real> margin(std::size_t k, std::size_t n, const Real& push) const {
     const Real half = push * linkage_.width[k];
     return {half + blocks_[k].reaction[n], half - blocks_[k].reaction[n]};
@@ -221,7 +221,7 @@ class ChainSeries {
 
   static Point2 none() { return {Real(0), Real(0)}; }
 
-  /// Of small angles the directions are (1, θ); all but the levers of weight is upright.
+  /// Starts the series of small angles: directions are (1, θ); all but the levers of weight is upright.
   void start_small(Directions directions) {
     for (std::size_t k = 0; k < size(); ++k) {
       angles_[k] = directions[k].y;

@@ -85,7 +85,7 @@ class GroundPieces {
     advance();
   }
 
-  /// The same, and past all pieces on whose samples |ẍg| stays below `limit`, where ẍg is known by samples
+  /// Advances past this piece and all on whose samples |ẍg| stays below `limit`, where ẍg is known by samples
   /// and the ground does not move up or down. Precondition: it is below at the end of this one.
   void advance_past(const Real& limit) {
     const auto& samples = scene_.horizontal.samples;

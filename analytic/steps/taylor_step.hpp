@@ -126,7 +126,7 @@ class TaylorSteps {
     return output;
   }
 
-  /// Of the next step, with `remaining` s of a ground piece to go, unless something ends it, s.
+  /// Length of the next step, with `remaining` s of a ground piece to go, unless something ends it, s.
   Real length(const GroundPiece<Real>& piece, const Real& remaining) const {
     return std::min({remaining, longest_, longest_series(piece)});
   }

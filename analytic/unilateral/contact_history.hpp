@@ -27,7 +27,7 @@ struct ContactSample {
   Bodies<Real> bodies;
   Joints<Real> joints;
   std::vector<Real> slips = {}, gaps = {};  ///< of interfaces, m; where apart, the slip that they parted with
-  // Of stacks with springs, else empty.
+  // State of stacks with springs, else empty.
   std::vector<SpringState<Real>> springs = {};  ///< of each interface
   FreeVector<Real> spring_accelerations = {};   ///< what all springs make of the motion
 };
@@ -39,7 +39,7 @@ struct ContactHistory {
   std::vector<Sample> samples;
   std::vector<ContactEvent<Real>> events;
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
-  /// Likewise the slip of each interface at the end, and its largest finite gap, m.
+  /// Slips of interfaces at the end, and their largest finite gaps, m; empty unless asked for.
   std::vector<Real> slips_left, lifts;
   /// What acts at each interface, of the motion and of impacts; empty unless asked for. A least normal force
   /// of zero is that of blocks that part; nothing pulls, and nothing rubs more than its friction, so that

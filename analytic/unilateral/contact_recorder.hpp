@@ -128,7 +128,7 @@ class ContactRecorder {
       });
     }
   }
-  /// Of one impact. Impulses below a millionth of that of the stack's fall by its own size are chatter.
+  /// Notes one impact. Impulses below a millionth of that of the stack's fall by its own size are chatter.
   void note_impulses(const ShortVector<ContactForce<Real>>& impulses, const Real& time) {
     for (std::size_t k = 0; k < impulses.size(); ++k)
       if (impulses[k].normal > negligible_impulse_)

@@ -221,7 +221,7 @@ class ContactSolver {
            rates, others ? Consistency::several : Consistency::consistent);
   }
 
-  /// As turn() of contact_decision.hpp, which chatter does not come to.
+  /// Calls turn() of contact_decision.hpp, which chatter does not come to.
   bool turn(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, Joints<Real>& mode) {
     const bool follows = branching_ != nullptr && event_limit_.burst() <= longest_followed_burst;
     return rockstack::turn(contacts, joints, springs_, time(), follows ? branching_ : nullptr, mode);

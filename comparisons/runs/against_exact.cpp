@@ -216,7 +216,7 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
     return solve(with_springs(scene, friction, one), {.sample_times = times});
   };
   if (factor == 1) return {solved(1), 1};
-  // Of angles that are linear in the factor, those for factor 1.
+  // Extrapolates angles that are linear in the factor to those for factor 1.
   const History stiffer = solved(factor), softer = solved(2 * factor);
   const std::size_t samples = std::min(stiffer.size(), softer.size());
   History result;

@@ -22,10 +22,10 @@ struct Progress {
 struct CompareOptions {
   std::string command = {};                                                ///< written into the results
   std::function<void(const Progress&)> progress = [](const Progress&) {};  ///< from one thread at a time
-  /// Likewise of an engine's row as soon as it is done, without its rank.
+  /// Called with an engine's row as soon as it is done, without its rank.
   std::function<void(const RunMetrics&)> row = [](const RunMetrics&) {};
-  /// Of rows once all of their kind are done: those of a scene's exact solutions, and of engines those of a
-  /// scene and step together, ranked.
+  /// Called with rows once all of their kind are done: those of a scene's exact solutions, and of engines
+  /// those of a scene and step together, ranked.
   std::function<void(const std::vector<RunMetrics>&)> rows = [](const std::vector<RunMetrics>&) {};
 };
 

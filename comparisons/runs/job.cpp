@@ -29,7 +29,7 @@ double samples_of(const Job& job) {
   return 1 + job.scene.scene.duration / kept;
 }
 
-/// Of all files with a line a sample: what a line of each takes together, bytes. Numbers of engines have all
+/// Bytes that one line of each file with a line a sample takes together. Numbers of engines have all
 /// their digits; those of exact motions are nought now and then.
 double line_bytes(const Job& job) {
   constexpr double time = 9, pattern = 4.5, number = 21, exact_number = 14.5, force = 8, nought = 2;
@@ -47,7 +47,7 @@ double line_bytes(const Job& job) {
   return bytes;
 }
 
-/// Of files with a line an event, a replicate or an instant of the band, and of what a run is described by.
+/// Bytes of files with a line an event, a replicate or an instant of the band, and of a run's description.
 double record_bytes(const Job& job) {
   constexpr double events_a_second = 13e3, description = 8e3, replicate = 4.1e3, band = 4600;
   if (job.series == nullptr) return events_a_second * job.scene.scene.duration;

@@ -79,7 +79,7 @@ RunFiles unpack(const std::string& message);
 /// numbers, the engine's parameters, what is wanted, and the bytes of this program and of the worker's.
 std::string identity(const Job& job);
 
-/// The same of a run's replicates.
+/// Identity of a run's replicates.
 std::string replicates_identity(const Job& job);
 
 /// Checksums, in hexadecimal, of all files of a run by their names, but of its summary, which keeps them.

@@ -77,7 +77,7 @@ struct SolveJob {
 /// "failed". @throws as solve(), with the files written.
 History solve_into(const SolveJob& job);
 
-/// The same of all branches: the first into the folder, others into folder/branches/2 and so on; and
+/// Solves and writes all branches: the first into the folder, others into folder/branches/2 and so on; and
 /// branches.csv, branches_json() as a table. @throws as solve_branches().
 BranchTree solve_branches_into(const SolveJob& job, std::size_t most);
 

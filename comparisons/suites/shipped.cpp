@@ -20,7 +20,7 @@ constexpr std::array kinds{Kind{"scenes", "a scene", "solve"}, Kind{"suites", "a
                            Kind{"ensembles", "an ensemble", "sweep"},
                            Kind{"studies/lessons", "a lesson", "teach"}};
 
-/// Of an input that is something else than a command takes.
+/// Says what an input is that a command does not take.
 std::string what_it_is(const std::string& input) {
   std::error_code ignored;
   for (const Kind& kind : kinds)

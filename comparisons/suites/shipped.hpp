@@ -18,11 +18,11 @@ std::vector<std::string> shipped_names(const std::string& kind);
 std::filesystem::path find_file(const std::string& input, const std::string& kind,
                                 const std::filesystem::path& folder = {});
 
-/// The same of the first of some kinds that has it. @throws InputError where nothing is there, with the
-/// nearest name.
+/// Finds the input's file among the first of some kinds that has it. @throws InputError where nothing is
+/// there, with the nearest name.
 std::filesystem::path input_file(const std::string& input, const std::vector<std::string>& asked);
 
-/// The same of an input that a file names. @throws InputError with file:line and key where neither is there.
+/// Finds an input that a file names. @throws InputError with file:line and key where neither is there.
 std::filesystem::path named_file(const Node& node, const std::string& kind,
                                  const std::filesystem::path& folder);
 

@@ -1,7 +1,7 @@
 // Chipmunk beside the exact model; README.md says what its contacts are and why its sets are as they are.
 
 #include <chipmunk/chipmunk.h>
-// Of single contact points the library tells impulses here alone.
+// Impulses of single contact points are told by the library here alone.
 #include <chipmunk/chipmunk_structs.h>
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ class ChipmunkSimulation final : public ShakenSimulation {
                                    static_cast<cpTimestamp>(parameters.at("collisionPersistence")));
     set_gravity(setup.gravity);
     cpCollisionHandler* handler = cpSpaceAddDefaultCollisionHandler(space_.get());
-    // Of a pair that touches, before the solver runs.
+    // Called for a pair that touches, before the solver runs.
     handler->preSolveFunc = [](cpArbiter* pair, cpSpace*, cpDataPointer self) -> cpBool {
       static_cast<ChipmunkSimulation*>(self)->set_contact(pair);
       return cpTrue;

@@ -57,7 +57,7 @@ struct ObservedMotion {
 
 ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt = usual_step);
 
-/// The same, shaken by a body force.
+/// Adapter that is shaken by a body force.
 inline Adapter by_force(Adapter adapter) {
   if (adapter.parameters.count("shaking") != 0) adapter.parameters["shaking"] = 0;
   return adapter;

@@ -161,7 +161,7 @@ Judgement sliding_block_stops(const Adapter& adapter) {
           "deviation of the way along the ground, m"};
 }
 
-/// Of two equal blocks the upper one loses μ₂g and the lower one gains μ₂g − 2μ₁g until they move alike; then
+/// Two equal blocks: the upper one loses μ₂g and the lower one gains μ₂g − 2μ₁g until they move alike; then
 /// both lose μ₁g.
 Judgement each_interface_has_its_friction(const Adapter& adapter) {
   const Scene scene = sliding({0.1, 0.4}, 1.2);

@@ -62,7 +62,7 @@ std::string ground(const Setup& setup, const Parameters& parameters) {
   std::string box =
       geom(0, fmt::format("type='box' size='{} {} {}' pos='0 {} 0'", half, half / 10, half, -half / 10));
   if (setup.ground.empty()) return box;
-  // Of so many kg, without gravity, it goes as told, whatever presses on it.
+  // Mass, kg, with which it goes as told without gravity, whatever presses on it.
   constexpr double unmoved = 1e30;
   return fmt::format(
       "<body><joint type='slide' axis='1 0 0' armature='{0}'/><joint type='slide' axis='0 1 0' "
@@ -181,7 +181,7 @@ class MujocoSimulation final : public ShakenSimulation {
   }
 
  private:
-  /// Of a block's three coordinates.
+  /// First of a block's three coordinates.
   std::size_t first(std::size_t block) const { return (moves_ground() ? 2 : 0) + 3 * block; }
 
   void set_options(MujocoSolver solver, double dt, const Parameters& parameters) {
@@ -227,7 +227,7 @@ class MujocoSimulation final : public ShakenSimulation {
     data_->qvel[1] = step.velocity_y;
   }
 
-  /// Of the ground, then the blocks.
+  /// Poses of the ground, then of the blocks.
   std::vector<Pose> poses() const {
     std::vector<Pose> list(1);
     if (moves_ground()) list[0] = {data_->qpos[0], data_->qpos[1], 0};

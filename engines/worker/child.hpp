@@ -51,7 +51,7 @@ class FileDescriptor {
   int number_;
 };
 
-/// The same file out of the way of the numbers that a child gives to its own files.
+/// Moves a file out of the way of the numbers that a child gives to its own files.
 FileDescriptor high(int number);
 
 /// A file in memory that has some content.
@@ -60,7 +60,7 @@ FileDescriptor memory_file(std::string_view content);
 /// All of such a file.
 std::string content(const FileDescriptor& file);
 
-/// Of a pipe or a pair of sockets: the one of this process, and the one of its child.
+/// Ends of a pipe or a pair of sockets: the one of this process, and the one of its child.
 struct Ends {
   FileDescriptor ours, theirs;
 };

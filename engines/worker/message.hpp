@@ -40,7 +40,7 @@ class WrongField : public std::runtime_error {
         path_(path),
         allowed_(allowed),
         each_(each) {}
-  /// The same field as it is named from outside of the object that has it.
+  /// Names the field as from outside of the object that has it.
   WrongField in(const std::string& outer) const { return {outer + "." + path_, allowed_, each_}; }
 
  private:

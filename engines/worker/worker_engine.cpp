@@ -127,7 +127,7 @@ struct Kept {
   std::unique_ptr<LastingProcess> process = {};
 };
 
-/// Of this thread. One: runs of an engine come after each other, and a process holds its memory.
+/// Process of this thread. One: runs of an engine come after each other, and a process holds its memory.
 thread_local Kept kept;
 
 /// True for a run that need not have a process of its own: nobody takes its time, and nobody may stop it.

@@ -32,7 +32,8 @@ struct WorkerRun {
   double peak_memory = 0;       ///< likewise, bytes; 0 where the process did not come to say it
 };
 
-/// As run() of an engine in this process, then times `repeats` runs, whose times are only asked for.
+/// Does what run() of an engine does in this process, then times `repeats` runs, whose times are only asked
+/// for.
 /// @throws std::runtime_error for whatever kept the run from being done.
 Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters& parameters, bool bodies,
                const Limits& limits = {}, std::size_t repeats = 0);

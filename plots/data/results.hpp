@@ -46,8 +46,8 @@ struct Run : RunMetrics {
 
   bool done() const { return status == RunStatus::done; }
   bool exact() const { return engine == "exact"; }
-  /// Of the exact solver in another way than the scene's: other equations, a coefficient of friction of its
-  /// own, or any of both and other laws.
+  /// Whether it is of the exact solver in another way than the scene's: other equations, a coefficient of
+  /// friction of its own, or any of both and other laws.
   bool has_other_equations() const { return engine == "linear" || engine == "nonlinear"; }
   bool has_own_friction() const { return engine.starts_with("friction="); }
   bool is_variant() const {
@@ -100,7 +100,7 @@ struct Comparison {
   double tolerance = 0;       ///< rad, the difference up to which angles count as agreeing; > 0
   ComparisonVerdict verdict;  ///< what it comes to; of one motion alone nothing
   std::vector<std::string> left_out;
-  /// Of the paper, where the suite asks for them: source, claim, verdict, criterion, computed.
+  /// Statements of the paper, where the suite asks for them: source, claim, verdict, criterion, computed.
   std::vector<std::vector<std::string>> statements;
   std::vector<SeriesFit> fits;  ///< of errors over time steps
   std::vector<DistributionDistance> distances;

@@ -19,8 +19,8 @@ using StepLine = std::vector<Run>;
 /// More lines than a figure over time has room for.
 inline constexpr std::size_t most_lines = 12;
 
-/// Of each engine, solver and settings one line; default settings only where there are no tuned ones. Where
-/// these are more than `most_lines`, of each engine the one that comes nearest at its finest step.
+/// Lines, one for each engine, solver and settings; default settings only where there are no tuned ones.
+/// Where these are more than `most_lines`, of each engine the one that comes nearest at its finest step.
 std::vector<StepLine> shown_lines(const Comparison& comparison, const std::string& scene);
 
 /// A line's runs at its coarsest and its finest step; one where it has no more.
@@ -43,16 +43,16 @@ int iterations_of(const Run& run);
 /// "bullet sequential-impulse, tuned"; "exact, linear equations" or "exact, law consistent" of a variant.
 std::string line_label(const Run& run);
 
-/// The same for a line of runs, without the iterations where they vary.
+/// Label of a line of runs, without the iterations where they vary.
 std::string line_label(const StepLine& line);
 
 /// The fit of a line's errors in a column, null where there is none.
 const StepFit* fit_of(const Comparison& comparison, const StepLine& line, const std::string& quantity);
 
-/// The same with its time step, "bullet sequential-impulse, tuned, 0.1 ms".
+/// Label of a run with its time step, "bullet sequential-impulse, tuned, 0.1 ms".
 std::string run_label(const Run& run);
 
-/// The same inside a sentence, "bullet sequential-impulse (tuned, 0.1 ms)".
+/// Label of a run inside a sentence, "bullet sequential-impulse (tuned, 0.1 ms)".
 std::string run_phrase(const Run& run);
 
 /// The least RMS angle difference that figures tell apart, rad: what is less is rounding.
@@ -73,7 +73,7 @@ inline std::string span_text(const std::string& low, const std::string& high) {
 /// A duration with a unit that suits it: "0.1 ms", "12 µs", "3.5 s".
 std::string duration_text(double seconds);
 
-/// The same with two significant digits.
+/// Duration with two significant digits.
 std::string rounded_duration(double seconds);
 
 }  // namespace rockstack::plots

@@ -58,7 +58,8 @@ std::size_t number_of(const std::string& text) {
   return hash >> 4U;
 }
 
-/// Of the exact motion with a friction of its own, from that coefficient on: the slipperier, the redder.
+/// Styles of the exact motion with a friction of its own, from that coefficient on: the slipperier, the
+/// redder.
 constexpr std::array<std::pair<double, NamedStyle>, 5> frictions{
     {{1, {"", "#0072B2", square, "solid"}},
      {0.45, {"", "#117733", triangle, "(12,9)"}},

@@ -18,13 +18,13 @@ Style style_of(const Run& run);
 /// A colour, #rrggbb, of which white takes a part: 1 is the colour itself, 0 white.
 std::string paler(const std::string& colour, double strength);
 
-/// Of the exact motion, which lies under all others.
+/// Style of the exact motion, which lies under all others.
 inline constexpr auto exact_style = "with lines lw 5 lc rgb '#9A9A9A'";
 
-/// Of the series that a panel shows in order to compare with its own.
+/// Colour of the series that a panel shows in order to compare with its own.
 inline constexpr auto context_colour = "#D4D4D4";
 
-/// Of the lines behind the data.
+/// Style of the lines behind the data.
 inline constexpr auto grid_lines = "set grid lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n";
 
 /// The plot element of a line at zero.

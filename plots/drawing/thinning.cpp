@@ -51,7 +51,7 @@ Curve scaled(Curve curve) {
   return curve;
 }
 
-/// Of a point from the line between two others.
+/// Distance of a point from the line between two others.
 double distance(const Curve& points, std::size_t of, std::size_t from, std::size_t to) {
   const std::vector<double>&x = points.times, &y = points.values;
   const double dx = x[to] - x[from], dy = y[to] - y[from], length_squared = dx * dx + dy * dy;

@@ -26,7 +26,7 @@ Curve thin(const Curve& curve, double end, std::size_t bins);
 /// Preconditions: bins ≥ 1, floor > 0.
 Curve envelope(const Curve& curve, double end, std::size_t bins, double floor);
 
-/// The same path in fewer points, for curves that turn back: without those nearer than `tolerance` to the
+/// Path in fewer points, for curves that turn back: without those nearer than `tolerance` to the
 /// line between the points kept around them, as a share of the curve's extent along either axis. Values that
 /// are not finite are dropped. Precondition: tolerance > 0. (Ramer 1972, Douglas & Peucker 1973.)
 Curve simplified(const Curve& curve, double tolerance);

@@ -99,7 +99,8 @@ inline fs::path figure_stem(const fs::path& results, const ComparedScene& scene,
 /// @throws InputError naming the file that is missing or malformed; std::runtime_error where gnuplot fails.
 void draw_figures(const fs::path& results, const Comparison& comparison);
 
-/// The same of what is neither, whose files are there, as results/figures/<figure>.png, .svg and .pdf.
+/// Draws the figures of what is neither, whose files are there, as results/figures/<figure>.png, .svg and
+/// .pdf.
 void draw_figures(const fs::path& results);
 
 /// Draws the motion of every scene of a results folder that a player could show, as

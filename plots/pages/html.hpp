@@ -71,7 +71,7 @@ std::string sentence_list(const std::vector<std::string>& sentences);
 /// A table of rows whose headings sort it.
 std::string table(const std::vector<std::string>& columns, const std::string& rows);
 
-/// The same in an element that scrolls by itself, as `label` calls it, and of sentences under a title, with
+/// Table in an element that scrolls by itself, as `label` calls it, and of sentences under a title, with
 /// what stands between.
 inline std::string wide_table(const std::vector<std::string>& columns, const std::string& rows,
                               const std::string& label) {

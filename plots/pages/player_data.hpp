@@ -31,7 +31,7 @@ void make_room(Json& object);
 /// Times, angles, and slips and places where the history has them, of every `stride`-th sample.
 Json player_track(const History& history, std::size_t stride);
 
-/// The same under a name.
+/// Track under a name.
 Json player_track(const History& history, std::size_t stride, const TrackLook& look);
 
 /// An exact motion with its events, whose times lie between samples, among its samples.
@@ -55,7 +55,7 @@ void add_ground(const std::vector<double>& times, const std::vector<double>& rig
 /// Text that ends no element, whatever it holds.
 std::string for_script(const Json& data);
 
-// Of a motion that has just been computed.
+// Data of a motion that has just been computed.
 
 /// The scene, with the patterns and events of a motion of it where that is exact.
 Json stage_of(const Scene& scene, const History& history);

@@ -6,7 +6,8 @@
 namespace rockstack::plots {
 namespace {
 
-/// Of the exact motion those above the chatter speed, of an engine its own, matched or extra: their times, s.
+/// Times of impacts to mark in the player, s: exact ones above the chatter speed, an engine's matched and
+/// extra ones.
 Json impacts_in(const Run& run, const Json& events) {
   Json times = Json::array();
   if (run.exact()) {

@@ -59,7 +59,7 @@ std::size_t count_solvers(const std::vector<StepLine>& lines) {
   return names.size();
 }
 
-/// Of any but the first motion, which stands where the page begins.
+/// Section of any but the first motion, which stands where the page begins.
 std::string scene_section(const fs::path& results, const Comparison& comparison, std::size_t scene) {
   const ComparedScene& compared = comparison.scenes[scene];
   std::string body = ground_of(compared);
@@ -185,7 +185,7 @@ void write_report(const fs::path& results, const Comparison& comparison) {
   write_file(results / "report.html", page(comparison.title, "report", content(results, comparison)));
 }
 
-/// Of one motion.
+/// Writes the report of one motion.
 void write_report(const fs::path& results, const Motion& motion) {
   write_file(results / "report.html", page(motion.comparison.title, "report", content(results, motion)));
 }

@@ -35,7 +35,7 @@ struct SolverRemarks {
 /// Solvers by the median over scenes of error over the least of the scene; none without has_scores().
 std::vector<SolverRemarks> remarks(const Comparison& comparison);
 
-/// The same as a section of a page; nothing where there is none.
+/// Section with these remarks; nothing where there is none.
 std::string remarks_section(const Comparison& comparison);
 
 /// All runs: ten columns, errors first, and a switch that shows the others. A run's name leads to details.
@@ -48,7 +48,7 @@ std::string run_details(const Comparison& comparison);
 /// has no single answer. Empty where no run has that law.
 std::string contact_section(const Comparison& comparison);
 
-// Of a study of impact laws, one sentence an entry, as plain text.
+// Sentences of a study of impact laws, one an entry, as plain text.
 
 /// The shortest answer: whose pattern engines take where the laws differ, and how often the laws do.
 std::vector<std::string> law_answer(const LawResults& results);

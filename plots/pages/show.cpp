@@ -7,7 +7,8 @@ namespace rockstack::plots {
 using WritePage = void(const fs::path& results, const Json& json);
 WritePage write_course, write_record_report, write_canon_report, write_advice_report, write_fit_report,
     write_stability_report, write_sweep_report, write_impact_law_report;
-/// Of one motion: its verdict, its player, its figures and everything that its summary says.
+/// Writes the report of one motion: its verdict, its player, its figures and everything that its summary
+/// says.
 void write_report(const fs::path& results, const Motion& motion);
 
 namespace {

@@ -27,7 +27,7 @@ void write_study(const fs::path& results, const Json& json, const Study& study) 
   std::erase_if(facts, [](const auto& fact) {
     return fact.first == "command" || fact.first == "title" || fact.first.starts_with("trials.");
   });
-  // Of a sweep the command stands beside its results, which are the same bytes whatever it is.
+  // A sweep's command stands beside its results, which are the same bytes whatever it is.
   const fs::path timing = results / "timing.json";
   const std::string command =
       json.value("command", fs::exists(timing) ? read_json(timing).value("command", "") : "");

@@ -36,7 +36,7 @@ class LeanEquations {
     std::array<Real, N> right, left;
   };
 
-  /// Of the ground's acceleration, m/s².
+  /// Response to the ground's acceleration, m/s².
   Response respond(const Values& values, const Real& horizontal, const Real& vertical) const {
     Bodies bodies = place(values);
     bodies.pull = {-horizontal, -(gravity_ + vertical)};

@@ -18,7 +18,7 @@ void exact(benchmark::State& state) {
 }
 BENCHMARK(exact)->Arg(0)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
 
-/// The same scene stepped by an engine, building aside.
+/// Steps the scene by an engine, building aside.
 void stepping(benchmark::State& state, const Engine& engine) {
   const Scene scene = free_rocking(2);
   const double dt = 1e-6 * static_cast<double>(state.range(0));

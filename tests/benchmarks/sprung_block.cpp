@@ -137,7 +137,7 @@ class SprungBlock {
     return corner.slide * (place.x_rate - stretch_rate(corner, place, stretch));
   }
 
-  /// Of forces, N.
+  /// Rounding of forces, N.
   double rounding() const { return 1e-9 * block_.mass * gravity_; }
 
   static void press(Corner& corner, bool at_face) {

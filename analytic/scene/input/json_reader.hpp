@@ -17,10 +17,10 @@ namespace rockstack {
 template <class Json>
 Json parse_bytes(std::string_view bytes, nlohmann::json::input_format_t form, const std::string& subject);
 
-/// The same of JSON, whose objects keep their order.
+/// Parses JSON, whose objects keep their order.
 Json parse_json(std::string_view text, const std::string& subject);
 
-/// The same of a whole file. @throws InputError also where it cannot be read.
+/// Parses a whole file. @throws InputError also where it cannot be read.
 Json read_json(const std::filesystem::path& file);
 
 /// What `read` makes of a file. @throws InputError as read_json(), and where something in the file is

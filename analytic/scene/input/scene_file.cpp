@@ -147,7 +147,7 @@ void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& s
       *motion = read_ground_motion(*table, document.folder, library);
 }
 
-/// Of each interface: the numbers given, or the one number for all; none where the key is left out.
+/// Numbers of interfaces: those given, or the one number for all; none where the key is left out.
 /// Stiffnesses may be infinite, of a rigid interface.
 std::vector<double> read_each(const Node& table, std::string_view key, std::size_t size,
                               bool stiffness = false) {

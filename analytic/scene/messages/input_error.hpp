@@ -38,7 +38,7 @@ inline std::string entry_key(const std::string& array, std::size_t k) {
   return array + "." + std::to_string(k + 1);
 }
 
-/// As require_between(), of each entry of an array.
+/// Applies require_between() to each entry of an array.
 void require_each_between(const std::string& array, const std::vector<double>& values, double least,
                           double most = largest_number);
 

@@ -62,7 +62,7 @@ ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bod
   return rows;
 }
 
-/// Of the point that a joint holds.
+/// Kinematics of the point that a joint holds.
 template <class Real>
 ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
                                       int interface, const Joint<Real>& joint) {

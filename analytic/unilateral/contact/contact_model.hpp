@@ -5,7 +5,7 @@
 
 namespace rockstack {
 
-// Of number types that are not built in, those of their own namespaces.
+// Functions of built-in numbers; other types have them in their own namespaces.
 using std::abs, std::copysign, std::cos, std::pow, std::sin, std::sqrt;
 
 /// What roundings make of numbers, in a number type, from what it is in double.
@@ -41,7 +41,7 @@ struct Joint {
   bool pivots() const { return touch == Contact::left || touch == Contact::right; }
   /// The end that the pivot is at, −1 or 1; 0 where there is no pivot.
   int side() const { return pivots() ? static_cast<int>(touch) : 0; }
-  /// The same contact, wherever it has slipped to.
+  /// Whether it is the same contact, wherever it has slipped to.
   bool same_mode(const Joint& other) const {
     return touch == other.touch && slip == other.slip && (corner_below == other.corner_below || !pivots());
   }
@@ -58,7 +58,7 @@ struct Pose {
   Real x = 0, y = 0, angle = 0;
 };
 
-/// Of all blocks, bottom to top.
+/// Poses of all blocks, bottom to top.
 template <class Real = double>
 using Poses = ShortVector<Pose<Real>>;
 
@@ -83,7 +83,7 @@ FreeVector<Real> vector_of(const Poses<Real>& poses) {
   return vector;
 }
 
-/// The same x and y for so many blocks, no angle.
+/// Vector of one x and y for so many blocks, no angle.
 template <class Real>
 FreeVector<Real> uniform(int blocks, const Real& x, const Real& y) {
   return Eigen::Matrix<Real, 3, 1>(x, y, Real(0)).replicate(blocks, 1);
@@ -163,7 +163,7 @@ struct ContactModel {
     return (row.array() * inverse_mass.transpose().array() * direction.array()).sum();
   }
 
-  /// Of all blocks, m.
+  /// Height of all blocks, m.
   Real height() const {
     Real sum = 0;
     for (const Block& block : blocks) sum += 2 * Real(block.half_height);

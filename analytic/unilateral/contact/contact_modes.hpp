@@ -143,7 +143,7 @@ std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts,
     for (std::size_t i = 0; i < contact.points(); ++i, ++at) pushes.push_back(!(solution->w[at] > parting));
     int slip = question.slip_before(joint);
     if (cones[c]) {
-      // Of the two conditions slack ± slip ≥ 0, that of the way it does not slide is met with equality.
+      // Equality holds for that of the two conditions slack ± slip ≥ 0 which is of the way it does not slide.
       if (solution->z[at + 2] > parting) slip = solution->w[at] > solution->w[at + 1] ? 1 : -1;
       at += 3;
     }
@@ -153,7 +153,7 @@ std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts,
   return RubbingSolution<Real>{std::move(mode), std::move(solution->z)};
 }
 
-/// Of all modes that obey, the one whose forces change the motion least.
+/// Mode whose forces change the motion least, of all modes that obey.
 template <class Real>
 std::optional<Joints<Real>> nearest_mode(const TouchingContacts<Real>& contacts, const Joints<Real>& joints) {
   const ContactQuestion<Real>& question = contacts.question();

@@ -85,7 +85,7 @@ ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<
   return response;
 }
 
-/// The same where joints hold as they say.
+/// Response where joints hold as they say.
 template <class Real>
 ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
   return respond(TouchingContacts<Real>(question, joints), joints);

@@ -30,7 +30,8 @@ struct Guard {
   int interface = 0;   ///< from 0; of topple the block
   int side = 0;        ///< of landing: which corner, −1 or 1
   bool below = false;  ///< of landing: a corner of the block below
-  /// Of landing and strike: how far the corner is inside the face's end on its side, and on the other, m.
+  /// Places of landing and strike: how far the corner is inside the face's end on its side, and on the other,
+  /// m.
   Polynomial<Real> within = {}, within_other = {};
   Real rounding = 0;            ///< of these distances, m
   Real sunk = 0;                ///< of landing: how deep other blocks' joints may put a corner, m
@@ -95,7 +96,7 @@ class GuardCollector {
   Polynomial<Real> slip(int k) const {
     return times(stack_.held_point(k, joints_[k]).upward, series_.along[k]);
   }
-  /// Of a pivot.
+  /// Opening angle of a pivot.
   Polynomial<Real> opening_angle(int k) const {
     const Polynomial<Real>& upper = series_.bodies[k].angle;
     const int side = joints_[k].side();
@@ -150,7 +151,7 @@ class GuardCollector {
   Polynomial<Real> overhang(int k, int side) const {
     return line(stack_.half_width(k - 1) - stack_.half_width(k), -side, slip(k));
   }
-  /// Of places along a face, m.
+  /// Rounding of places along a face, m.
   Real rounding_along(int k) const { return tolerance<Real>(1e-13) * stack_.half_width(k); }
   /// Whose corner ends the overlap of a flat contact.
   bool ends_below(int k, int side) const {

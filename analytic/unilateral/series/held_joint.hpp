@@ -25,7 +25,7 @@ class HeldJoint {
       for (int e = 3; e < 6; ++e) sum += gradient[e] * around[e];
       return sum;
     }
-    /// The same of what another one does.
+    /// Product of this gradient and the effect of another row.
     Real dot(const Row& other) const {
       const int shift = first - other.first;
       Real sum = 0;
@@ -107,7 +107,7 @@ class HeldJoint {
     return unknowns;
   }
 
-  /// The same coefficients, of bodies and of the force, as they are.
+  /// Ends these coefficients, of bodies and of the force, as they are.
   void end(const ForceSeries<Real>& force, std::size_t m) {
     const Real normal = point_.corner.upward * force.normal[m - 2];
     const Real tangential = point_.corner.upward * force.tangential[m - 2];

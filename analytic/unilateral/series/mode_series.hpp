@@ -169,7 +169,7 @@ struct GrowingPoint {
     apart[n] = body->centre[n] - face->centre[n] + arm[n];
   }
 
-  /// Of `terms` terms.
+  /// Place to `terms` terms.
   FaceSeries<Real> place_from_middle(std::size_t terms) const {
     FaceSeries<Real> result{component(place, 1, terms), component(place, 0, terms)};
     result.along[0] += face_centre.x();

@@ -111,7 +111,7 @@ class SeriesMaker {
     return size;
   }
 
-  /// Of so many orders of accelerations, over a step `ratio` times as long where that is less than one.
+  /// Finishes so many orders of accelerations, over a step `ratio` times as long where that is less than one.
   void finish(std::size_t orders, const Real& ratio) {
     for (BodySeries<Real>& body : series_.bodies)
       body.centre.terms = body.angle.terms = body.along.terms = body.up.terms = orders + 2;

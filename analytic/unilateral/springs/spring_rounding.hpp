@@ -39,15 +39,15 @@ struct SpringRounding {
     speed = tolerance<Real>(2e-15) * fastest;
   }
 
-  /// Of a normal force, N.
+  /// Rounding of a normal force, N.
   Real normal(const SpringLaw<Real>& law) const { return law.stiffness * place + law.damping * speed; }
 
-  /// Of what a point's friction has left, N.
+  /// Rounding of what a point's friction has left, N.
   Real strength(const SpringLaw<Real>& law) const {
     return law.friction * normal(law) + law.tangential_stiffness * place + law.tangential_damping * speed;
   }
 
-  /// Of a slider's rate, m/s: (k_t τ + c_t τ̇ − μN)/c_t of the slip, or without dashpots τ̇ − μkδ̇/k_t.
+  /// Rounding of a slider's rate, m/s: (k_t τ + c_t τ̇ − μN)/c_t of the slip, or without dashpots τ̇ − μkδ̇/k_t.
   Real slider_rate(const SpringLaw<Real>& law) const {
     if (law.tangential_damping > 0) return strength(law) / law.tangential_damping;
     return speed * (1 + law.friction * law.stiffness / law.tangential_stiffness);

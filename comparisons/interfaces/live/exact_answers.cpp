@@ -14,7 +14,7 @@
 namespace rockstack::live {
 namespace {
 
-/// Of the bodies, with what springs of law `compliant` hold.
+/// Energies of the bodies, with what springs of law `compliant` hold.
 std::vector<double> exact_energies(const Scene& scene, const History& history) {
   std::vector<double> values = energies(scene, history);
   const auto blocks = static_cast<std::size_t>(history.blocks);

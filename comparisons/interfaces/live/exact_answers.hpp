@@ -11,8 +11,9 @@ namespace rockstack::live {
 
 /// To {"scene", "interval", "member", "spread"}: the exact motion at multiples of `interval`, s, with what
 /// the player draws it by. A motion that cannot be followed to its end is told up to there, with "failure".
-/// Of a member from 1 on, whose scene is perturbed by `spread`, times and angles alone. With "branches": true
-/// also "others", tracks of up to three more motions that obey, where there are such, as solve_branches().
+/// A member from 1 on, whose scene is perturbed by `spread`, has times and angles alone. With "branches":
+/// true also "others", tracks of up to three more motions that obey, where there are such, as
+/// solve_branches().
 /// @throws InputError for a scene that is none, nlohmann::json::exception for another question.
 std::string exact_answer(const std::string& question);
 

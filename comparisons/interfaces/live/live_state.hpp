@@ -26,7 +26,7 @@ struct LiveState {
 /// scene file; std::invalid_argument for a parameter of the engine.
 LiveState read_state(const Json& json, const std::set<std::string>& records, MotionLibrary& library);
 
-/// Of how many steps an answer keeps one.
+/// Number of steps of which an answer keeps one.
 std::size_t kept_stride(const LiveState& state);
 
 /// The state's scene file, or its suite, whose scene file is NAME.toml beside it, with `runs` perturbed

@@ -17,7 +17,7 @@ constexpr double longest_run = 20;                             // s
 constexpr std::uint64_t run_memory = std::uint64_t{2} << 30U;  // bytes
 constexpr std::uint64_t longest_answer = std::uint64_t{64} << 20U;
 
-/// Of exact runs, and as many of engines.
+/// Limit of exact runs, and as many of engines.
 constexpr std::ptrdiff_t most_waiting = 16;
 std::ptrdiff_t places() {
   return std::max(2, static_cast<int>(all_cores()));

@@ -154,7 +154,7 @@ int new_command(const NewArguments& arguments, const Common& common);
 /// or one, named with its solver. @throws InputError as find_engine().
 std::vector<const WorkerEngine*> engines_named(const std::string& name);
 
-/// The same of several names; where there is none, those of `otherwise`.
+/// Engines of several names; where there is none, those of `otherwise`.
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
                                                EngineList (*otherwise)());
 

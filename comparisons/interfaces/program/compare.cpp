@@ -78,7 +78,7 @@ void announce_undecided(const std::vector<Suite>& suites, const Common& common) 
                counted(sets.size(), "set"), replicates_that_show_changes(rows, change_level));
 }
 
-/// As end_of_runs().
+/// Exit code of rows, as end_of_runs() has it.
 int end_of_rows(const std::vector<RunMetrics>& rows, const char* file) {
   const auto is_failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
   const auto first = std::ranges::find_if(rows, is_failed);

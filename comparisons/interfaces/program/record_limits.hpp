@@ -13,7 +13,8 @@ inline RecordLimits record_limits(const Common& common) {
   return RecordLimits::usual;
 }
 
-/// The same of a record beside scenes, which have keys of their own: limits=none is taken out of what is set.
+/// RecordLimits of a record beside scenes, which have keys of their own: takes limits=none out of what is
+/// set.
 inline RecordLimits take_record_limits(Common& common) {
   return std::erase(common.overrides, "limits=none") > 0 ? RecordLimits::none : RecordLimits::usual;
 }

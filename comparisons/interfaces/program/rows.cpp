@@ -49,7 +49,7 @@ void print_engine_row(const RunMetrics& row, std::size_t width) {
              shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), outcome_text(row));
 }
 
-/// Of one scene and step; nothing where no difference is significant.
+/// Prints one scene and step; nothing where no difference is significant.
 void print_nearest(const std::vector<RunMetrics>& rows) {
   std::vector<std::string> first;
   bool significant = false;

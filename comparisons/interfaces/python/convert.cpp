@@ -67,7 +67,7 @@ void read_other(const py::handle& value, Node& target) {
   target.text = shown(value);
 }
 
-/// Of numpy's arrays and numbers, and of what is like them.
+/// Reads numpy's arrays and numbers, and what is like them.
 void read_array(const py::handle& value, Node& target, int depth) {
   if (py::hasattr(value, "mask") && py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>())
     throw InputError(target.place + ": " + one_line(target.key) +

@@ -39,7 +39,7 @@ void read_value(const py::handle& value, Node& target, int depth = 0);
 /// The top of a document from a mapping; `place` is what messages say in place of file and line.
 Node read_document(const py::handle& mapping, const std::string& place);
 
-/// The same as Python has it: dict, list, float, str.
+/// Node as Python has it: dict, list, float, str.
 py::object to_python(const Node& node);
 
 // Values as bytes and back, for processes that hand each other what they have computed; of one build, as

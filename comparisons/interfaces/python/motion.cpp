@@ -65,7 +65,7 @@ auto samples(const std::vector<Number> History::*list, py::ssize_t columns = 1) 
   };
 }
 
-/// The same of a list with one entry for each block or interface.
+/// Property of a list with one entry for each block or interface.
 template <class Number>
 auto of_each(const std::vector<Number> History::*list) {
   return [list](const py::object& self) -> py::object {

@@ -19,7 +19,7 @@ void align_interface(const std::vector<ImpactTime>& exact, const std::vector<Imp
   const auto firsts = of_interface(exact, interface), seconds = of_interface(engine, interface);
   std::vector<std::vector<Score>> best(firsts.size() + 1,  // of the tails from i and j
                                        std::vector<Score>(seconds.size() + 1));
-  // Of the best alignment that starts with the pair (i, j); less than any where these cannot be a pair.
+  // Score of the best alignment that starts with the pair (i, j); less than any where these cannot be a pair.
   const auto paired = [&](std::size_t i, std::size_t j) -> Score {
     const ImpactTime &one = exact[firsts[i]], &other = engine[seconds[j]];
     const double apart = std::abs(one.time - other.time);

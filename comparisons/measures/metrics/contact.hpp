@@ -30,8 +30,8 @@ Json contact_json(const History& history);
 /// null.
 Json validity_json(const History& history);
 
-/// Of all interfaces, its own time left out: the least normal force or impulse, the most friction, first
-/// times.
+/// Demand of all interfaces, its own time left out: the least normal force or impulse, the most friction,
+/// first times.
 Demand worst_of(const std::vector<Demand>& demands);
 
 /// One line for each interface and way in which real blocks would leave the model: it would have to pull, or
@@ -60,7 +60,7 @@ double restitution_of(double damping_ratio);
 /// The scene on rigid contacts with Coulomb's friction, a coefficient for each interface: law `unilateral`.
 Scene with_rigid_contacts(Scene scene, const std::vector<double>& friction);
 
-/// The same on springs at all corners, not loaded at the start, as engines place blocks: law `compliant`.
+/// Scene on springs at all corners, not loaded at the start, as engines place blocks: law `compliant`.
 Scene with_springs(Scene scene, const std::vector<double>& friction, const CornerSpring& spring);
 
 /// By how much that spring and dashpot have to be less, at the same relaxation time c/k, for the exact motion

@@ -16,8 +16,8 @@ struct Difference {
   std::span<const double> at(std::size_t sample) const { return {values.data() + sample * blocks, blocks}; }
 };
 
-/// Of angles. @throws std::invalid_argument where the histories are of different stacks or their common times
-/// differ.
+/// Difference of angles. @throws std::invalid_argument where the histories are of different stacks or their
+/// common times differ.
 Difference difference(const History& first, const History& second);
 
 /// The samples of a difference up to a time, s, the first one in any case.

@@ -34,7 +34,7 @@ double settling_duration(const Scene& scene);
 /// The side to which an interface leaves with a relative angular velocity (rad/s); closed below `slowest`.
 Contact side_of(double velocity, double slowest);
 
-/// Of an interface from 0, what its block has less what the block below has: of angles or of angular
+/// Relative value at an interface from 0, its block's less that of the block below: of angles or of angular
 /// velocities.
 double relative_at(std::span<const double> values, std::size_t interface);
 

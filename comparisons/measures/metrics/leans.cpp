@@ -5,7 +5,7 @@
 namespace rockstack {
 namespace {
 
-/// Of a block, in samples, by the angle of balance on the side that it leans to.
+/// Lean of a block, in samples, by the angle of balance on the side that it leans to.
 Lean lean_to_either_side(const Scene& scene, const History& history, std::size_t block) {
   Lean most{block, 0, 0};
   for (const int side : {1, -1}) {

@@ -33,7 +33,7 @@ struct Lean {
 /// middle, over that of the side that it leans to, in samples.
 Lean largest_lean(const Scene& scene, const History& history);
 
-/// The same of a block with all that stands on it: by how much the line from the corner that it leans on to
+/// Lean of a block with all that stands on it: by how much the line from the corner that it leans on to
 /// their common centre of mass has turned, over what it has to turn from upright blocks in the same places
 /// until it is vertical. Of the lowest block of those that come nearest; on level ground without the top
 /// block, which largest_lean() is of. In samples.

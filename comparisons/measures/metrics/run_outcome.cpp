@@ -25,7 +25,7 @@ unsigned freedom(const Pattern& pattern) {
   return bits;
 }
 
-/// Of the state that a scene begins with: blocks that lean or turn otherwise than those below, slip, or fall.
+/// Freedom of a scene's first state: blocks that lean or turn otherwise than those below, slip, or fall.
 unsigned freedom(const InitialState& initial) {
   const auto differs = [](const std::vector<double>& values) {
     double below = 0;

@@ -19,7 +19,7 @@ std::optional<Toppling> toppling_of(const Scene& scene, const History& history);
 /// "block 2 at 1.5 s" where a solver's history ends so, or nothing.
 std::string reported_toppling(const History& history);
 
-/// The same of an engine's history, which ends early only where a block has toppled: the block and the time
+/// Toppling of an engine's history, which ends early only where a block has toppled: the block and the time
 /// are those of its last sample.
 std::string observed_toppling(const Scene& scene, const History& history);
 

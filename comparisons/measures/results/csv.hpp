@@ -78,7 +78,7 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& file,
 /// The names `stem`1 … `stem`count, e.g. theta_1, theta_2.
 std::vector<std::string> numbered(const std::string& stem, int count);
 
-/// The same of several stems in turn: x_1, y_1, x_2, y_2.
+/// Numbered names of several stems in turn: x_1, y_1, x_2, y_2.
 std::vector<std::string> numbered_in_turn(const std::vector<std::string>& stems, int count);
 
 /// A cell as a number, none where it is something else.

@@ -48,7 +48,7 @@ using Sink = std::function<void(std::string_view)>;
 /// @throws std::runtime_error naming the file and the reason.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
-/// The same, of what `write` puts out.
+/// Writes what `write` puts out.
 void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write);
 
 /// What a folder holds, by the command that fills it.

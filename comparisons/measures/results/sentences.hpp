@@ -13,7 +13,7 @@ std::string counted(std::size_t count, const std::string& one);
 /// "a, b and c".
 std::string joined(const std::vector<std::string>& words);
 
-/// The same of at most `most`: "a, b and 5 others".
+/// Joins at most `most`: "a, b and 5 others".
 std::string joined_up_to(std::size_t most, const std::vector<std::string>& words);
 
 /// With a capital where it begins with a letter.

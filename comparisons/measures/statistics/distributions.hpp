@@ -16,10 +16,10 @@ struct MotionTally {
   bool failed() const { return peaks.empty(); }
 };
 
-/// Of the exact solution. @throws as solve().
+/// Tally of the exact solution. @throws as solve().
 MotionTally exact_tally(const Scene& scene);
 
-/// Of an engine's history.
+/// Tally of an engine's history.
 MotionTally observed_tally(const Scene& scene, const History& history);
 
 /// run,peak_1,…,impacts,toppled: a line a tally, empty cells where a run failed.

@@ -86,7 +86,7 @@ class Data {
     return {*low - 8, *high + 4};
   }
 
-  /// Of ln error less ln(rᵖ + dtᵖ), which is ln c but for the deviations: its mean and sum of squares.
+  /// Mean (an estimate of ln c) and sum of squares of ln error − ln(rᵖ + dtᵖ).
   struct Rest {
     double mean, sum;
   };

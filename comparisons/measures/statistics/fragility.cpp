@@ -164,7 +164,7 @@ FragilityBounds::FragilityBounds(const Fragility& curve, const std::vector<RunGr
       const double z = std::log(level.intensity / curve.median) / curve.beta, p = normal_cdf(z);
       if (!(p > 0 && p < 1)) continue;
       const auto runs = static_cast<double>(level.runs);
-      // Of z the slopes are −1/β along ln median and −z/β along β.
+      // Slopes of z are −1/β along ln median and −z/β along β.
       const Vector2d rise = Vector2d(-1, -z) * (normal_density(z) / curve.beta);
       information += runs / (p * (1 - p)) * rise * rise.transpose();
       slope += (static_cast<double>(level.toppled) - runs * p) / (p * (1 - p)) * rise;

@@ -51,7 +51,7 @@ class FragilityBounds {
  public:
   FragilityBounds(const Fragility& curve, const std::vector<RunGroup>& groups);
 
-  /// Of the curve at an intensity; 0 and 1 where the runs fix none.
+  /// Bounds of the curve at an intensity; 0 and 1 where the runs fix none.
   Bounds at(double intensity) const;
   Bounds of_median() const;
 

@@ -20,7 +20,7 @@ constexpr double least_error = 1e-12;
 using Cell = std::pair<std::string, double>;  ///< scene and step
 using Name = std::tuple<std::string, std::string, std::string>;
 
-/// Of one set in one cell.
+/// Error of one set in one cell.
 struct Error {
   double median = 0;  ///< infinite where its run is not done
   std::vector<double> replicates;

@@ -75,7 +75,7 @@ inline constexpr double change_level = 0.01;
 /// The share of it for what counts most, such as the error; the other half is that of all other numbers.
 inline constexpr double foremost_share = 0.5;
 
-/// Of sets with so many replicates in each of their rows, those of which two comparisons could show a change:
+/// Sets, with so many replicates in each of their rows, of which two comparisons could show a change:
 /// one of every replicate of a set, in its rows together or in one of them, at a level over all sets and
 /// rows. A row of one run shows nothing.
 std::vector<bool> sets_that_can_change(const std::vector<std::vector<int>>& sets, double level);
@@ -93,7 +93,7 @@ int replicates_that_decide(std::size_t numbers, double level);
 /// another of their scene moves.
 std::vector<RankedSet> rank_all(const std::vector<ReplicatedRow>& rows);
 
-/// The same within every solver that has several sets.
+/// Ranks sets within every solver that has several.
 std::vector<RankedSet> rank_sets(const std::vector<ReplicatedRow>& rows);
 
 /// engine,solver,rank,settings,score,worst,cells,failed.

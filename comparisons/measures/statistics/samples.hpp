@@ -84,7 +84,7 @@ struct Stratum {
   std::vector<double> first, second;
 };
 
-/// The same over several strata: ranks are those within each, and their sums are added up (Ph. van Elteren,
+/// Tests over several strata: ranks are those within each, and their sums are added up (Ph. van Elteren,
 /// "On the combination of independent two-sample tests of Wilcoxon", Bull. Inst. Int. Statist. 37, 1960,
 /// whose weights are one where strata are of one size). The superiority is a share of all pairs.
 /// Precondition: at least one stratum, each as above.

@@ -149,7 +149,7 @@ std::string over_steps(const std::vector<ReplicatedRow>& rows) {
   return steps.size() > 1 ? "over all steps together " : "";
 }
 
-/// Of more scenes than are told one by one.
+/// Headline of more scenes than are told one by one.
 std::string over_all(const std::vector<ReplicatedRow>& rows, const std::vector<RankedSet>& ranking,
                      const std::vector<First>& firsts, std::size_t scenes) {
   First first = first_of(ranking);

@@ -207,7 +207,7 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   return sentences;
 }
 
-/// Of a scene that is alone the headline has said what all scenes come to.
+/// Sentences on a scene; where it is alone the headline has said what all scenes come to.
 std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const JudgedScene& scene,
                                       bool alone) {
   const std::vector<ReplicatedRow> own = rows_of(evidence.rows, scene);

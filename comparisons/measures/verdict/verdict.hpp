@@ -26,7 +26,7 @@ bool is_engine(const RunMetrics& row);
 /// "ode:step (tuned)".
 std::string set_name(const std::string& engine, const std::string& solver, const std::string& settings);
 
-/// The same of a row, or of what else has these members.
+/// Name of a row's set, or of what else has these members.
 template <class Set>
 std::string set_name(const Set& set) {
   return set_name(set.engine, set.solver, set.settings);
@@ -82,9 +82,9 @@ struct ComparisonEvidence {
   std::vector<DistributionDistance> distances;
 };
 
-/// Of all rows, with the scenes that they are of. Nothing is said of histories beyond a scene's horizon;
-/// there distributions over replicates are compared. No row is called nearer than another that replicates do
-/// not tell from it, and scenes at rest are not ranked.
+/// Verdict on all rows, with the scenes that they are of. Nothing is said of histories beyond a scene's
+/// horizon; there distributions over replicates are compared. No row is called nearer than another that
+/// replicates do not tell from it, and scenes at rest are not ranked.
 ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vector<JudgedScene>& scenes);
 
 /// The verdict that verdict_json() has told, scenes in the order of the list.

@@ -36,10 +36,11 @@ class Executor {
   /// True where this process gives out the tasks and keeps what is delivered.
   bool leads() const { return leads_; }
 
-  /// Of the leader: has every task computed and delivered. @throws what compute and deliver throw.
+  /// Leader only: has every task computed, and passes each result to deliver(). @throws what compute and
+  /// deliver throw.
   virtual void run(const std::vector<std::size_t>& tasks, const Work& work) = 0;
 
-  /// Of the others: computes tasks until the leader has no more.
+  /// Others only: computes tasks until the leader has no more.
   virtual void serve(const std::function<std::string(std::size_t task)>& /*compute*/) {}
 
  private:
@@ -54,7 +55,7 @@ std::size_t all_cores();
 /// Threads of this process. Precondition: count ≥ 1.
 std::unique_ptr<Executor> make_threads(std::size_t count);
 
-/// Of a library of its own, rockstack_ranks: the processes that mpirun has started together: the first leads,
+/// Processes that mpirun has started together (in a library of its own, rockstack_ranks): the first leads,
 /// each of the others computes a task at a time. Nothing where this process was started alone. To be called
 /// once in a process.
 /// @throws std::runtime_error where MPI cannot start.

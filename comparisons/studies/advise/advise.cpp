@@ -76,7 +76,7 @@ std::optional<Trial> try_out(const Job& job, const AdviceRequest& request,
   return trial;
 }
 
-/// Of one series, from large to small steps.
+/// Search of one series, from large to small steps.
 struct Search {
   bool over = false;
   std::size_t next = 0;  ///< step

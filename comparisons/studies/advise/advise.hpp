@@ -49,8 +49,8 @@ struct Advice {
   std::vector<Untried> untried;
   /// Until when histories can be compared at all, s (job.hpp). Trials end there.
   double predictable_time = 0;
-  /// Of the pick's replicates over the whole scene, where it lasts longer than it can be predicted and there
-  /// is time for them; else empty.
+  /// Distances of the pick's replicates over the whole scene, where it lasts longer than it can be predicted
+  /// and there is time for them; else empty.
   std::vector<DistributionDistance> beyond;
 };
 

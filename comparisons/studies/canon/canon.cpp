@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr double usual_step = 1e-3;  ///< s
 constexpr double vanishing = 1e-9;   ///< a deviation that is less is none, s
 
-/// Of each block's slips or gaps between samples, m/s; over nothing there is no gap.
+/// Largest speed of each block's slips or gaps between samples, m/s; over nothing there is no gap.
 double largest_speed(const History& history, const std::vector<double>& ways) {
   const auto blocks = static_cast<std::size_t>(history.blocks);
   double most = 0;
@@ -47,7 +47,7 @@ double gap_difference(const History& exact, const History& engine) {
   return most;
 }
 
-/// Of the flattest turn: a corner falls freely for one step, rad/s.
+/// Speed of the flattest turn: a corner falls freely for one step, rad/s.
 double slowest_turn(const Scene& scene) {
   const Block& widest = *std::ranges::max_element(scene.blocks, {}, &Block::half_width);
   return scene.gravity * usual_step / (2 * widest.half_width);
@@ -75,7 +75,7 @@ std::vector<CanonErrors> errors_at_all_steps(const Suite& suite, const NamedScen
   return errors;
 }
 
-/// Of a quantity, the replicate in the middle.
+/// Deviation of the replicate in the middle, by a quantity.
 Deviation middle_of(const CanonErrors& errors, std::size_t quantity) {
   auto replicates = each_of(errors.replicates, [&](const auto& each) { return each.at(quantity); });
   const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
@@ -88,7 +88,7 @@ std::pair<std::string, std::string> verdict_on(const std::vector<Deviation>& med
   const Deviation &coarsest = medians.front(), &finest = medians.back();
   const Bounded& left = fit.model_error;
   const auto amount = [&](double time) { return quantity_text(time * finest.speed, finest.unit(), 2); };
-  // Of the three finest steps, which differ by four: under any order from a half on, the error falls by a
+  // The three finest steps differ by four: under any order from a half on, the error falls by a
   // factor of two or more between them.
   const auto [finest_least, finest_most] =
       std::ranges::minmax_element(std::span(medians).last(3), {}, &Deviation::time);

@@ -69,7 +69,7 @@ CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>
 CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
                          const std::string& settings);
 
-/// The same, kept in a folder: an answer of the same scene, engine and program that is there is read back;
+/// Answer kept in a folder: one of the same scene, engine and program that is there is read back;
 /// where there was no run, it is tried again.
 CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
                               const std::string& settings, const std::filesystem::path& folder);

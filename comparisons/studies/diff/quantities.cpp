@@ -20,7 +20,7 @@ std::optional<double> other_verdict(const RunMetrics& row) {
   return differ(row.toppling_verdict) ? 1.0 : 0.0;
 }
 
-/// Of a column, without its sign where none is the best.
+/// Value of a column, without its sign where none is the best.
 std::function<std::optional<double>(const RunMetrics&)> value_of(const Column& column, Better better) {
   return [&column, better](const RunMetrics& row) -> std::optional<double> {
     if (row.status != RunStatus::done) return {};

@@ -38,8 +38,8 @@ class FittedScene {
   std::vector<double> motion(const std::vector<double>& values) const;
   /// The motion less what was measured, rad or m. What has no motion is off by 10.
   Eigen::VectorXd residuals(const std::vector<double>& values) const;
-  /// Of the residuals by each parameter, a column each: central differences of the exact motion over a
-  /// hundred-thousandth of its range on either side, one-sided at its ends.
+  /// Derivatives of the residuals by each parameter, a column each: central differences of the exact motion
+  /// over a hundred-thousandth of its range on either side, one-sided at its ends.
   Eigen::MatrixXd derivatives(const std::vector<double>& values) const;
 
   const std::vector<FitParameter>& parameters() const { return parameters_; }

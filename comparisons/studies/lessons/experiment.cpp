@@ -17,7 +17,7 @@ struct Measured {
 
 constexpr Measured measured[]{{5, "concrete", 0.95}, {5, "rubber", 0.67}, {3, "concrete", 0.97}};
 
-/// Of the ratio, between releases that are meant to be the same: an assumption, not a measurement.
+/// Spread of the ratio between releases that are meant to be the same: an assumption, not a measurement.
 constexpr double assumed_spread = 0.01;
 
 /// The scene's block in that shape, of the same height, let go at the same share of its slenderness, with

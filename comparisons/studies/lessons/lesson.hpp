@@ -68,7 +68,7 @@ Scene under(Scene scene, Law law);
 
 Scene lasting(Scene scene, double duration);
 
-/// Of all blocks, N.
+/// Weight of all blocks, N.
 double weight_of(const Scene& scene);
 
 /// The row of a suite's run with tuned parameters; one where that run is not done has no numbers.

@@ -45,7 +45,7 @@ std::pair<double, double> from_right_corner(const Block& block, double angle) {
   return {h * std::sin(angle) - b * std::cos(angle), b * std::sin(angle) + h * std::cos(angle)};
 }
 
-/// Of all ways in which pivots fail, s.
+/// Time of the first of all ways in which pivots fail, s.
 double first_failure_time(const ContactNeed& need) {
   return std::min({need.first_pull(), need.force.first_slip_time, need.impulse.first_slip_time});
 }

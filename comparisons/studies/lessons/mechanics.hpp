@@ -60,7 +60,7 @@ struct SlidingCorner {
   std::vector<double> forces() const;
 };
 
-/// Of the scene's single block at its initial angle, above 0, and velocity.
+/// Corner of the scene's single block at its initial angle, above 0, and velocity.
 SlidingCorner sliding_corner(const Scene& scene);
 
 /// The friction from which on the slope is negative, (I/m + x²)/(|x| y), where x and y lead from the corner

@@ -105,7 +105,7 @@ Table partings(const std::vector<double>& times,
   return table;
 }
 
-/// Of the top block over many earthquakes, in the order of the seeds, by what gives them.
+/// Peaks of the top block over many earthquakes, in the order of the seeds, by what gives them.
 using Peaks = std::map<std::string, std::vector<double>>;
 
 Peaks peaks_over_seeds(const NamedScene& named) {

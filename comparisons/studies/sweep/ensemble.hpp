@@ -70,7 +70,7 @@ void set_values(SceneDocument& document, const Variation& variation, const Value
 Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        MotionLibrary& library);
 
-/// The same of what stands in such a file; paths are relative to the folder of `file`.
+/// Makes an ensemble of what stands in such a file; paths are relative to the folder of `file`.
 Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
                        const std::vector<std::string>& overrides, MotionLibrary& library);
 

@@ -40,7 +40,7 @@ JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {
   return {scene.name, least_height(scene.stack), scene.duration, comparison.tolerance};
 }
 
-/// Of engines alone, those of the set that the verdict ranks first before all others.
+/// Runs of engines alone, those of the set that the verdict ranks first before all others.
 std::vector<Run> best_first(const Comparison& comparison) {
   const auto place = [&](const Run& run) {
     return std::ranges::find_if(comparison.verdict.ranking, [&](const RankedSet& set) {
@@ -108,7 +108,7 @@ double largest_of(const Run& run) {
   return std::max(run.largest_angle_difference.value_or(0), run.relative_position_difference.value_or(0));
 }
 
-/// Of all scenes, almost two decades below the tolerance at least, so that no number stands at the end.
+/// Axis of all scenes, almost two decades below the tolerance at least, so that no number stands at the end.
 Reach size_axis(const Comparison& comparison) {
   constexpr double decades_below = 1e-4, room = 1.5;
   Reach axis{comparison.tolerance / 80, comparison.tolerance * 10};

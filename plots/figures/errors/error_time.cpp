@@ -96,7 +96,8 @@ struct Slope {
   Cost from, to;
 };
 
-/// Of orders one and two; none where no solver has several runs, or errors differ too little to tell them.
+/// Guides of orders one and two; none where no solver has several runs, or errors differ too little to tell
+/// them.
 std::vector<Slope> slopes_of(const std::vector<CostLine>& lines, const Frame& frame) {
   constexpr double enough = 30;
   const bool single = std::ranges::none_of(lines, [](const CostLine& line) { return line.costs.size() > 1; });

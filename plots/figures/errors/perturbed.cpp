@@ -19,7 +19,7 @@ struct Sample {
   std::vector<double> values;
 };
 
-/// Of the peaks of a block, or with block 0 of the numbers of impacts.
+/// Samples of the peaks of a block, or with block 0 of the numbers of impacts.
 std::vector<Sample> samples_of(const std::vector<Run>& runs, int block) {
   std::vector<Sample> samples;
   for (const Run& run : runs) {

@@ -79,7 +79,8 @@ double largest_angle(const Run& run, double end) {
   return largest_magnitude(angles.first(static_cast<std::size_t>(last * history->blocks)));
 }
 
-/// Of each run, or of the only one; or of the exact one, and from which to which those of engines go.
+/// Largest angles of each run, or of the only one; or of the exact one, and from which to which those of
+/// engines go.
 std::string largest_angles(const std::vector<Run>& runs, bool each, double end) {
   std::vector<std::string> texts;
   Reach engines;

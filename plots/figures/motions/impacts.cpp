@@ -66,7 +66,7 @@ struct SignedLog {
   }
 };
 
-/// Of all that are late or early; at most eight decades.
+/// Scale of all that are late or early; at most eight decades.
 SignedLog scale_of(const std::vector<Verdicts>& all) {
   double low = 1e-3, high = 1e-5;
   for (const Verdicts& verdicts : all)
@@ -119,7 +119,7 @@ std::string span_of(const std::vector<Verdicts>& all, const Value& value, const 
   return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
 }
 
-/// Of replicates counts are the medians that a row has: those of the run that is drawn are one draw.
+/// Counts of replicates are the medians that a row has: those of the run that is drawn are one draw.
 std::string answer(const std::vector<Verdicts>& all) {
   const auto replicated = [](const Verdicts& one) { return one.run.draws.value_or(1) > 1; };
   const auto count = [&](std::optional<int> RunMetrics::*median, std::vector<double> Verdicts::*list) {

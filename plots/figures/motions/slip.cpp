@@ -93,7 +93,7 @@ std::string flights_of(const Run& run, int blocks, double end) {
          more;
 }
 
-/// Of the whole motion.
+/// Phrase on the slip of the whole motion.
 std::string slip_phrase(const Run& run, int blocks) {
   const auto history = history_of(run);
   std::vector<double> slips;

@@ -33,7 +33,7 @@ std::string initiation_boundaries(const StruckBlock& block, double largest_accel
 struct SweepFacts {
   std::string title;
   std::string intensity;  ///< title of its axis
-  /// Of a scene of one block, whose intensity is an acceleration: g tan α, m/s², and p, rad/s; else 0.
+  /// Facts of a scene of one block, whose intensity is an acceleration: g tan α, m/s², and p, rad/s; else 0.
   double least_acceleration = 0, frequency_parameter = 0;
   std::optional<StruckBlock> struck = {};  ///< where a map over friction is of one under such pulses
   std::size_t cut_short = 0;               ///< runs that count as standing and whose ground moves on

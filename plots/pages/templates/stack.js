@@ -119,7 +119,7 @@ const iconOf = (svg, sides, slides) => {
   return svg;
 };
 
-// The same on a canvas, with the middle of its lower edge at (x, y), 24 pixels wide at most.
+// Draws the stack on a canvas, with the middle of its lower edge at (x, y), 24 pixels wide at most.
 const drawIcon = (pen, x, y, height, sides, slides) => {
   const { half, top, low, outlines, pivots, arrows } = shapeOf(sides, slides), scale = Math.min(height / (top + low), 12 / half), at = ([a, c]) => [x + a * scale, y - (c + low) * scale];
   const line = (points) => {

@@ -13,7 +13,7 @@ const made = (tag, properties = {}, ...children) => {
   return element;
 };
 
-// Of a key such as "blocks.2.height"; undefined where the scene does not have it.
+// Value of a key such as "blocks.2.height"; undefined where the scene does not have it.
 const entryOf = (table, part) => Array.isArray(table) ? part - 1 : part;
 const valueAt = (scene, key) => key.split(".").reduce((table, part) => table?.[entryOf(table, part)], scene);
 
@@ -201,7 +201,7 @@ const engineControls = (trial) => {
   return box;
 };
 
-// The same by keys: a slider for each block's angle.
+// Does it by keys: a slider for each block's angle.
 const releaseControls = (player, trial) => {
   const box = made("fieldset", { className: "release" }, made("legend", { textContent: "Release: drag a block and let go, or slide" }));
   const fits = trial.scene.blocks.map((block, k) => {
@@ -304,7 +304,7 @@ for (const root of document.querySelectorAll(".player")) {
 }
 // Pictures that move -------------------------------------------------------------------------------------------
 
-// Of a word: the exact motion of its own scene, some whose sizes hardly differ, and the engine's at a step.
+// Trial of a word: the exact motion of its own scene, some whose sizes hardly differ, and the engine's at a step.
 const makeMoving = async (home, place) => {
   const { scene: text, speed, gain = 1, members = 0, spread = 0, step } = home.dataset, scene = JSON.parse(text), interval = scene.duration / samples;
   const answer = await pageSolver.ask(home, { scene, interval }), tracks = [answer.track];

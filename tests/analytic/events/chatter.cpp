@@ -111,7 +111,7 @@ TEST(Chatter, EndingItEarlyMovesTheMotionByLessThanTheResolution) {
   }
 }
 
-// Of a base that chatters under a rocking block. What is left out are terms of the next order, in proportion
+// A base chatters under a rocking block. What is left out are terms of the next order, in proportion
 // to u: over two decades of u the ratio keeps within u and the rounding of the error.
 TEST(Chatter, EndingItAtASpeedMovesTheMotionByTheThirdPowerOfThat) {
   Scene scene = testing::paper_example();

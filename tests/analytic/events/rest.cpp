@@ -38,7 +38,7 @@ struct Extremes {
   double least_gravity, largest_tilt;
 };
 
-/// Of g + ÿ and |ẍ| / (g + ÿ); straight lines between samples have both at samples.
+/// Extremes of g + ÿ and |ẍ| / (g + ÿ); straight lines between samples have both at samples.
 Extremes extremes(const Scene& scene) {
   Extremes result{1e9, 0};
   for (std::size_t i = 0; i < scene.horizontal.samples.size(); ++i) {

@@ -105,7 +105,7 @@ TEST(ZenoSummation, SummedUpItAsksOfInterfacesWhatAllItsImpactsDo) {
   EXPECT_LT(summed, all);
 }
 
-// Of a coarse resolution no chatter is summed up, so that the events are those that are kept one by one.
+// A coarse resolution sums no chatter up, so that the events are those that are kept one by one.
 TEST(ZenoSummation, AnEventStandsForTheImpactsInARowThatItCounts) {
   std::size_t all = 0, summed = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

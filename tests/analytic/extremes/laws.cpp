@@ -53,7 +53,7 @@ Quad least_share(const Model<Quad>& model, const Pattern& pattern, const std::ve
   return least;
 }
 
-/// Of thousands of events, two in fifty are looked at.
+/// Two in fifty of thousands of events are looked at.
 bool passed_over(std::size_t event) {
   return event >= 400 && event % 50 > 1;
 }

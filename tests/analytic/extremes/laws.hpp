@@ -22,7 +22,7 @@ struct Breaches {
 /// the history holds.
 Breaches breaches(const Scene& scene, const History& history);
 
-/// Likewise of a motion with friction: no event gains kinetic energy, none is gained between events on still
+/// Breaches of a motion with friction: no event gains kinetic energy, none is gained between events on still
 /// ground, and no block sinks into another. Roundings are those of the whole stack's energies.
 Breaches breaches(const Scene& scene, const ContactHistory<>& history);
 

@@ -135,7 +135,7 @@ double largest_deviation(const testing::Agreement& agreement) {
   return largest;
 }
 
-// Of unequal blocks, events in double may be off by 10⁴ times and more what 16 roundings of the scene's own
+// Events of unequal blocks in double may be off by 10⁴ times and more what 16 roundings of the scene's own
 // numbers make of them at 113 bits. So that is not the scene's doing, but that of roundings of operations:
 // those of long double, 2⁻¹¹ of double's, bring it down by as much. One scene's roundings are luck, by a
 // decade to either side; what holds is the median of scenes that differ in the sixth digit.

@@ -14,7 +14,7 @@ namespace rockstack::testing {
 /// both equations. Durations go with √(H/g), H the stack's height.
 Scene extreme_scene(std::uint64_t seed);
 
-/// The same under law `unilateral` with friction of 0 … 10 at each interface.
+/// Extreme scene under law `unilateral` with friction of 0 … 10 at each interface.
 Scene slippery_extreme_scene(std::uint64_t seed);
 
 /// The column of a seed under law `unilateral`: 2 to 20 unequal blocks of friction 0.1 … 1.5, which lean as

@@ -33,7 +33,7 @@ Motion in_pattern_2(const Draw& d);
 Motion in_pattern_3(const Draw& d);
 Motion in_pattern_4(const Draw& d);
 
-/// The same motion with its geometry upright and without rates.
+/// Motion with its geometry upright and without rates.
 Motion upright(Motion motion);
 
 /// Size of the moments in a motion of these blocks, N·m: no term of an equation of motion is larger than a

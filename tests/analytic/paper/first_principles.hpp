@@ -57,10 +57,10 @@ double kinetic_energy(const Assembly& blocks);
 /// in addition to its weight, on ground that accelerates. Zero in free motion. N·m.
 double moment_on_top(const Assembly& blocks, const Motion& motion, Vec about);
 
-/// The same for the base, which carries the top block's force at the top block's pivot.
+/// Moment on the base, which carries the top block's force at the top block's pivot.
 double moment_on_base(const Assembly& blocks, const Motion& motion);
 
-/// The same for both blocks as one body, about the base's pivot.
+/// Moment on both blocks as one body, about the base's pivot.
 double moment_on_both(const Assembly& blocks, const Motion& motion);
 
 /// What may turn after an impact.

@@ -10,7 +10,7 @@ namespace rockstack::testing {
 /// The scene of a seed: one to four random blocks that move, free, under a record or under a pulse.
 Scene drawn_scene(std::uint64_t seed, Equations equations = Equations::nonlinear);
 
-/// The same under law unilateral, with friction of 0.1 … 0.9 at each interface.
+/// Random scene under law unilateral, with friction of 0.1 … 0.9 at each interface.
 Scene rubbing_scene_of(std::uint64_t seed);
 
 /// Sums over scenes that were compared with the reference.

@@ -69,7 +69,7 @@ double kinetic_energy(const Model<double>& model, const State<double>& state) {
   return energy(model, state) - energy(model, {state.pattern, state.angles, 0 * state.velocities});
 }
 
-/// Of the inertial force −m(ẍg, ÿg) in the frame of the ground, J.
+/// Work of the inertial force −m(ẍg, ÿg) in the frame of the ground, J.
 double work(const Scene& scene, const History& history, const Nodes& nodes, double from, double to) {
   const auto model = make_model<double>(scene);
   double result = 0;
@@ -108,7 +108,7 @@ TEST(Balances, BetweenEventsEnergyChangesByTheWorkOfTheGround) {
       const double start = testing::energy_above_rest(scene, first.to, first.angles, first.after);
       const double end = testing::energy_above_rest(scene, last.from, last.angles, last.before);
       const double done = work(scene, history, nodes, first.time, last.time);
-      // Of the work the rule leaves out (λh)⁶/2016000, below 1e-11 up to λ = 80/s; of the energy rounding.
+      // Error of the work by the rule: (λh)⁶/2016000, below 1e-11 up to λ = 80/s; of the energy, rounding.
       ASSERT_NEAR(end - start, done, 1e-11 * (weight + kinetic))
           << "seed " << seed << " from " << first.time << " to " << last.time;
     }

@@ -160,7 +160,7 @@ TEST(SmallAngles, StacksApproachTheFullEquationsWithTheSquareOfTheirSlenderness)
         scene.equations = Equations::small_angle;
         const auto small = accelerate(make_model<double>(scene), state, ground);
         errors.push_back((small.relative - full.relative).norm() / full.relative.norm());
-        // Of the forces, those along the faces are of first order themselves.
+        // Forces along the faces are of first order themselves.
         errors.back() += (small.reactions.tangential - full.reactions.tangential).norm() /
                          full.reactions.tangential.norm();
         EXPECT_LT(errors.back(), 20 * slender * slender);

@@ -101,7 +101,7 @@ TEST(TwoBlocks, SamplesLieOnTheMotionWhereverEventsFall) {
   ASSERT_EQ(many.size(), 98U);
   for (const std::size_t i : {1U, 2U, 3U, 4U}) {
     const auto j = static_cast<std::size_t>(std::lround(one.times[i] * 100));
-    // The same steps; the sample times differ by rounding.
+    // Steps are the same; the sample times differ by rounding.
     EXPECT_NEAR(one.angles_at(i)[0], many.angles_at(j)[0], 1e-14);
     EXPECT_NEAR(one.angles_at(i)[1], many.angles_at(j)[1], 1e-14);
   }

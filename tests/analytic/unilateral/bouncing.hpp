@@ -77,7 +77,7 @@ class LowCorner {
     double normal, along;
   };
 
-  /// Of the corner, along the ground and up; angles are clockwise positive.
+  /// Velocity of the corner, along the ground and up; angles are clockwise positive.
   double along(const Pose<>& rate) const { return rate.x + y_ * rate.angle; }
   double up(const Pose<>& rate) const { return rate.y - x_ * rate.angle; }
 

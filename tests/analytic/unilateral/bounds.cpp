@@ -74,7 +74,7 @@ TEST(Bounds, NoInterfaceTurnsFasterThanItsBound) {
   }
 }
 
-// Of what sticks at an impact there is one mode that obeys, so that a likely one that does is what
+// One mode obeys of what sticks at an impact, so that a likely one that does is what
 // complementarity leads to.
 TEST(Bounds, ALikelyModeThatObeysIsTheOneOfComplementarity) {
   RandomStacks random;

@@ -230,7 +230,7 @@ std::vector<Scene> forking_scenes() {
   return scenes;
 }
 
-// Of every branch: momenta tell impulses, and forces between samples 10⁻⁷ s apart, with no part of the
+// Momenta tell impulses of every branch, and forces between samples 10⁻⁷ s apart, with no part of the
 // solver.
 TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
   constexpr double moment = 1e-7;

@@ -38,7 +38,7 @@ double first_of_several(const ContactHistory<>& history) {
   return never;
 }
 
-/// Of all ways of widths.
+/// Calls `work` for all ways of widths.
 template <class Do>
 void for_all_ways(const Scene& scene, const Do& work) {
   for (unsigned wider = 0; wider < 1U << (scene.blocks.size() - 1); ++wider) work(wider);

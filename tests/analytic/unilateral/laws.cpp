@@ -124,7 +124,7 @@ TEST(UnilateralLaws, NothingPullsNorRubsMoreThanItsFriction) {
       for (const auto* demands : {&history.forces, &history.impulses}) {
         const Demand& demand = (*demands)[k];
         EXPECT_GE(demand.least_normal, 0) << seed;
-        // Of normal forces above their rounding at least two digits are known.
+        // Normal forces above their rounding are known to two digits at least.
         EXPECT_LE(demand.friction, 1.01 * scene.friction[k]) << seed;
         EXPECT_GE(demand.least_normal_time, 0) << seed;
         EXPECT_LE(demand.friction_time, scene.duration) << seed;

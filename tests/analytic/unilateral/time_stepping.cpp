@@ -116,8 +116,8 @@ struct Touching {
     return {combined(slid_push, across, -friction * slip * slid_push, along), slip};
   }
 
-  /// Of a pair of corners, for a velocity without impulse: inward it slides along the lower face, outward the
-  /// upper one.
+  /// Impulse on a pair of corners, for a velocity without impulse: inward it slides along the lower face,
+  /// outward the upper one.
   Vec pair_impulse(const Vec& velocity) const {
     const OnFace lower_face = on_face(velocity, normal, tangent);
     const bool parts = lower_face.impulse.x == 0 && lower_face.impulse.y == 0;

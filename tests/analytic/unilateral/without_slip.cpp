@@ -25,7 +25,7 @@ TEST(UnilateralWithoutSlip, MotionsAreThoseOfLawConsistentUntilThatOneReportsWhy
   EXPECT_LT(tally.beyond, tally.compared / 100);
 }
 
-// Likewise on inclined ground, with centres of mass off the middle of blocks.
+// Ground is inclined, and centres of mass are off the middle of blocks.
 TEST(UnilateralWithoutSlip, SoTheyAreWhereWeightIsAskew) {
   testing::LawTally tally;
   for (std::uint64_t seed = 0; seed < 150; seed += testing::stride) {

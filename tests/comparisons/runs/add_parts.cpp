@@ -104,7 +104,7 @@ TEST(AddParts, SpringsAreSoftenedToASteppableRate) {
   EXPECT_NEAR(spring_factor(scene, {stiff.stiffness / factor, stiff.damping / factor}, 1e5), 1, 1e-12);
 }
 
-// Of a stack, to whose motion springs add some 1e-3 rad: linear in the factor, the rest is of second order.
+// Springs add some 1e-3 rad to the motion of a stack: linear in the factor, the rest is of second order.
 TEST(AddParts, ExtrapolationComesNearerThanSofterSprings) {
   Scene scene = let_go();
   scene.blocks.push_back(make_block(0.4, 1, 2500));
@@ -138,7 +138,7 @@ TEST(AddParts, AFailureIsTheRowsOwn) {
   EXPECT_FALSE(row.step_difference);
 }
 
-/// Of a mass on a spring and a dashpot that only push, landing at unit speed, by small steps.
+/// Restitution of a mass on a spring and a dashpot that only push, landing at unit speed, by small steps.
 double stepped_restitution(double damping_ratio) {
   constexpr double dt = 1e-5;
   double depth = 0, speed = 1;

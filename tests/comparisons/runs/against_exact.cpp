@@ -155,7 +155,7 @@ RunMetrics row_up_to_one_second(double duration) {
   return row;
 }
 
-// Of three seconds those beyond the horizon say as little as if they had never been.
+// Seconds beyond the horizon say as little as if they had never been.
 TEST(AgainstExact, WhatLiesBeyondTheHorizonSaysNothing) {
   const RunMetrics row = row_up_to_one_second(3), cut = row_up_to_one_second(1);
   EXPECT_EQ(row.horizon, 1);

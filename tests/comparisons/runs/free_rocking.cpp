@@ -48,7 +48,7 @@ TEST_P(FreeRocking, FollowsTheExactSolutionToTheSecondPeak) {
             exact.times[peak]);
 }
 
-/// Of double precision.
+/// Engines of double precision.
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(FreeRocking);
 INSTANTIATE_TEST_SUITE_P(Engines, FreeRocking, ::testing::ValuesIn(native_names({"bullet-single", "box2d"})),
                          engine_test_name);

@@ -47,7 +47,7 @@ RunMetrics row_with(double difference) {
   return row;
 }
 
-// Of 1 … 21 quartiles are the values 5, 10 and 15 places behind the first. Of 20 values they lie 4.75 places
+// Quartiles of 1 … 21 are the values 5, 10 and 15 places behind the first. Those of 20 values lie 4.75 places
 // and so on behind it; a count stays whole.
 TEST(Replicates, ARowGetsMediansAndQuartiles) {
   RunMetrics nominal = row_with(21);

@@ -158,7 +158,7 @@ TEST(Keys, OfStudiesAreThoseThatAreRead) {
 
 TEST(Keys, OfEnsemblesAreThoseThatAreRead) {
   expect_keys_are_those_read(KeyFile({&ensemble_keys, &vary_keys}), vary_keys, read_ensemble_text);
-  // Of a summary intensity and period are of two directions.
+  // Intensity and period of a summary are of two directions.
   const KeyTable second = vary_keys;
   KeyFile both({&ensemble_keys, &vary_keys, &second, &summary_keys});
   both.set(second, "key", "\"gravity\"").set(second, "values", "[9.0, 10.0]");
@@ -171,7 +171,7 @@ TEST(Keys, OfEnsemblesAreThoseThatAreRead) {
     KeyFile drawn({&ensemble_keys, &vary_keys, table});
     expect_keys_are_those_read(drawn.leave_out(vary_keys, "values"), *table, read_ensemble_text);
   }
-  // Of the top of the file, samples and seed go with drawn values.
+  // Samples and seed, at the top of the file, go with drawn values.
   KeyFile drawn({&ensemble_keys, &vary_keys});
   drawn.set(vary_keys, "uniform", "[0.5, 1.0]")
       .set(ensemble_keys, "samples", "2")

@@ -93,7 +93,7 @@ TEST(Suites, VariantsOfFrictionAreOfLawUnilateral) {
   EXPECT_NE(suite_error(head + "variants = [\"friction=0.5\", \"friction=0.50\"]\n"), "");
 }
 
-// Of two tables of one engine its name is told once; what nobody asks for is not.
+// An engine of two tables is named once; what nobody asks for is not.
 TEST(Suites, NameTheEnginesTheyAskForThatThisBuildLeavesOut) {
   const std::vector<std::string> left_out = engines_left_out();
   const TemporaryFolder folder;

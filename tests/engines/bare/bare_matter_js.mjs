@@ -15,7 +15,7 @@ const engine = Engine.create({ positionIterations, velocityIterations });
 
 const add = (x, y, width, height, isStatic) => {
   const body = Bodies.rectangle(long(x), long(y), long(width), long(height), { isStatic });
-  // Of two bodies the least friction holds, and what is static has 1 at first.
+  // The least friction of two bodies holds, and what is static has 1 at first.
   Object.assign(body, { friction, frictionAir: 0, restitution: set.restitution ?? 0, deltaTime: milliseconds });
   for (const name of ['slop', 'frictionStatic']) if (name in set) body[name] = set[name];
   Composite.add(engine.world, body);

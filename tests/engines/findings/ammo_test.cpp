@@ -43,7 +43,7 @@ std::vector<LastBit> last_bits() {
   return list;
 }
 
-/// Of Bullet in single precision, compiled in version 3.24 and as WebAssembly in 3.26, with the same
+/// Bullet in single precision, compiled in version 3.24 and as WebAssembly in 3.26, with the same
 /// settings.
 struct BothBullets {
   const WorkerEngine* compiled = there("bullet-single:sequential-impulse");

@@ -16,7 +16,7 @@ struct Draw {
   double dt = 0;
 };
 
-/// The same on every call.
+/// Replicates, the same on every call.
 std::vector<Draw> replicates(const Scene& scene, double dt, int runs = 21);
 
 struct Quartiles {
@@ -41,7 +41,7 @@ Parameters gentle(const Engine& engine);
 /// ends early, as a block topples, is off by π.
 double error(const Engine& engine, const Draw& draw, const Parameters& parameters);
 
-/// The same of angles at every step, the start first.
+/// Error against angles at every step, the start first.
 double error_of(const Draw& draw, const std::vector<double>& angles);
 
 /// error() of every draw.

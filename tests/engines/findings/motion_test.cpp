@@ -122,7 +122,7 @@ int woken(const Engine& engine, double dt, const Parameters& changes = {}) {
   return count;
 }
 
-/// Of 25 blocks some wake in exact motion and in ODE, hardly one in Bullet, which keeps an open corner among
+/// Some of 25 blocks wake in exact motion and in ODE, hardly one in Bullet, which keeps an open corner among
 /// its contacts until it is a fiftieth of the block away: with that threshold at a millionth as many wake as
 /// should. At a larger step none wakes in either.
 TEST(Motion, WeakShakingWakesBlocksInOdeAndInBulletWithoutItsContactThreshold) {

@@ -54,8 +54,8 @@ TEST(WebEngines, RapierFindsFrictionOnceInASubstep) {
       return left_in_rapier(*engine, r, friction, dt, set, more);
     };
     SCOPED_TRACE(r);
-    // Of gaps that close within a substep, 1e-9 m over 2e-5 s, and angles of 2e-3 rad, rounded to 1e-7 of
-    // that.
+    // Error of gaps that close within a substep, 1e-9 m over 2e-5 s, and of angles of 2e-3 rad, rounded to
+    // 1e-7 of that.
     EXPECT_NEAR(left(""), once, 1e-3);
     EXPECT_NEAR(left("set num_internal_stabilization_iterations 16"), left_by_coulomb(r, friction), 1e-3);
     EXPECT_NEAR(left("set warmstart_coefficient 0"), left_by_coulomb(r, friction), 1e-3);

@@ -39,7 +39,7 @@ Scene block(double r, double friction, double duration) {
   return scene;
 }
 
-/// Of Bullet and ODE but Bullet's Lemke solver, whose friction is no coefficient.
+/// Engines of Bullet and ODE but Bullet's Lemke solver, whose friction is no coefficient.
 std::vector<const Engine*> with_coefficients() {
   std::vector<const Engine*> list;
   for (const auto& engine : linked_engines()) {

@@ -132,7 +132,7 @@ TEST(Workers, WordsAreOneShortLineWhereverTheyAreTold) {
   is_fit(run_in_worker(other, one_block(), 0.125, {}, 0, {}).reason);
 }
 
-// Of five samples; the fourth step is not the thousandth.
+// Five samples: the fourth step is not the thousandth.
 TEST(Workers, TimesOfARuntimeThatHasNotWarmedUpAreCold) {
   const TemporaryFolder folder;
   const auto is_cold = [&](const json& more) {

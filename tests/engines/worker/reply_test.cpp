@@ -147,7 +147,7 @@ TEST(Reply, EveryFieldIsHeldToItsRange) {
       const std::string said = said_of(run);
       EXPECT_EQ(said.empty(), taken) << field.path << " = " << value << ": " << said;
       EXPECT_EQ(said, one_line(said));
-      // Of a motion's numbers that are none the time is said.
+      // The time is said of a motion's numbers that are none.
       if (taken || said.find("is not finite at t = 0.5 s") != std::string::npos) continue;
       const std::string name = field.path.substr(field.path.rfind('/') + 1);
       EXPECT_NE(said.find(name), std::string::npos) << field.path << " = " << value << ": " << said;

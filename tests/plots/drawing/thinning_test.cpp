@@ -63,7 +63,7 @@ TEST(Thinning, LeavesAShortCurveAsItIs) {
   EXPECT_EQ(thinned.values, curve.values);
 }
 
-// Of a hundred times as long a curve the part on the axis keeps as many points, and the next one.
+// A curve a hundred times as long keeps as many points on the axis, and the next one.
 TEST(Thinning, LooksAtTheTimeThatIsShownAlone) {
   const Curve curve = noise(100'000);
   Curve part;

@@ -107,7 +107,7 @@ TEST(Shown, ImpactsAfterTheAxisHaveNoTick) {
   EXPECT_LE(rightmost("rgb(0,0,0)"), rightmost("rgb(154,154,154)") + 1.5);
 }
 
-// Of a single step no line is dashed.
+// No line of a single step is dashed.
 TEST(Shown, OneStepHasNoWordOfACoarserOne) {
   const testing::Sample one{.blocks = 1, .steps = {1e-2}, .results = {"histories"}};
   EXPECT_FALSE(shot(one, "histories").picture.says("coarsest"));

@@ -33,7 +33,7 @@ constexpr auto run_columns =
     "case,engine,solver,settings,dt,status,reason,paper,consistent,pattern,follows,from_paper,"
     "from_consistent,before,rates\n";
 
-/// Of one state: two runs follow law consistent, one law paper, one fails.
+/// Runs of one state: two follow law consistent, one law paper, one fails.
 constexpr auto runs =
     "4a-blocks.4b.3b,ode,step,tuned,0.001,done,,4b,3b,3b,consistent,0.5,0.02,0 -0.12345678,0 0.25\n"
     "4a-blocks.4b.3b,ode,step,tuned,0.0001,done,,4b,3b,3b,consistent,0.5,0.01,0 -0.12345678,0 0.25\n"

@@ -36,7 +36,7 @@ Record make_record(const Interval& interval, std::vector<double> samples, const 
 /// above half the sampling rate. Beyond its ends the acceleration is mirrored. Precondition: two samples.
 Record acceleration_of_velocity(double interval, const std::vector<double>& velocities);
 
-/// The same of a displacement: the second derivative of the cubic spline through its samples, at rest at the
+/// Second derivative of a displacement: that of the cubic spline through its samples, at rest at the
 /// first and the last. An error δ of the samples makes one of up to 12δ/interval²: a displacement that is
 /// known to 0.01 mm each 10 ms gives an acceleration to 1.2 m/s². Precondition: two samples.
 Record acceleration_of_displacement(double interval, const std::vector<double>& displacements);

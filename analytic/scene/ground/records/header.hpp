@@ -35,7 +35,7 @@ struct Header {
 /// @throws InputError at a step or count that is none, and at a second one that differs.
 Header read_header(const RecordTable& table);
 
-/// Of all columns that have none of their own. @throws InputError where it is not named, or twice.
+/// Unit of all columns that have none of their own. @throws InputError where it is not named, or twice.
 Unit stated_unit(const RecordTable& table, const Header& header);
 
 /// The unit of a quantity that lines of text name after words of a topic, or after "units"; of times only

@@ -119,7 +119,7 @@ void append_utf8(std::uint32_t code, std::string& text) {
   part(0, 0x80, 0x3f);
 }
 
-/// Of the basic plane; what is beyond it has no place in a record.
+/// Converts the basic plane; what is beyond it has no place in a record.
 std::string from_utf16(std::string_view bytes, bool high_first) {
   std::string text;
   for (std::size_t k = 0; k + 1 < bytes.size(); k += 2) {

@@ -29,7 +29,7 @@ class Cursor {
   /// @throws InputError "file:line: message" for the line that next() gave last.
   [[noreturn]] void fail(const std::string& message) const { fail_at(line_number(), message); }
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const;
-  /// The same that fails at another line.
+  /// Cursor whose errors name another line.
   Cursor at_line(std::size_t line) const;
 
   std::string_view file() const { return file_; }
@@ -55,7 +55,7 @@ inline bool is_digit(char c) {
 
 std::string lower(std::string_view text);  ///< A–Z only, whatever the locale
 std::string_view trimmed(std::string_view text);
-/// Of texts in upper and lower case alike; so is the next.
+/// Compares upper and lower case alike; so does the next.
 inline bool contains(std::string_view text, std::string_view lower_case_part) {
   return lower(text).find(lower_case_part) != std::string::npos;
 }

@@ -13,7 +13,7 @@
 namespace rockstack {
 namespace {
 
-// Of files that nobody but the lessons has; what keys mean stands at the members that they fill.
+// Keys of files that nobody but the lessons has; what they mean stands at the members that they fill.
 
 constexpr KeyTable course_keys{
     "",

@@ -55,7 +55,7 @@ double chance_matched(const Asked& asked) {
 using Quantity = double(const Asked& asked);
 
 const std::map<std::string, Quantity*> all_quantities{
-    // Of a scene's exact solution. SI units.
+    // Quantities of a scene's exact solution. SI units.
     {"first-impact", [](const Asked& a) { return first(a, EventKind::impact).time; }},
     {"opening", [](const Asked& a) { return first(a, EventKind::opening).time; }},
     {"opening-lead",
@@ -90,7 +90,7 @@ const std::map<std::string, Quantity*> all_quantities{
      [](const Asked& a) {
        return land(a.scene, {true, true}).energy;
      }},
-    // Of the numbers of the question.
+    // Quantities of the numbers of the question.
     {"chance-apart", chance_apart},
     {"tests-that-show", [](const Asked& a) { return std::floor(a["level"] / chance_apart(a)); }},
     {"chance-matched", chance_matched},

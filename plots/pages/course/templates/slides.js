@@ -27,7 +27,7 @@ const prediction = (form) => {
 const question = (one) =>
   asked("Question", [made("p", { innerHTML: one.querySelector("summary").innerHTML })], Array.from(one.querySelectorAll("p")));
 
-// Of a long table as many as it takes, that each can be read, with as many rows each.
+// Slides of a long table: as many as it takes, that each can be read, with as many rows each.
 const tables = (heading, table) => {
   const most = 8, rows = Array.from(table.tBodies[0].rows), list = [], count = Math.ceil(rows.length / Math.ceil(rows.length / most));
   for (let from = 0; from < rows.length; from += count) {

@@ -144,7 +144,7 @@ class Springs {
   double bed_half_width(const Corner& bed) const {
     return half_width(bed.interface - (bed.of_lower ? 1 : 0));
   }
-  /// Of a corner, or of all of a bed.
+  /// Stiffness of a corner, or of all of a bed.
   double stiffness(const Corner& corner) const {
     const auto k = static_cast<std::size_t>(corner.interface);
     return corner.side != 0 ? scene_.springs.stiffness[k]

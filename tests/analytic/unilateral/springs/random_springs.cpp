@@ -9,7 +9,7 @@
 namespace rockstack::testing {
 namespace {
 
-/// Of beds that are as stiff in all as the two springs of an interface.
+/// Makes beds that are as stiff in all as the two springs of an interface.
 void put_on_beds(Scene& scene) {
   CornerSprings& springs = scene.springs;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {

@@ -11,7 +11,7 @@ namespace rockstack::testing {
 /// three is rigid where another is not. One scene in three has the ground move.
 Scene springy_scene(std::uint64_t seed);
 
-/// The same on Winkler beds that are as stiff in all as the two springs of an interface.
+/// Random scene on Winkler beds that are as stiff in all as the two springs of an interface.
 Scene bedded_scene(std::uint64_t seed);
 
 /// A random stack of one to three blocks at some angles and velocities, on springs or beds that bear nothing
@@ -21,7 +21,7 @@ Scene soft_scene(std::uint64_t seed, bool beds);
 /// The energy of a sample, with what springs hold and what dashpots and friction have taken, J.
 double energy_with_losses(const Scene& scene, const ContactHistory<>::Sample& sample);
 
-/// Of an upright stack, J.
+/// Weight times height of an upright stack, J.
 double weight_times_height(const Scene& scene);
 
 }  // namespace rockstack::testing

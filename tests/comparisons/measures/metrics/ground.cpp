@@ -277,7 +277,7 @@ TEST(ResponseSpectrum, CoversFromAFiftiethOfASecondToTen) {
   for (std::size_t k = 1; k < spectrum.size(); ++k) EXPECT_GT(spectrum[k].period, spectrum[k - 1].period);
 }
 
-// Of the record the last tenth of a second is silence; the sine ends, or never does.
+// The record's last tenth of a second is silence; the sine ends, or never does.
 TEST(GroundLeft, IsTheTimeThatAShakenSceneLeavesOut) {
   Scene scene;
   scene.horizontal = motion_of({0, 1, -1, 0.5, 0, 0}, 0.1);
@@ -295,7 +295,7 @@ TEST(GroundLeft, IsTheTimeThatAShakenSceneLeavesOut) {
   EXPECT_EQ(left(2), 0);
   scene.vertical.pulse->cycles = std::numeric_limits<double>::infinity();
   EXPECT_EQ(left(0.2), 0);
-  // Of a Ricker wavelet, 4 s long, it is (1 − 2z²) exp(−z²) with z = π at 3 s: less than a thousandth.
+  // A Ricker wavelet, 4 s long, is (1 − 2z²) exp(−z²) with z = π at 3 s: less than a thousandth.
   scene.vertical.pulse = Pulse{.shape = PulseShape::ricker, .amplitude = 2, .period = 1};
   EXPECT_NEAR(left(2.9), 1.1, 4 * rounding);
   EXPECT_EQ(left(3), 0);

@@ -42,7 +42,7 @@ TEST(RunOutcome, SumsUpAHistory) {
   EXPECT_EQ(outcome.impulse.friction, 0.6);
 }
 
-// Of three cubes that lean as one, past their balance at atan(1/3) but not past that of a cube: one, side by
+// Three cubes lean as one, past their balance at atan(1/3) but not past that of a cube: one, side by
 // side with others, and with contacts.
 TEST(RunOutcome, TellsWhatFallsStillAtTheEnd) {
   Scene scene;

@@ -57,7 +57,7 @@ std::vector<ImpactTime> clockwork() {
   return impacts;
 }
 
-// Of a hundred times drawn from 100 s, none comes within ±0.05 s of an impact with a chance of
+// None of a hundred times drawn from 100 s comes within ±0.05 s of an impact with a chance of
 // (1 − 0.001)^100 = e^−0.1: 9.5 impacts are met on average, with a standard deviation near 3; the median of
 // 101 has one near 0.4.
 TEST(ChanceMatches, RandomTimesMeetAsManyImpactsAsTheirWindowsSay) {
@@ -144,7 +144,8 @@ TEST(KolmogorovSmirnov, ChancesAreThePublishedOnes) {
   EXPECT_EQ(chance_at(0), 1);
 }
 
-// Of 400 pairs of samples of one distribution, 5 % are further apart than the critical distance: 20 ± 4.4.
+// Five in a hundred of 400 pairs of samples of one distribution are further apart than the critical distance:
+// 20 ± 4.4.
 TEST(KolmogorovSmirnov, RejectsWhatIsEqualAsOftenAsItSays) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
@@ -183,7 +184,7 @@ double share_won(const std::vector<double>& first, const std::vector<double>& se
   return won / static_cast<double>(first.size() * second.size());
 }
 
-/// Of all ways to share the values out, those whose share is as low, and those whose share is as high.
+/// Counts all ways to share the values out whose share is as low, and those whose share is as high.
 double p_value_by_counting(std::vector<double> first, const std::vector<double>& second) {
   const double share = share_won(first, second);
   const std::size_t own = second.size();
@@ -217,7 +218,7 @@ TEST(MannWhitney, ChanceIsThatOfCountingAllWaysToShareTheValues) {
   }
 }
 
-// Of all C(n + m, n) ways one alone has all of the second sample on top.
+// One alone of all C(n + m, n) ways has all of the second sample on top.
 TEST(MannWhitney, SamplesThatLieApartHaveTheLeastChance) {
   const MannWhitney test = mann_whitney({1, 2, 3, 4, 5}, {6, 7, 8, 9, 10, 11, 12});
   EXPECT_NEAR(test.p_value, 2 / choose(12, 5), 1e-15);
@@ -246,7 +247,7 @@ TEST(MannWhitney, IsTheSameInAnyScaleAndMirroredBetweenSamples) {
   EXPECT_NEAR(mann_whitney(second, first).p_value, test.p_value, 1e-15);
 }
 
-// Of all ways to share the values out within every stratum, by counting, with ties.
+// All ways to share the values out within every stratum are counted, with ties.
 TEST(MannWhitney, StrataAddUpTheRanksWithinEach) {
   std::mt19937_64 random(4);
   std::uniform_int_distribution<int> few(0, 5);
@@ -290,7 +291,8 @@ TEST(MannWhitney, StrataAddUpTheRanksWithinEach) {
   EXPECT_NEAR(mann_whitney({apart, apart}).p_value, 0.005, 1e-15);
 }
 
-// Of 400 pairs of equal samples, 5 % are shown to differ: 20 ± 4.4. Sizes on both sides of the exact limit.
+// Five in a hundred of 400 pairs of equal samples are shown to differ: 20 ± 4.4. Sizes on both sides of the
+// exact limit.
 TEST(MannWhitney, RejectsWhatIsEqualAsOftenAsItSays) {
   for (const std::size_t size : {12U, 40U}) {
     std::mt19937_64 random(7);

@@ -73,7 +73,7 @@ TEST(Canon, RestIsMeasuredByWhatGravityGivesInAMillisecond) {
   EXPECT_DOUBLE_EQ(off[1].time, 1 / (9.81 * 1e-3));
 }
 
-// Of a block that lies still: a thousandth of its height is a tenth of a step of 1 ms.
+// A block lies still: a thousandth of its height is a tenth of a step of 1 ms.
 TEST(Canon, BlocksThatSinkOrBounceAreOff) {
   const History exact = motion(sampling, 0, 0);
   for (const double gap : {-0.25, 0.25}) {

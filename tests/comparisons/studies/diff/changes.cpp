@@ -49,7 +49,7 @@ RecordedResults recorded(Random& random, std::size_t replicates) {
   return results;
 }
 
-/// The same, without draws.
+/// Results without draws.
 RecordedResults single(Random& random) {
   RecordedResults results = recorded(random, 1);
   for (RecordedRun& run : results.runs) {

@@ -147,7 +147,7 @@ TEST(Fit, IntervalsHoldTheTruthInNinetyFiveOfAHundredTests) {
   EXPECT_GE(quiet, 95);
 }
 
-// The same block, seen by a clock that starts late: what it shows before the start is the block at rest.
+// A clock that starts late sees the block: what it shows before the start is the block at rest.
 TEST(Fit, IntervalsHoldTheTruthWhateverTheClockShowsAtTheStart) {
   constexpr int tests = 50;
   constexpr double sigma = 2e-3;

@@ -34,7 +34,7 @@ TEST(ImpactLaws, OneSeedGivesOneAnswerAndAnotherSeedAnother) {
 }
 
 TEST(ImpactLaws, KindsAreHalfOfAllOpenInterfacesOfAllPatterns) {
-  // Of the 3ᴺ patterns a third has a given interface closed: N 3ᴺ 2/3 open ones, half of them mirror images.
+  // A third of the 3ᴺ patterns has a given interface closed: N 3ᴺ 2/3 open ones, half of them mirror images.
   EXPECT_EQ(impact_kinds(2).size(), 6U);
   EXPECT_EQ(impact_kinds(3).size(), 27U);
 }
@@ -189,7 +189,7 @@ TEST(ImpactLaws, ErrorsOfAStudyNameLineKeyAndWhatIsAllowed) {
   EXPECT_TRUE(study_error("study = \"other\"\n").starts_with("study.toml:1: study = \"other\": must be"));
 }
 
-/// Of engines with rigid contacts: an impact of a soft one takes its own time and not a step.
+/// Engines with rigid contacts: an impact of a soft one takes its own time and not a step.
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ImpactLawsInEngine);
 INSTANTIATE_TEST_SUITE_P(Engines, ImpactLawsInEngine,
                          ::testing::ValuesIn(native_names({"mujoco", "simbody"})), engine_test_name);

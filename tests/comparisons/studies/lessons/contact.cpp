@@ -37,7 +37,7 @@ TEST(ContactLessons, ABlockThatLandsKeepsTheShareOfTheClosedForm) {
     }
 }
 
-// The same without a solver of slip: what pivots need at their impacts.
+// Pivots tell without a solver of slip what they need at their impacts.
 TEST(ContactLessons, AnImpactNeedsTheFrictionOfTheClosedForm) {
   Scene scene = shipped_scene("rubbing-block");
   scene.duration = 0.6;  // the first impact alone

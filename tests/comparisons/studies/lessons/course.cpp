@@ -87,7 +87,7 @@ TEST(Sheets, TheSameSeedGivesTheSameSheetAndAnotherSeedAnother) {
   EXPECT_EQ(texts.size(), 3U);
 }
 
-// Of any seed: numbers are drawn from few values each, of which no combination may be without answer.
+// Any seed may come: numbers are drawn from few values each, of which no combination may be without answer.
 TEST(Sheets, EveryProblemHasFiniteAnswers) {
   for (const Lesson& lesson : lessons())
     for (const std::uint64_t seed : {0U, 7U}) {
