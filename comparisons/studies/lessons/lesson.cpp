@@ -23,27 +23,13 @@ std::string superscript(int number) {
 
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> list{
-      {"housner", housner_values},
-      {"projection", projection_values},
-      {"separation", separation_values},
-      {"still-base", still_base_values},
-      {"soft-contacts", soft_contacts_values},
-      {"steps", steps_values},
-      {"chatter", chatter_values},
-      {"sensitivity", sensitivity_values},
-      {"limits", limits_values},
-      {"friction", friction_values},
-      {"lift-off", lift_off_values},
-      {"complementarity", complementarity_values},
-      {"contact-models", contact_models_values},
-      {"experiment", experiment_values},
-      {"reading", reading_values},
+#include "comparisons/studies/lessons/lesson_list.inc"
   };
   return list;
 }
 
 std::string title(const Lesson& lesson) {
-  return read_suite(shipped("studies/lessons") / (lesson.name + ".toml"), {}).title;
+  return read_suite(shipped("studies/lessons") / lesson.name / (lesson.name + ".toml"), {}).title;
 }
 
 const Lesson& find_lesson(const std::string& name) {

@@ -27,13 +27,11 @@ struct LessonValues {
 /// Computes the values of one lesson, with the exact solver and engines, from its own suite, run.
 using ValuesOf = LessonValues(const Suite& suite, const std::vector<RunMetrics>& rows);
 
-ValuesOf housner_values, projection_values, separation_values, still_base_values, soft_contacts_values,
-    steps_values, chatter_values, sensitivity_values, limits_values, friction_values, lift_off_values,
-    complementarity_values, contact_models_values, experiment_values, reading_values;
+#include "comparisons/studies/lessons/lesson_functions.inc"
 
-/// A lesson: a suite, NAME.toml, a text with places for values, NAME.html, and what computes the values once
-/// the suite has been run. Both files are in this folder; the text of its slides is in slides/, and what
-/// makes a course of them is in course/.
+/// A lesson: the folder NAME with a suite, NAME.toml, a text with places for values, text.html, the text of
+/// its slides, slides.html, its part in a course, course.toml, and what computes the values once the suite
+/// has been run, values.cpp.
 struct Lesson {
   std::string name;
   ValuesOf* values;

@@ -18,7 +18,7 @@ namespace {
 constexpr KeyTable course_keys{
     "",
     "a lesson as part of a course",
-    {{"minutes"}, {"pattern"}, {"after"}, {"aims"}, {"references"}, {"predictions"}, {"problems"}}};
+    {{"place"}, {"minutes"}, {"pattern"}, {"after"}, {"aims"}, {"references"}, {"predictions"}, {"problems"}}};
 
 constexpr KeyTable problem_keys{"[[problems]]",
                                 "a question with its scene",
@@ -119,8 +119,8 @@ double drawn(const DrawnRange& range, std::mt19937_64& generator) {
   return std::round(value * digits) / digits;
 }
 
-fs::path file_of(const Lesson& lesson, const char* ending, const char* folder = "") {
-  return shipped("studies/lessons") / folder / (lesson.name + ending);
+fs::path file_of(const std::string& lesson, const char* name) {
+  return shipped("studies/lessons") / lesson / name;
 }
 
 std::size_t place_of(const std::string& name) {
@@ -151,8 +151,8 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
   json["references"] = course.references;
   json["predictions"] =
       each_of(course.predictions, [&](const Problem& one) { return answered(one, values.measured); });
-  json["text"] = file_text(file_of(lesson, ".html"));
-  json["slides"] = file_text(file_of(lesson, ".html", "slides"));
+  json["text"] = file_text(file_of(lesson.name, "text.html"));
+  json["slides"] = file_text(file_of(lesson.name, "slides.html"));
   json["numbers"] = values.numbers;
   json["tables"] = Json::object();
   for (const auto& [name, table] : values.tables)
@@ -166,7 +166,7 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
 }  // namespace
 
 CourseEntry read_course(const std::string& lesson) {
-  const Node root = read_toml(shipped("studies/lessons") / "course" / (lesson + ".toml"));
+  const Node root = read_toml(file_of(lesson, "course.toml"));
   require_table(root, course_keys);
   constexpr double longest = 600;
   return {.aims = texts(root, "aims"),

@@ -17,7 +17,7 @@ namespace rockstack {
 namespace {
 
 std::string text_of_lesson(const std::string& name) {
-  std::ifstream in(std::filesystem::path(ROCKSTACK_LESSONS) / (name + ".html"));
+  std::ifstream in(std::filesystem::path(ROCKSTACK_LESSONS) / name / "text.html");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

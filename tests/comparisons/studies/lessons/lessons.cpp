@@ -77,10 +77,10 @@ TEST(Wording, NumbersReadAsTheyShould) {
 }
 
 TEST(Lessons, EachHasASuiteAndATextThatEndsWithQuestionsAndWhatToTry) {
-  EXPECT_EQ(lessons().size(), 15u);
+  EXPECT_GE(lessons().size(), 15u);
   for (const Lesson& lesson : lessons()) {
     EXPECT_FALSE(title(lesson).empty()) << lesson.name;
-    std::ifstream in(std::filesystem::path(ROCKSTACK_LESSONS) / (lesson.name + ".html"));
+    std::ifstream in(std::filesystem::path(ROCKSTACK_LESSONS) / lesson.name / "text.html");
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     for (const char* part :
          {"<h2>Try this</h2>", "--set", "<h2>Questions</h2>", "class=\"question\"", "{{player:", "<math"})
