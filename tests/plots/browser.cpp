@@ -76,7 +76,7 @@ Answer ask_browser(const std::string& page, const std::string& probe) {
   const std::string folder = scratch.path().string();
   const std::string file = scratch.write("page.html", with_probe(page, probe)).string();
   const std::string dom =
-      output_of("HOME='" + folder + "' timeout 120 chromium --headless --no-sandbox --disable-gpu" +
+      output_of("HOME='" + folder + "' timeout 1200 chromium --headless --no-sandbox --disable-gpu" +
                 " --user-data-dir='" + folder + "/profile' --virtual-time-budget=20000" +
                 " --window-size=1100,900 --dump-dom 'file://" + file + "' 2>'" + folder + "/errors'");
   const std::size_t from = dom.find(opening), to = dom.find(closing);

@@ -1,6 +1,7 @@
 #include "analytic/scene/ground/records/cells.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "analytic/scene/ground/records/units.hpp"
 
@@ -51,6 +52,17 @@ Texts cut_at_units(std::string_view line) {
   return texts;
 }
 
+/// A line without the sign of a comment and the word that may stand before a list: "Columns: t (s), a (g)".
+std::string_view without_lead_in(std::string_view line) {
+  constexpr std::array lists{"column",  "columns",  "data",    "fields",   "channels", "variables", "format",
+                             "spalten", "colonnes", "colonne", "columnas", "units",    "einheiten"};
+  line = uncommented(line);
+  const std::size_t colon = line.find(':');
+  if (colon == line.npos || line.find_first_of(",;\t", colon) == line.npos) return line;
+  const std::string word = lower(trimmed(line.substr(0, colon)));
+  return std::ranges::find(lists, word) == lists.end() ? line : trimmed(line.substr(colon + 1));
+}
+
 }  // namespace
 
 Texts cut_at(std::string_view line, char separator) {
@@ -89,7 +101,7 @@ std::string_view uncommented(std::string_view line) {
 }
 
 std::vector<Texts> parted(std::string_view line, const Dialect& dialect) {
-  line = uncommented(line);
+  line = without_lead_in(line);
   std::vector<Texts> ways;
   if (dialect.separator != ' ') ways.push_back(cut_at(line, dialect.separator));
   for (const char separator : {'\t', ';', ','}) ways.push_back(cut_at(line, separator));
@@ -102,7 +114,7 @@ std::vector<Texts> parted(std::string_view line, const Dialect& dialect) {
 
 std::optional<Texts> cells_of(std::string_view line, std::size_t columns, const Dialect& dialect) {
   std::vector<Texts> ways = parted(line, dialect);
-  std::string bare(uncommented(line));
+  std::string bare(without_lead_in(line));
   std::erase(bare, '"');
   ways.push_back(cut_at_units(bare));
   ways.push_back(cut_at_blanks(bare, true));

@@ -20,17 +20,36 @@ bool recognises(Cursor cursor) {
   return false;
 }
 
+/// Refuses a velocity that does not begin at zero and a displacement that begins or ends in motion: grounds
+/// begin at rest, and a displacement's end would be a stop within one step.
+void check_at_rest(const Cursor& cursor, const std::vector<double>& samples, Quantity quantity) {
+  constexpr double small = 0.05;  // of the largest speed
+  std::vector<double> speeds = samples;
+  if (quantity == Quantity::displacement) {
+    std::adjacent_difference(samples.begin(), samples.end(), speeds.begin());
+    speeds.erase(speeds.begin());
+  }
+  double largest = 0;
+  for (const double speed : speeds) largest = std::max(largest, std::abs(speed));
+  const auto moves = [&](double speed) { return std::abs(speed) > small * largest; };
+  if (moves(speeds.front()))
+    cursor.fail("the " + std::string(name(quantity)) + " above begins in motion: must begin at rest");
+  if (quantity == Quantity::displacement && moves(speeds.back()))
+    cursor.fail("the displacement above ends in motion: must end at rest");
+}
+
 /// A record of what its unit says, differentiated as often as that takes.
 Record accelerogram(const Cursor& cursor, Record record, Quantity quantity) {
   if (quantity == Quantity::acceleration) return record;
   if (record.samples.size() < 2)
     cursor.fail("one sample of a velocity or displacement gives no acceleration");
+  check_at_rest(cursor, record.samples, quantity);
   Record motion = quantity == Quantity::velocity
                       ? acceleration_of_velocity(record.interval, record.samples)
                       : acceleration_of_displacement(record.interval, record.samples);
   motion.format = record.format + " of " + std::string(name(quantity));
   motion.unit = record.unit;
-  motion.step = record.step;
+  motion.step = record.step + (quantity == Quantity::velocity ? ", halved" : "");
   return motion;
 }
 
@@ -49,6 +68,10 @@ void add_columns(const RecordTable& table, const Header& header, const Content& 
                  std::vector<Record>& records) {
   table.check_even(false);
   check_present(table, header, content.columns);
+  for (const std::size_t column : content.columns) {
+    check_thousands(table, column);
+    check_marks(table, column);
+  }
   const Cursor last = table.cursor.at_line(table.lines.back());
   for (std::size_t k = 0; k < content.columns.size(); ++k) {
     Record record =
@@ -113,6 +136,7 @@ void take_count_row(RecordTable& table, Header& header) {
 void read(Cursor& cursor, std::vector<Record>& records) {
   RecordTable table = read_rows(cursor.file(), cursor.take_rest());
   check_commas(table);
+  if (!table.rows.empty()) check_tail(table);
   if (!table.rows.empty()) label_labview(table);
   Header header = read_header(table);
   const std::size_t rows = table.rows.size();

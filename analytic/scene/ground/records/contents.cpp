@@ -36,16 +36,31 @@ void check_gaps(const RecordTable& table, const std::vector<double>& times) {
                                                number_text(*middle, 6) + ": must have a constant step");
 }
 
-/// The mean step, which all others must equal. `times` in s.
-double constant_step(const RecordTable& table, const std::vector<double>& times) {
+/// Half a unit in the last place of the decimals that a column has at most; 0 where a number has a power of
+/// ten.
+double rounding_of(const RecordTable& table, std::size_t column) {
+  std::size_t decimals = 0;
+  for (const auto& row : table.rows) {
+    if (row.size() <= column) break;
+    if (row[column].find_first_of("eEdD:") != std::string_view::npos) return 0;
+    const std::size_t point = row[column].find_first_of(table.dialect.decimal_comma ? ".," : ".");
+    if (point != std::string_view::npos) decimals = std::max(decimals, row[column].size() - point - 1);
+  }
+  return 0.5 * std::pow(10, -static_cast<double>(decimals));
+}
+
+/// The mean step, which all others must equal but for their rounding. `times` and `rounding` in s.
+double constant_step(const RecordTable& table, const std::vector<double>& times, double rounding) {
   const Cursor& cursor = table.cursor;
   if (times.size() < 2) cursor.fail_at(table.lines.front(), "one time alone gives no time step");
   const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   checked_interval(cursor.at_line(table.lines.back()), step);
   check_gaps(table, times);
+  // The mean step has a rounding of its own. Beyond a tenth of a step roundings tell nothing of steps.
+  const double tolerance = std::max(step_tolerance, std::min(2 * rounding / step, 0.2)) * step;
   for (std::size_t k = 1; k < times.size(); ++k) {
     const double expected = times.front() + static_cast<double>(k) * step;
-    if (std::abs(times[k] - expected) > step_tolerance * step)
+    if (std::abs(times[k] - expected) > tolerance)
       cursor.fail_at(table.lines[k], "time " + number_text(times[k]) + " where a constant step gives " +
                                          number_text(expected));
   }
@@ -163,6 +178,11 @@ Interval step_of(const Header& header) {
 
 Interval interval_of(const RecordTable& table, const Header& header, const std::optional<std::size_t>& time) {
   if (!time) {
+    if (header.interval && header.resampled_line != 0)
+      table.cursor.fail_at(
+          header.resampled_line,
+          "says that samples were left out, averaged or interpolated: the step of the numbers "
+          "below must be said alone");
     if (header.interval) return step_of(header);
     const std::size_t columns = table.columns();
     table.cursor.fail_at(
@@ -172,7 +192,12 @@ Interval interval_of(const RecordTable& table, const Header& header, const std::
                             (table.titles.empty() ? "" : " by its title, as \"time (s)\" is")) +
             std::string(", and no time step in the header: say e.g. \"# dt = 0.01\" (s)"));
   }
-  const double step = constant_step(table, scaled(table.column(*time), unit_of_times(table, *time)));
+  const double unit = unit_of_times(table, *time), rounding = unit * rounding_of(table, *time);
+  const double step = constant_step(table, scaled(table.column(*time), unit), rounding);
+  // What roundings hide of the step, the header may know.
+  if (header.interval && rounding > step_tolerance * step &&
+      std::abs(step - *header.interval) <= 2 * rounding / static_cast<double>(table.rows.size() - 1))
+    return step_of(header);
   if (header.interval && std::abs(step - *header.interval) > step_tolerance * step)
     table.cursor.fail_at(header.interval_line, "dt = " + number_text(*header.interval) +
                                                    " s here, and times step by " + number_text(step) + " s");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "analytic/scene/ground/records/vocabulary.hpp"
 
@@ -17,7 +18,7 @@ bool is_acceleration(std::string_view word) {
 }
 
 bool is_unit_word(std::string_view word) {
-  constexpr std::array list{"unit", "units", "einheit", "einheiten"};
+  constexpr std::array list{"unit", "units", "einheit", "einheiten", "unidad", "unidades", "unita", "unites"};
   return std::ranges::find(list, word) != list.end() || word.ends_with("unit");
 }
 
@@ -57,13 +58,40 @@ void state(Stated& stated, const Unit& unit, std::size_t line) {
   if (!stated.unit) stated = {unit, line, stated.contradicted};
 }
 
+/// Whether a unit is that of one number, which follows: "g=981 cm/s2", "design acceleration (g): 0.3".
+bool has_value(std::string_view text, std::size_t end) {
+  const std::size_t sign = std::min(text.find_first_not_of(" \t)]", end), text.size());
+  if (sign == text.size() || (text[sign] != '=' && text[sign] != ':')) return false;
+  return text[end] == '=' ||
+         is_numeric(words(text.substr(sign + 1), "").empty() ? std::string_view()
+                                                             : words(text.substr(sign + 1), "").front());
+}
+
+/// Whether a unit is multiplied by what follows it in brackets: "g (times 10)".
+bool has_factor_after(std::string_view text, std::size_t end) {
+  const std::string_view rest = trimmed(text.substr(std::min(end, text.size())));
+  const std::string_view inside = rest.substr(0, rest.find(')'));
+  return rest.starts_with('(') && inside.find_first_of("0123456789") != inside.npos &&
+         (inside.find("times") != inside.npos || inside.find_first_of("x*") != inside.npos);
+}
+
+/// Whether a word before "unit" makes it one of something else than the numbers: "original unit: g".
+bool is_of_others(std::string_view word) {
+  constexpr std::array others{"original", "raw",      "input",  "output", "sensor",
+                              "scale",    "spectral", "former", "old",    "internal"};
+  return std::ranges::find(others, word) != others.end();
+}
+
 /// Reads what follows keywords, and units in brackets.
 void read_units(const Line& line, Header& header) {
   const std::string text = lower(line.text);
   const bool of_peak = speaks_of(text, Topic::peak);  // whose unit need not be that of all
   bool expected = false, of_acceleration = false;
+  std::string_view before;
   for (const std::string_view word : words(text, borders)) {
     const std::size_t start = offset_in(text, word);
+    const bool of_others = is_of_others(std::exchange(before, word));
+    if (is_unit_word(word) && of_others) continue;
     if (is_acceleration(word)) {
       of_acceleration = true;
       if (header.acceleration_line == 0) header.acceleration_line = line.number;
@@ -76,7 +104,12 @@ void read_units(const Line& line, Header& header) {
     expected = false;
     const Found found = unit_at(text, start);
     const std::size_t end = start + found.text.size();
-    if (end < text.size() && text[end] == '=') continue;  // as in "g=981 cm/s2"
+    if (has_value(text, end)) continue;
+    if (has_factor_after(text, end) && header.unknown.empty()) {
+      header.unknown = trimmed(text.substr(start));
+      header.unknown_line = line.number;
+      continue;
+    }
     if (found.unit && found.unit->quantity == Quantity::time) {
       expected = true;
     } else if (found.unit && found.unit->quantity == Quantity::acceleration) {
@@ -91,6 +124,7 @@ void read_units(const Line& line, Header& header) {
   for (std::size_t open = text.find_first_of("(["); open != text.npos;
        open = text.find_first_of("([", open + 1)) {
     const std::string_view inside = segment_at(text, open + 1);
+    if ((open > 0 && text[open - 1] == '/') || has_value(text, open + 1 + inside.size())) continue;
     const auto unit = read_unit(inside);
     if (unit && unit->quantity == Quantity::acceleration && !inside.ends_with('g'))
       state(header.aside, *unit, line.number);

@@ -25,6 +25,7 @@ struct Header {
   std::size_t mixed_line = 0;  ///< that has a velocity or a displacement, beside an acceleration; 0: none
   std::optional<double> interval = {};  ///< s
   std::size_t interval_line = 0;
+  std::size_t resampled_line = 0;  ///< that says samples were left out, averaged or interpolated; 0: none
   std::size_t count = 0, count_line = 0;                ///< of values, after NPTS; else 0
   std::size_t stated_count = 0, stated_count_line = 0;  ///< of values, in other words; else 0
   std::optional<double> missing = {};                   ///< stands for missing data

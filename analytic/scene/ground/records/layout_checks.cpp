@@ -1,7 +1,10 @@
 #include "analytic/scene/ground/records/layout_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "analytic/scene/ground/records/cells.hpp"
 #include "analytic/scene/ground/records/contents.hpp"
 #include "analytic/scene/ground/records/vocabulary.hpp"
 
@@ -57,6 +60,64 @@ void check_present(const RecordTable& table, const Header& header, const std::ve
     for (const std::size_t column : columns)
       if (column < table.rows[row].size() && table.number_at(row, column) == *header.missing)
         table.cursor.fail_at(table.lines[row], in_quotes(table.rows[row][column]) + " marks missing data");
+}
+
+void check_tail(const RecordTable& table) {
+  constexpr std::size_t most = 3;  // lines of a summary
+  std::size_t rows = 0;
+  for (const Line& line : table.header) {
+    if (line.number < table.lines.back()) continue;
+    const Cells cells = split(uncommented(line.text), table.dialect);
+    if (cells.size() != table.columns() || cells.size() < 2) continue;
+    rows += std::ranges::any_of(cells, is_numeric) ? 1 : 0;
+    if (is_numeric(cells.front()) || rows > most)
+      table.cursor.fail_at(line.number, "a row with text or a comment's sign below the numbers: " +
+                                            in_quotes(trimmed(line.text)));
+  }
+}
+
+void check_thousands(const RecordTable& table, std::size_t column) {
+  constexpr std::size_t digits = 3;
+  std::size_t marked = 0, plain = 0;
+  for (const auto& row : table.rows) {
+    if (row.size() <= column) break;
+    std::string_view cell = row[column];
+    cell.remove_prefix(cell.starts_with('-') || cell.starts_with('+') ? 1 : 0);
+    const std::size_t mark = std::min(cell.find_first_of(".,"), cell.size());
+    if (mark > digits || cell.find_first_not_of("0123456789.,") != cell.npos) return;
+    if (mark == cell.size()) {
+      ++plain;
+    } else {
+      if (cell.front() == '0' || mark == 0 || cell.size() - mark - 1 != digits) return;
+      ++marked;
+    }
+  }
+  if (marked > 0 && plain > 0)
+    table.cursor.fail_at(table.lines.front(),
+                         table.column_name(column) +
+                             ": its points or commas may part thousands: must be taken out, or all numbers "
+                             "have decimals");
+}
+
+void check_marks(const RecordTable& table, std::size_t column) {
+  std::size_t last = 0, times = 0;
+  double most = 0, next = 0;  // the largest, and the largest of all others
+  for (std::size_t k = 0; k < table.rows.size() && column < table.rows[k].size(); ++k) {
+    const double size = std::abs(table.number_at(k, column));
+    if (size > most) {
+      next = std::exchange(most, size);
+      times = 0;
+    }
+    if (size < most) next = std::max(next, size);
+    if (size < most) continue;
+    ++times;
+    last = k;
+  }
+  const std::string_view cell = times > 1 ? table.rows[last][column] : std::string_view();
+  const auto nines = std::ranges::count(cell, '9');
+  if (nines > 1 && cell.find_first_not_of("-+9.,0") == cell.npos && most > 2 * next)
+    table.cursor.fail_at(table.lines[last], in_quotes(cell) + " comes " + std::to_string(times) +
+                                                " times and marks missing data, it seems: must be taken out");
 }
 
 void unfold_pairs(RecordTable& table) {

@@ -30,4 +30,16 @@ void unfold_pairs(RecordTable& table);
 /// channels have times of their own.
 void label_labview(RecordTable& table);
 
+/// Refuses rows of numbers with text beside them below the last row, and numbers that are made comments
+/// there.
+void check_tail(const RecordTable& table);
+
+/// Refuses a column in which some numbers have three digits after a point or comma, and all others none: it
+/// may part thousands.
+void check_thousands(const RecordTable& table, std::size_t column);
+
+/// Refuses numbers of nines alone that come more than once and are more than twice as large as all others:
+/// marks of missing data.
+void check_marks(const RecordTable& table, std::size_t column);
+
 }  // namespace rockstack::records

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "analytic/scene/ground/records/header.hpp"
@@ -26,7 +27,10 @@ constexpr Key keys[] = {{"dt"},
                         {"timestep"},
                         {"time_step"},
                         {"time interval"},
-                        {"interval"},
+                        {"sampling interval"},
+                        {"sample interval"},
+                        {"data interval"},
+                        {"interval", false, true},
                         {"sampling period"},
                         {"sampling time"},
                         {"zeitschritt"},
@@ -59,6 +63,7 @@ constexpr Key keys[] = {{"dt"},
                         {"samples per second", true},
                         {"fs", true},
                         {"sps", true},
+                        {"tasa de muestreo", true},
                         {"abtastrate", true},
                         {"abtastfrequenz", true},
                         {"frequence d'echantillonnage", true},
@@ -123,21 +128,64 @@ bool begins_part(std::string_view plain, std::size_t at) {
   return before == plain.npos || std::string_view(",;#%!*/([").find(plain[before]) != plain.npos;
 }
 
+/// Whether the word before a place makes a step one of something else than the numbers: "raw sampling rate",
+/// "solver time step", "max dt".
+bool is_qualified(std::string_view plain, std::size_t at) {
+  constexpr std::array others{"original", "orig",   "raw",        "internal",    "adc",
+                              "native",   "solver", "sensor",     "hardware",    "max",
+                              "maximum",  "min",    "minimum",    "integration", "analysis",
+                              "trigger",  "window", "confidence", "former",      "old"};
+  const auto before = words(plain.substr(0, at), ",;:=()[]#%.");
+  return !before.empty() && std::ranges::find(others, before.back()) != std::end(others);
+}
+
 std::vector<Setting> settings_after(std::string_view plain, const Key& key) {
   std::vector<Setting> found;
   for (std::size_t from = plain.find(key.name); from != plain.npos; from = plain.find(key.name, from + 1)) {
     const std::size_t end = from + key.name.size();
     if ((from > 0 && goes_on_at(plain, from - 1)) || goes_on_at(plain, end)) continue;
+    if (is_qualified(plain, from)) continue;
     const Setting setting = setting_at(plain.substr(end));
     if (!key.needs_sign || (setting.signed_before && begins_part(plain, from))) found.push_back(setting);
   }
   return found;
 }
 
+/// A decimal point, or a comma in its place; one that may part thousands is neither.
 double plain_number(const Cursor& cursor, std::string_view field) {
+  const std::size_t comma = field.find(',');
+  constexpr std::size_t thousands = 3;  // digits after the comma
+  if (comma != field.npos && field.front() != '0' && comma <= thousands &&
+      field.size() - comma - 1 == thousands && field.find_first_not_of("0123456789,") == field.npos)
+    cursor.fail(in_quotes(field) +
+                ": its comma may be a decimal point, or part thousands: must be written without");
   std::string text(field);
   std::ranges::replace(text, ',', '.');
   return number(cursor, text);
+}
+
+/// The unit that follows a number, none where nothing does that could be one: a sign, a number, or another
+/// setting. @throws InputError where a word does that is no unit of a step or a rate.
+std::optional<Unit> unit_after(const Cursor& cursor, std::string_view after) {
+  if (after.starts_with('(') || after.starts_with('[')) after.remove_prefix(1);
+  const bool range = after.starts_with("..") || after.starts_with("to ") || after.starts_with("\u2026");
+  const bool fraction = after.substr(0, after.find_first_of(" \t")).find('/') != after.npos;
+  if (after.empty() ||
+      (!range && !fraction && std::string_view(",;.:=#%\"|-)]0123456789").find(after.front()) != after.npos))
+    return std::nullopt;
+  const Found found = unit_at(after, 0);
+  const bool known =
+      found.unit && (found.unit->quantity == Quantity::time || found.unit->quantity == Quantity::frequency);
+  const std::string_view rest = known ? trimmed(after.substr(found.text.size())) : after;
+  if (known && !rest.starts_with("for ")) return found.unit;
+  const std::string_view word = rest.substr(0, rest.find_first_of(" \t,;)]="));
+  if (is_of(folded(word), Topic::second)) return read_unit("s");
+  const std::string_view sign = trimmed(rest.substr(word.size()));
+  const bool setting = word.ends_with(':') || sign.starts_with('=') || sign.starts_with(':');
+  if (!range && (setting || is_of(folded(word), Topic::channel) || word == "npts" || word == "and"))
+    return std::nullopt;
+  cursor.fail(in_quotes(rest.substr(0, rest.find_first_of(",;"))) +
+              " after a time step or rate is no unit of one: must be s, ms, min or Hz");
 }
 
 /// The step that a number and its unit give; where none is named, of a rate in Hz, of a step in s.
@@ -147,10 +195,7 @@ double interval_of(const Cursor& cursor, const Setting& setting, bool rate) {
   if (!setting.unit_before.empty() && !unit)
     cursor.fail(in_quotes(setting.unit_before) +
                 " is no unit of a time step or rate: must be s, ms, min or Hz");
-  std::string_view after = setting.after;
-  if (after.starts_with('(') || after.starts_with('[')) after.remove_prefix(1);
-  if (!after.empty() && std::string_view(",;").find(after.front()) == after.npos)
-    if (const Found found = unit_at(after, 0); found.unit) unit = found.unit;
+  if (const std::optional<Unit> named = unit_after(cursor, setting.after)) unit = named;
   if (unit && unit->quantity == Quantity::time) return checked_interval(cursor, value * unit->factor);
   if (unit && unit->quantity == Quantity::frequency)
     return checked_interval(cursor, 1 / (value * unit->factor));
@@ -185,6 +230,34 @@ void check_rates(const Cursor& cursor, std::string_view plain, Header& header) {
   }
 }
 
+/// Whether a line names a step or a rate, with its unit, that is this step.
+bool names_step(std::string_view plain, double interval) {
+  constexpr double rounding = 1e-6;
+  const auto list = words(plain, ",;:=()[]");
+  for (std::size_t k = 0; k + 1 < list.size(); ++k) {
+    const auto unit = read_unit(list[k + 1]);
+    double value = 0;
+    if (!unit || std::from_chars(list[k].data(), list[k].data() + list[k].size(), value).ec != std::errc())
+      continue;
+    const double named = value * unit->factor,
+                 step = unit->quantity == Quantity::frequency ? 1 / named : named;
+    if (std::abs(step - interval) < rounding * interval) return true;
+  }
+  return false;
+}
+
+/// Notes a line that says samples were left out, averaged or interpolated, unless it names the step as what
+/// came of that: "resampled to 100 Hz".
+void note_resampling(const Cursor& cursor, std::string_view plain, Header& header) {
+  constexpr std::array results{"decimat", "downsampl", "subsampl", "resampl", "interpolated to"};
+  constexpr std::array ways{"block average", "averaged by", "output every", "only every"};
+  const auto has = [&](auto part) { return plain.find(part) != plain.npos; };
+  const bool named = header.interval && names_step(plain, *header.interval);
+  if (header.resampled_line == 0 &&
+      (std::ranges::any_of(ways, has) || (std::ranges::any_of(results, has) && !named)))
+    header.resampled_line = cursor.line_number();
+}
+
 void read_intervals(const Cursor& cursor, std::string_view plain, bool required, Header& header) {
   const std::size_t before = header.interval_line;
   for (const Key& key : keys)
@@ -192,6 +265,7 @@ void read_intervals(const Cursor& cursor, std::string_view plain, bool required,
       if (!setting.number.empty() && (required || is_numeric(setting.number)))
         note_interval(cursor, interval_of(cursor, setting, key.rate), header);
   if (header.interval_line != before) check_rates(cursor, plain, header);
+  note_resampling(cursor, plain, header);
 }
 
 /// "NPTS=  4000, DT= .01000 SEC", or the older "4000  .01000  NPTS, DT", in either order.

@@ -45,6 +45,11 @@ bool has_factor(std::string_view name) {
   std::string plain = folded(name);
   if (plain.size() > 2 && plain[0] == '-' && plain[1] >= 'a' && plain[1] <= 'z' && quantity_in(plain))
     return true;
+  plain = trimmed(plain);
+  if (plain.ends_with("/g") || plain.ends_with("/pga")) return true;
+  // A number before the unit: "acceleration, 1e-1 m/s2".
+  const std::string_view last = std::string_view(plain).substr(plain.find_last_of(" ,") + 1);
+  if (is_numeric(last) && last.size() < plain.size() && last.find_first_of(".e") != last.npos) return true;
   for (std::size_t at = plain.find("\u00d7"); at != plain.npos; at = plain.find("\u00d7"))
     plain.replace(at, 2, "*");
   for (std::size_t at = plain.find_first_of("x*/"); at != plain.npos;
@@ -87,18 +92,20 @@ void take_unit(std::string& name, Title& title) {
     const auto unit = read_unit(text);
     const bool plain = text.find_first_of("/^*0123456789\xe2\xc2") == text.npos;
     if (!unit || (plain && quantity_in(name.substr(0, cut)) != unit->quantity)) continue;
+    if (name == "a_g") continue;  // the ground's acceleration, in Eurocode 8
     title.unit = unit;
     return name.resize(cut);
   }
 }
 
 void name_quantity(const Words& name, Title& title) {
-  title.spectral = any_of_topic(name, Topic::spectral_ordinate);
+  const bool sampling = std::ranges::any_of(name, [](auto word) { return word.starts_with("sampl"); });
+  title.spectral = !sampling && any_of_topic(name, Topic::spectral_ordinate);
   std::vector<Quantity> named = quantities_in(name);
   if (named.size() > 1 && title.unit)
     std::erase_if(named, [&](auto one) { return one != title.unit->quantity; });
   if (!named.empty()) title.quantity = named.front();
-  title.other = named.empty() && any_of_topic(name, Topic::other);
+  title.other = (named.empty() && any_of_topic(name, Topic::other)) || any_of_topic(name, Topic::measure);
   title.counts = !title.quantity && !title.unit && !title.other &&
                  std::ranges::all_of(name, [](auto word) { return is_of(word, Topic::counting); });
   if (named.empty() && title.unit && !title.other && title.unknown_unit.empty())

@@ -75,6 +75,10 @@ constexpr std::string_view other_words[] = {
     "pga", "pgv", "pgd", "rpm", "bpm", "arias", "husid", "intensity", "duration", "cav", "jerk", "ratio",
     "error", "coherence", "phase"};
 constexpr std::string_view other_parts[] = {"kraft", "gewicht", "druck", "spannung"};
+constexpr std::string_view measure_words[] = {
+    "rms",        "envelope",   "std",         "stdev",    "deviation", "variance", "log",
+    "cumulative", "error",      "uncertainty", "wave",     "phase",     "flow",     "wind",
+    "crack",      "settlement", "rain",        "rainfall", "particle",  "hold"};
 constexpr std::string_view channel_words[] = {
     "north",  "south",     "east",      "west",    "nord",      "sued",       "sud",        "ost",
     "ouest",  "est",       "norte",     "sur",     "este",      "oeste",      "kuzey",      "guney",
@@ -95,6 +99,9 @@ constexpr std::string_view spectral_words[] = {"sa",
                                                "sv",
                                                "psv",
                                                "sd",
+                                               "se",
+                                               "sae",
+                                               "tn",
                                                "pseudo",
                                                "fourier",
                                                "fft",
@@ -124,7 +131,7 @@ constexpr std::string_view factor_words[] = {
     "guadagno",    "escala",       "echelle",       "scala",         "katsayi",      "katsayisi",
     "carpan",      "olcek",        "amplification", "magnification", "kazanc"};
 constexpr std::string_view factor_parts[] = {"faktor"};
-constexpr std::string_view normalised_parts[] = {"normali", "normiert"};
+constexpr std::string_view normalised_parts[] = {"normali", "normiert", "dimensionless"};
 constexpr std::string_view peak_words[] = {"pga", "peak", "max", "maximum", "min", "minimum", "pgv", "pgd"};
 
 bool has_whole(Vocabulary list, std::string_view word) {
@@ -151,6 +158,7 @@ constexpr Entry entries_of_topics[] = {{Topic::acceleration, acceleration_words,
                                        {Topic::angle, angle_words, angle_parts},
                                        {Topic::rotation, rotation_words, rotation_parts},
                                        {Topic::other, other_words, other_parts},
+                                       {Topic::measure, measure_words, {}},
                                        {Topic::channel, channel_words, channel_parts},
                                        {Topic::counting, counting_words, {}},
                                        {Topic::spectrum, pseudo_words, spectrum_parts},

@@ -18,6 +18,8 @@ enum class Topic {
   angle,
   rotation,  ///< makes an angular acceleration of an acceleration
   other,     ///< a force, a voltage, a temperature: what no record holds
+  measure,   ///< what an acceleration, velocity or displacement is of, or made of, that is no motion of a
+             ///< ground
   channel,   ///< a direction, a sensor: of whatever the header says
   counting,  ///< of samples and dates
   spectrum,

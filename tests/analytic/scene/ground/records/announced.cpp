@@ -26,19 +26,45 @@ TEST(Steps, TwoThatDifferAreRefused) {
   const auto one_column = [](const std::string& line) {
     return "# " + line + "\n# units: g\n0.1\n0.2\n0.3\n";
   };
-  for (const std::string line :
-       {"Original sampling rate: 200 Hz, decimated to 100 Hz",
-        "Sampling rate: 200 Hz (original), 100 Hz (here)", "ADC sampling rate: 10 kHz, output rate: 100 Hz",
-        "analysis dt = 0.001 s, record dt = 0.01 s", "dt = 0.01 s (200 Hz)",
-        "dt = 0.01 s, resampled from dt = 0.005 s"})
+  for (const std::string line : {"Sampling rate: 200 Hz (original), 100 Hz (here)", "dt = 0.01 s (200 Hz)",
+                                 "dt = 0.01 s, resampled from dt = 0.005 s"})
     expect_error(one_column(line), "names two time steps");
   for (const std::string line :
        {"dt = 0.01 s (100 Hz)", "Sampling rate: 100 Hz, low-pass filter 40 Hz",
         "sampled at 100 Hz, anti-alias 50 Hz", "f = 1.9 Hz, fs = 100 Hz", "sampled at 100 Hz",
         "samples: 3, rate: 100 Hz", "step: 0.01 s", "Sampling time: 10 ms", "Sample rate 100 samples/s",
-        "Schrittweite = 0,01 s", "intervalo de muestreo: 0.01 s"})
+        "Schrittweite = 0,01 s", "intervalo de muestreo: 0.01 s", "analysis dt = 0.001 s, record dt = 0.01 s",
+        "dt = 0.01 s, resampled to 100 Hz", "Zeitschritt 0,01 Sekunden"})
     EXPECT_NEAR(read_text(one_column(line)).interval, 0.01, 1e-12) << line;
-  expect_error(one_column("camera frame rate: 50 fps"), "no time step in the header");
+  for (const std::string line :
+       {"camera frame rate: 50 fps", "Original sampling rate: 200 Hz, decimated to 100 Hz",
+        "ADC sampling rate: 10 kHz, output rate: 100 Hz", "Solver time step 0.0001 s, output every 100 steps",
+        "max dt = 0.01 s", "Confidence interval: 0.05", "Trigger interval: 0.02 s"})
+    expect_error(one_column(line), "no time step in the header");
+  for (const std::string line : {"Sampling rate: 1000 Hz, block average of 5 samples",
+                                 "Sampling rate: 1000 Hz, only every fifth value stored"})
+    expect_error(one_column(line), "left out, averaged or interpolated");
+}
+
+TEST(Steps, AreInUnitsOfTimeOrRatesOnly) {
+  for (const std::string line :
+       {"Sample rate: 5 kS/s", "Sampling rate: 5 kilohertz", "Sampling rate: 300 per minute",
+        "Sampling rate: 18000 1/h", "Sampling interval: 0.1 days", "dt = 0.02 sqrt(h/g)", "dt = 0.02 T",
+        "dt = 0.001 ... 0.01 s", "dt = 0.01 s for displacements, 0.005 s for accelerations"})
+    expect_error("# " + line + "\n# units: g\n0.1\n0.2\n", "no unit of one: must be s, ms, min or Hz");
+  expect_error("# Sampling interval: 20,000 \u00b5s\n# units: g\n0.1\n0.2\n", "part thousands");
+}
+
+TEST(Times, MayBeRoundedToTheirDecimals) {
+  std::string text = "# sampling rate: 128 Hz\ntime (s),acc (g)\n";
+  for (int k = 0; k < 200; ++k) {
+    char time[16];
+    std::snprintf(time, sizeof time, "%.3f", k / 128.0);
+    text += std::string(time) + ",0.1\n";
+  }
+  EXPECT_EQ(read_text(text).interval, 1 / 128.0) << "the header knows what roundings hide";
+  expect_error(text.substr(0, text.find("1.000,")) + text.substr(text.find("1.250,")),
+               "must have a constant step");
 }
 
 TEST(Units, OfTheHeaderMayNotBeOtherThanThoseOfTitles) {

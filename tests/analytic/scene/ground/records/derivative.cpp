@@ -9,6 +9,7 @@
 
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "tests/analytic/scene/ground/records/layouts.hpp"
+#include "tests/analytic/scene/ground/records/refusals.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -113,10 +114,13 @@ TEST(TextColumns, OfVelocityAndDisplacementAreDifferentiated) {
     // The step is a mean of times as they are read.
     for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(record.samples[k], expected[k], 1e-14);
   }
-  const Record record = read_text("Time (s), x (cm)\n" + rows);
+  const Record record = read_text("Time (s), x (cm)\n0.00, 0\n0.01, 0\n0.02, 1\n0.03, 2\n0.04, 2\n");
   EXPECT_EQ(record.format, "text columns of displacement");
   EXPECT_DOUBLE_EQ(record.interval, 0.01);
-  EXPECT_EQ(record.samples.size(), 4U);
+  EXPECT_EQ(record.samples.size(), 5U);
+  expect_error("Time (s), x (cm)\n" + rows, "begins in motion");
+  expect_error("Time (s), x (cm)\n0.00, 0\n0.01, 0\n0.02, 1\n0.03, 2\n", "ends in motion");
+  expect_error("Time (s), v (cm/s)\n0.00, 1\n0.01, 2\n", "begins in motion");
 }
 
 TEST(TextColumns, LengthsOfAHeaderAreNoUnitWhereAnAccelerationIsNamed) {

@@ -66,9 +66,37 @@ TEST(Titles, ThatNameNoQuantityAreThoseOfChannels) {
   for (const std::string title :
        {"NS", "HNE", "CH1", "North", "Channel 2", "Longitudinal", "A1", "Table motion", "x"})
     EXPECT_EQ(error_of_text("# units: g\nTime (s)," + title + "\n" + rows), "") << title;
-  for (const std::string title : {"Flow", "Brightness", "Helligkeit"})
+  for (const std::string title : {"Brightness", "Helligkeit"})
     expect_error("# units: g\nTime (s)," + title + "\n" + rows,
                  "whether this is an acceleration must be said");
+}
+
+TEST(Titles, ThatNameMeasuresAreNoneOfAMotion) {
+  for (const std::string title :
+       {"Flow (m/s)", "Acceleration RMS (m/s2)", "Envelope of acceleration (g)", "Shear wave velocity (m/s)",
+        "Cumulative absolute velocity (m/s)", "Crack width (mm)"})
+    expect_error("Time (s)," + title + "\n" + rows, "no column is an acceleration, velocity or displacement");
+  for (const std::string title : {"Acc/PGA (m/s2)", "a/g (m/s2)", "Acceleration 1e-1 m/s2"})
+    expect_error("Time (s)," + title + "\n" + rows, "names a factor");
+  expect_error("t (s),a_g\n" + std::string(rows), "no unit of acceleration");
+}
+
+TEST(Titles, MayStandBehindTheWordOfTheirList) {
+  const std::string numbers = "0.00 0.5 0.1\n0.02 1 0.2\n0.04 0.7 0.3\n";
+  for (const std::string line :
+       {"Columns: t (s), d (mm), a (m/s2)", "Data: time (s), force (kN), acc (m/s2)", "Units: s, mm, m/s2"}) {
+    const Record record = read_text(line + "\n" + numbers);
+    EXPECT_EQ(record.samples, (std::vector<double>{0.1, 0.2, 0.3})) << line;
+  }
+}
+
+TEST(Numbers, ThatMayHaveThousandsOrMarksAreRefused) {
+  expect_error("Time (ms);a (mm/s2)\n0;32\n10;1.307\n20;840\n", "may part thousands");
+  expect_error("Time (ms),\"Acc (mm/s2)\"\n0,\"32\"\n10,\"-1,307\"\n20,\"840\"\n", "may part thousands");
+  expect_error("Time (s),Acc (cm/s2)\n0,32\n0.01,-999\n0.02,-999\n", "marks missing data");
+  expect_error("Time (s),Acc (m/s2)\n0,0.1\n0.01,0.2\nOVER,1\nOVER,2\nOVER,3\nOVER,1\n", "below the numbers");
+  expect_error("Time (s),Acc (m/s2)\n0,0.1\n0.01,0.2\n#0.02,0.3\n", "below the numbers");
+  EXPECT_EQ(error_of_text("Time (s),Acc (m/s2)\n0,0.1\n0.01,0.2\nMax,0.2\n"), "");
 }
 
 TEST(Titles, MustBeAsManyAsColumns) {
