@@ -228,6 +228,16 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
   return {std::move(result), factor};
 }
 
+/// Whether a block turns at the end, by more than engines let what stands creep: what is past balance and
+/// stays there stands.
+bool moves_at_end(const Scene& scene, const History& history) {
+  constexpr double slow = 0.01;  // √(g/H)
+  double height = 0;
+  for (const Block& block : scene.blocks) height += 2 * block.half_height;
+  return largest_magnitude(history.velocities_at(history.size() - 1)) >
+         slow * std::sqrt(scene.gravity / height);
+}
+
 void add_parts(const Scene& scene, const History& exact, const CandidateMotion& candidate, double horizon,
                bool histories, RunMetrics& row, RunFiles& files) {
   if (!candidate.bodies->contacts) {
@@ -264,7 +274,9 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
   const Difference compared = up_to(apart, horizon);
   const bool topples = !reported_toppling(exact).empty();
   // What is past balance as the scene ends would topple later; samples go no further than the engine's.
-  const auto falls = [&](const History& other) { return falling_block(scene, other, other.size() - 1); };
+  const auto falls = [&](const History& other) {
+    return moves_at_end(scene, other) && falling_block(scene, other, other.size() - 1);
+  };
   if (topples == candidate.topples || !falls(topples ? history : solve(scene, {.end = true})))
     row.toppling_verdict = toppling_verdict(topples, candidate.topples);
   if (wanted.angles) {

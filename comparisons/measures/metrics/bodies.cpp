@@ -20,6 +20,20 @@ struct LastTenth {
     return true;
   }
 
+  /// Whether a part of a quantity has gone one way over the last fifth, but for a share: what rocks has not.
+  template <class Quantity>
+  bool goes_one_way(const Quantity& quantity, Eigen::Index part, int size) const {
+    constexpr std::size_t pieces = 20;
+    constexpr double share = 0.2;
+    const std::size_t length = 2 * (last - first), start = last > length ? last - length : 0;
+    const auto at = [&](std::size_t piece) {
+      return Vector<double>(quantity(start + piece * (last - start) / pieces).segment(part, size));
+    };
+    double path = 0;
+    for (std::size_t piece = 0; piece < pieces; ++piece) path += (at(piece + 1) - at(piece)).norm();
+    return path <= (1 + share) * (at(pieces) - at(0)).norm();
+  }
+
   /// The largest speed at which a part of a quantity, of so many numbers, goes one way in both halves.
   template <class Quantity>
   double largest_drift(const Quantity& quantity, int part) const {
@@ -31,7 +45,8 @@ struct LastTenth {
     double drift = 0;
     for (Eigen::Index k = 0; k < before.size(); k += part) {
       const auto one = before.segment(k, part), other = after.segment(k, part);
-      if (one.dot(other) > 0) drift = std::max(drift, std::min(one.norm(), other.norm()));
+      if (one.dot(other) > 0 && goes_one_way(quantity, k, part))
+        drift = std::max(drift, std::min(one.norm(), other.norm()));
     }
     return drift;
   }

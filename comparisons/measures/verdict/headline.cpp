@@ -126,16 +126,21 @@ std::string part(const First& first, const std::string& by) {
 std::string furthest(const std::vector<RankedSet>& ranking, const std::string& over) {
   const RankedSet& last = *std::ranges::max_element(ranking, {}, &RankedSet::rank);
   const std::size_t others = ranking.size() - 1, nearer = static_cast<std::size_t>(last.rank) - 1;
-  std::vector<std::string> sets;
-  for (const RankedSet& set : ranking)
-    if (set.rank == last.rank) sets.push_back(set_name(set));
+  std::vector<std::string> sets, failing;
+  int failed = 0;
+  for (const RankedSet& set : ranking) {
+    if (set.rank != last.rank) continue;
+    sets.push_back(set_name(set));
+    if (set.failed > 0) failing.push_back(sets.back());
+    failed += set.failed;
+  }
   if (2 * nearer < others) return "";
+  if (!failing.empty())
+    return fmt::format("; {}{} fail in {}", over, joined_up_to(most_named, failing),
+                       counted(static_cast<std::size_t>(failed), "run"));
   if (nearer < others)
     return fmt::format("; {}furthest {} {}: {} of the {} other sets are nearer", over,
                        sets.size() == 1 ? "is" : "are", joined_up_to(most_named, sets), nearer, others);
-  if (last.failed > 0)
-    return fmt::format("; {}{} fails in {}", over, set_name(last),
-                       counted(static_cast<std::size_t>(last.failed), "run"));
   return fmt::format(
       "; {}{} is furthest: {:.2g} times the least error of a scene and step, in the geometric mean", over,
       set_name(last), last.score);

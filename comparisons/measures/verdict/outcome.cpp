@@ -51,6 +51,9 @@ bool ends_early(const RunMetrics& run) {
   return !run.toppled.empty() || !run.fallen.empty();
 }
 
+/// Share of the least height by which a block that falls or topples has been thrown up as well.
+constexpr double thrown_share = 0.1;
+
 bool at_rest(const RunMetrics& run) {
   return run.motion && *run.motion <= rest_extent;
 }
@@ -58,10 +61,15 @@ bool at_rest(const RunMetrics& run) {
 /// All that happens in one run, with its size.
 std::map<Happening, double> events_in(const RunMetrics& run, const JudgedScene& scene) {
   if (run.status != RunStatus::done) return {{Happening::fails, 0}};
-  if (differ(run.toppling_verdict))
-    return {{run.toppling_verdict == TopplingVerdict::exact_alone ? Happening::stands : Happening::falls, 0}};
-  if (run.toppling_verdict == TopplingVerdict::both) return {};
   std::map<Happening, double> events;
+  if (differ(run.toppling_verdict))
+    events[run.toppling_verdict == TopplingVerdict::exact_alone ? Happening::stands : Happening::falls] = 0;
+  if (run.toppling_verdict == TopplingVerdict::both || !events.empty()) {
+    // Blocks that fall rise a little at their corners.
+    if (const double rise = run.rise.value_or(0); rise > thrown_share * scene.least_height)
+      events[Happening::thrown] = rise;
+    return events;
+  }
   if (run.toppling_verdict == TopplingVerdict::unknown && ends_early(run)) events[Happening::ends] = 0;
   const auto add = [&](Happening kind, double size, double least) {
     if (size > least) events[kind] = size;
@@ -111,16 +119,21 @@ std::vector<const ReplicatedRow*> rows_with_events(const std::vector<ReplicatedR
   return list;
 }
 
-/// Which sets have events of each kind as their gravest, and how large these are at most.
-std::string counted_events(const std::vector<const ReplicatedRow*>& rows) {
+/// Which sets have events of each kind as their gravest, and how large these are at most in any of their
+/// rows.
+std::string counted_events(const std::vector<const ReplicatedRow*>& rows,
+                           const std::vector<ReplicatedRow>& all) {
   constexpr std::size_t most_sets = 1;  // that a sentence names of more than two
   std::map<Happening, std::set<std::string>> sets;
   std::map<Happening, double> most;
   for (const ReplicatedRow* row : rows) {
     const RowEvent& gravest = row->events.front();
     sets[gravest.kind].insert(set_name(*row));
-    most[gravest.kind] = std::max(most[gravest.kind], gravest.most);
   }
+  for (const ReplicatedRow& row : all)
+    for (const RowEvent& event : row.events)
+      if (const auto own = sets.find(event.kind); own != sets.end() && own->second.contains(set_name(row)))
+        most[event.kind] = std::max(most[event.kind], event.most);
   const auto told = [&](const auto& one) {
     const auto& [kind, names] = one;
     const KindWords& words = words_of(kind);
@@ -173,7 +186,7 @@ std::vector<RowEvent> events_of(const std::vector<RunMetrics>& runs, const Judge
 std::string event_sentence(const std::vector<ReplicatedRow>& rows, std::size_t most) {
   const std::vector<const ReplicatedRow*> list = rows_with_events(rows);
   if (list.empty()) return "";
-  if (list.size() > most) return counted_events(list);
+  if (list.size() > most) return counted_events(list, rows);
   const auto told = [&](const ReplicatedRow* row) {
     const RowEvent& gravest = row->events.front();
     const char* subject = gravest.kind == Happening::falls || gravest.kind == Happening::ends ? ""
@@ -215,6 +228,10 @@ double agreement_end(const RunMetrics& row, const JudgedScene& scene) {
       {horizon, row.agreement_time.value_or(horizon), row.position_agreement_time.value_or(horizon)});
 }
 
+/// Share of the least height from which on it is told how far off blocks are that move in the exact motion,
+/// too.
+constexpr double far_share = 0.5;
+
 std::string outcome(const std::vector<RunMetrics>& runs, const JudgedScene& scene) {
   const RunMetrics& nominal = runs.front();
   if (nominal.status != RunStatus::done) return name(nominal.status) + ": " + nominal.reason;
@@ -222,7 +239,12 @@ std::string outcome(const std::vector<RunMetrics>& runs, const JudgedScene& scen
   const std::vector<RowEvent> events = events_of(runs, scene);
   const std::string told = text_of_each(
       events, [](const RowEvent& event) { return event.text; }, "; ");
-  if (!at_rest(nominal)) return agreement_of(runs, scene) + (told.empty() ? "" : "; " + told);
+  if (!at_rest(nominal)) {
+    const double off = nominal.largest_position_difference.value_or(0);
+    const bool elsewhere = told.empty() && off > far_share * scene.least_height;
+    return agreement_of(runs, scene) + (told.empty() ? "" : "; " + told) +
+           (elsewhere ? ", then up to " + quantity_text(off, "m", 2) + " off" : "");
+  }
   const auto stays = [](const RowEvent& event) {
     return event.kind == Happening::sinks || event.kind == Happening::hovers ||
            event.kind == Happening::shifts;

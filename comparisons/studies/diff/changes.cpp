@@ -89,6 +89,19 @@ std::vector<std::string> other_environment(const RecordedResults& old_results,
   return others;
 }
 
+/// Quantities that rows have in the old results alone, where runs are done in both.
+std::vector<std::string> lost_quantities(const std::vector<RowPair>& pairs) {
+  std::vector<std::string> lost;
+  for (const ReportedQuantity& quantity : reported_quantities()) {
+    const auto has = [&](const RecordedRun* run) { return quantity.value(run->row).has_value(); };
+    const auto done = [](const RecordedRun* run) { return run->row.status == RunStatus::done; };
+    const bool before = std::ranges::any_of(
+        pairs, [&](const RowPair& pair) { return done(pair.new_run) && has(pair.old_run); });
+    if (before && std::ranges::none_of(pairs, has, &RowPair::new_run)) lost.push_back(quantity.name);
+  }
+  return lost;
+}
+
 bool same_processor(const RecordedResults& old_results, const RecordedResults& new_results) {
   const auto name = old_results.environment.find("processor");
   return name != old_results.environment.end() &&
@@ -121,6 +134,7 @@ std::vector<std::string> ResultsChange::judged_no_more() const {
   if (common_alone) return {};
   std::vector<std::string> all = only_old;
   all.insert(all.end(), other_questions.begin(), other_questions.end());
+  for (const std::string& quantity : lost) all.push_back(quantity + " of all rows");
   return all;
 }
 
@@ -143,6 +157,7 @@ ResultsChange hold_against(const RecordedResults& old_results, const RecordedRes
       .other_environment = other_environment(old_results, new_results),
       .level = options.level,
       .common_alone = options.common_alone};
+  result.lost = lost_quantities(pairs.pairs);
   judge_all(pairs.pairs, result);
   find_undecided(options, result);
   return result;

@@ -86,6 +86,7 @@ std::string name(Turn turn);
 struct ValueSpread {
   double lower = 0, median = 0, upper = 0;
   std::size_t values = 0;
+  double least = lower, greatest = upper;  ///< of all of them
 };
 
 /// One number of one row in both results.
@@ -129,8 +130,9 @@ std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptio
 void judge(double level, QuantityChange& change);
 
 /// Whether a number is worse in every new replicate than in any old one, or its median is five times worse
-/// at the level before any correction, and its own test could not show that. Where a test of its set judges
-/// it, only what is both looks so.
+/// and either worse than any old value or so at the level before any correction, where its own test could not
+/// show that. Where a test of its set judges it, only what is five times worse, and in the median or
+/// throughout than any old value, looks so.
 bool looks_worse(const QuantityChange& change, bool judged_by_set, double level);
 
 /// Whether more replicates fail, or more topple otherwise and their test could not show that; and the test
@@ -155,9 +157,10 @@ struct ResultsChange {
   std::vector<RowChange> rows;
   std::vector<RowChange> sets = {};  ///< of an engine, where several of its rows have replicates
   std::vector<std::string> only_old, only_new, other_questions;  ///< as RowPairs
-  std::vector<std::string> other_environment;                    ///< "compiler: GNU 12.2.0, GNU 13.1.0"
-  std::size_t tests = 0;    ///< numbers that have replicates on both sides, and vary
-  std::size_t counted = 0;  ///< of them, those that could show a change at the level
+  std::vector<std::string> lost = {};          ///< quantities that some old row has, and none of the new ones
+  std::vector<std::string> other_environment;  ///< "compiler: GNU 12.2.0, GNU 13.1.0"
+  std::size_t tests = 0;                       ///< numbers that have replicates on both sides, and vary
+  std::size_t counted = 0;                     ///< of them, those that could show a change at the level
   double level = 0;
   bool common_alone = false;  ///< as ChangeOptions
   /// Names of engines' old rows of which nothing can be said: other bits, and no number that could show a

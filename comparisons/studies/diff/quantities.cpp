@@ -55,7 +55,8 @@ std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRu
 }
 
 ValueSpread spread_of(const std::vector<double>& values) {
-  return {quantile(values, 0.25), median(values), quantile(values, 0.75), values.size()};
+  return {quantile(values, 0.25), median(values),           quantile(values, 0.75),
+          values.size(),          std::ranges::min(values), std::ranges::max(values)};
 }
 
 Turn turn_of(Better better, bool grown) {
@@ -156,10 +157,12 @@ bool looks_worse(const QuantityChange& change, bool judged_by_set, double level)
   const double superiority = change.test->superiority;
   if (turn_of(change.better, superiority > 0.5) != Turn::worse) return false;
   const bool in_all = superiority == 0 || superiority == 1;
+  const bool mostly = change.better == Better::more ? change.new_values.median < change.old_values.least
+                                                    : change.new_values.median > change.old_values.greatest;
   const bool several_times =
       turn_by(grave, change.better, change.old_values.median, change.new_values.median) == Turn::worse;
-  if (judged_by_set) return in_all && several_times;
-  return in_all || (several_times && !change.could_show && change.test->p_value <= level);
+  if (judged_by_set) return (in_all || mostly) && several_times;
+  return in_all || (several_times && (mostly || (!change.could_show && change.test->p_value <= level)));
 }
 
 bool fails_more_often(const QuantityChange& change) {
