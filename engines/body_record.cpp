@@ -61,7 +61,7 @@ bool lies_on_ground(const Block& block, const BlockPose& pose, double height) {
 }
 
 /// Share of the height below a block by which it has sunk in rather than fallen off.
-constexpr double sunk_share = 0.4;
+constexpr double sunk_share = 0.5;
 
 /// Goes through the samples of a trajectory that tells its bodies.
 class BodyAccount {

@@ -189,6 +189,22 @@ TEST(Bodies, ABlockThatLiesOnTheGroundBesideItsBaseHasFallen) {
   EXPECT_EQ(record.unsupported_since, (std::vector<double>{infinity, 2 * dt}));
 }
 
+// A cube of 0.4 m on a plate of 0.2 m goes down through it, and lies on the ground where it stood.
+TEST(Bodies, ABlockThatSinksThroughWhatItStandsOnHasNotFallenOff) {
+  Scene scene;
+  scene.duration = 0.2;
+  scene.blocks = {make_block(0.4, 0.2, 2500), make_block(0.4, 0.4, 2500)};
+  scene.initial = {{0, 0}, {0, 0}};
+  Trajectory bodies;
+  bodies.angles.assign(6, 0);
+  bodies.velocities.assign(6, 0);
+  for (const double height : {0.4, 0.3, 0.201})
+    bodies.bodies.insert(bodies.bodies.end(), {{.x = 0, .y = 0.1}, {.x = 0.06, .y = height}});
+  const BodyRecord record = account_of(scene, set_up(scene, 0.1, {}), bodies, true).bodies.value();
+  EXPECT_TRUE(std::ranges::all_of(record.unsupported_since, [](double time) { return std::isinf(time); }));
+  EXPECT_NEAR(record.penetration.back(), 0.199, 1e-12);
+}
+
 /// A slender block under one sine in both directions that lifts it; it does not come back in time to hit.
 Scene lifted_block() {
   Scene scene;

@@ -181,6 +181,9 @@ TEST(Unrest, OfASteadyCreepIsItsSpeedAndOfATrembleNothing) {
   EXPECT_EQ(creep.hover.value(), 0.015);
   const Unrest slowing = unrest([](double time) { return -0.5 * (1 - time) * (1 - time); }, 0);
   EXPECT_LT(slowing.creep.value(), 0.05) << "the mean over the last tenth";
+  const Unrest rocking =
+      unrest([](double time) { return 0.065 * std::sin(2 * std::numbers::pi * time / 0.6); }, 0);
+  EXPECT_EQ(rocking.turn.value(), 0) << "it goes one way over the last quarter of a second";
   const Unrest tremble =
       unrest([](double time) { return 1e-3 * std::cos(2 * std::numbers::pi * time / 0.1); }, 0);
   EXPECT_EQ(tremble.creep.value(), 0);

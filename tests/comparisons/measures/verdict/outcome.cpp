@@ -42,6 +42,26 @@ TEST(Outcome, SaysUntilWhenARunAgrees) {
   EXPECT_EQ(outcome({row}, scale), "agrees until 500 ms") << "centres part before angles";
 }
 
+TEST(Outcome, WhatGoesElsewhereInMotionIsTold) {
+  RunMetrics row = moving();
+  row.relative_position_difference = 10;
+  row.position_agreement_time = 0.07;
+  row.largest_position_difference = 4.24;
+  EXPECT_EQ(outcome({row}, scale), "agrees until 70 ms, then up to 4.2 m off");
+  row.largest_position_difference = 0.1;
+  EXPECT_EQ(outcome({row}, scale), "agrees until 70 ms");
+}
+
+// Blocks of 0.4 m that fall in both motions.
+TEST(Outcome, WhatFallsAsItShouldMayHaveBeenThrownUpBefore) {
+  RunMetrics row = moving();
+  row.toppling_verdict = TopplingVerdict::both;
+  row.rise = 0.03;
+  EXPECT_EQ(told({row}), "");
+  row.rise = 0.46;
+  EXPECT_EQ(told({row}), "is thrown up by 460 mm");
+}
+
 // Two cubes at rest, the upper a thousand times the lower: its angles stay as they are in either engine.
 TEST(Outcome, WhatRestsButSinksIsTold) {
   RunMetrics row = resting();

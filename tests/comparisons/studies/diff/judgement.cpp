@@ -99,6 +99,29 @@ TEST(Judgement, OneRowOfASetThatIsTenTimesWorseIsUndecidedWhereItsReplicatesAreT
   EXPECT_EQ(result.in_doubt, std::vector<std::string>{"hover of scene1.engine"});
 }
 
+TEST(Judgement, ANumberThatIsFarWorseInMostReplicatesIsUndecided) {
+  Noise noise(6);
+  const RecordedResults before = noisy(noise, 5, 4);
+  RecordedResults now = before;
+  for (std::size_t i = 0; i < 4; ++i) *now.runs[2].replicates[i].rms_angle_difference = 0.4;
+  const ResultsChange result = hold_against(before, now, {});
+  EXPECT_FALSE(result.worse());
+  EXPECT_EQ(result.in_doubt, std::vector<std::string>{"rms_angle_difference of scene1.engine"});
+  EXPECT_TRUE(hold_against(now, before, {}).decided()) << "what is better leaves nothing open";
+}
+
+TEST(Judgement, AQuantityThatNoRowHasAnyMoreLeavesItUndecided) {
+  Noise noise(11);
+  const RecordedResults before = noisy(noise, 6, 2);
+  RecordedResults now = before;
+  for (RecordedRun& run : now.runs) run.row.sinking.reset();
+  EXPECT_EQ(hold_against(before, now, {}).headline(),
+            "Undecided: nothing is shown to be worse, but what was judged before is judged no more "
+            "(sinking of all rows).");
+  EXPECT_TRUE(hold_against(before, now, {.common_alone = true}).decided());
+  EXPECT_TRUE(hold_against(now, before, {}).decided());
+}
+
 // Chance gives at most 12.5 ± 3.4 of 250 pairs with anything told at the level 0.05, whether rows are judged
 // together or not.
 TEST(Judgement, OfResultsThatHaveNotChangedNoMoreAreWorseThanTheLevelSays) {
