@@ -136,7 +136,8 @@ std::string furthest(const std::vector<RankedSet>& ranking, const std::string& o
   }
   if (2 * nearer < others) return "";
   if (!failing.empty())
-    return fmt::format("; {}{} fail in {}", over, joined_up_to(most_named, failing),
+    return fmt::format("; {}{} {} in {}", over, joined_up_to(most_named, failing),
+                       failing.size() == 1 ? "fails" : "fail",
                        counted(static_cast<std::size_t>(failed), "run"));
   if (nearer < others)
     return fmt::format("; {}furthest {} {}: {} of the {} other sets are nearer", over,
