@@ -62,9 +62,8 @@ void state(Stated& stated, const Unit& unit, std::size_t line) {
 bool has_value(std::string_view text, std::size_t end) {
   const std::size_t sign = std::min(text.find_first_not_of(" \t)]", end), text.size());
   if (sign == text.size() || (text[sign] != '=' && text[sign] != ':')) return false;
-  return text[end] == '=' ||
-         is_numeric(words(text.substr(sign + 1), "").empty() ? std::string_view()
-                                                             : words(text.substr(sign + 1), "").front());
+  const auto next = words(text.substr(sign + 1), "");
+  return text[end] == '=' || (!next.empty() && is_numeric(next.front()));
 }
 
 /// Whether a unit is multiplied by what follows it in brackets: "g (times 10)".
