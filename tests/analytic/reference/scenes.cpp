@@ -2,6 +2,21 @@
 // [linear | unilateral | compliant | bed]]]. Prints a line for each scene whose events are not those of the
 // reference, and a summary; fails where a scene does not itself answer a rounding of its input with other
 // events.
+//
+// Measured: of 1,000 random scenes (reference_scenes 1000 1000 unilateral) thirteen part from runs of 113
+// bits: ten in a last flight of chatter, two in a mode that lasts no longer than a decision (below), one as
+// roundings part it from itself. Times of the others are off by 2·10⁻⁷ s and less, which decisions leave, in
+// all but 69 by less than 10⁻¹⁰ s.
+//
+// All 12348 events of the first 200 random scenes (reference_scenes 200 0 compliant, an hour and a half)
+// were set beside 113 bits. Twenty-two scenes part: twelve in a mode that lasts no longer than a decision,
+// five as a rounding of the input parts them too, three at the resolution of chatter, one where two impacts
+// of one instant come together or one by one. The last, 197, parts after 164 events: before a corner parts
+// it slips, for 3.9·10⁻¹¹ s, by which all its times are off by then. In scene 46 an impact comes 7.8·10⁻⁸ s
+// late, as it does at 113 bits that decide as late as double. Frequencies and uplift angles of two springs
+// and of a bed are those of closed forms to 10⁻¹⁰ there. Nine random scenes on beds (bed in place of
+// compliant), seeds of 1 … 13 that take it less than five seconds, have all 67 events at the times of 113
+// bits, to 10⁻¹² s.
 
 #include <cstdio>
 #include <cstdlib>
