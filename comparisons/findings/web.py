@@ -1,4 +1,5 @@
 """What npm's engines converge to: for each a table of the same small scenes, with its defaults and tuned."""
+import csv
 from pathlib import Path
 from statistics import median
 
@@ -64,6 +65,8 @@ QUANTITIES = (
      lambda _: rockstack.Scene.read("canon/rest").replace({"duration": 0.3}), lambda motion, _: 1e3 * max(0.0, -motion.gaps.min())),
 )
 
+HEADINGS = ("ω after an impact (rad/s)", "angle of sliding and rocking (mrad)", "slide (mm)", "lateness (ms)", "rise (mm)", "creep (mm/s)", "overlap (mm)")
+
 
 def table(name, solver=""):
     """The generator of the table of an engine, or of one of its solvers."""
@@ -86,3 +89,15 @@ FOLDER = Path(__file__).resolve().parents[2] / "engines" / "web"
 SOLVERS = {"mujoco-js": ":newton"}
 TABLES = {name: table(name, SOLVERS.get(name, "")) for name in
           sorted(script.stem.removeprefix("rockstack-") for script in FOLDER.glob("rockstack-*.mjs"))}
+
+
+def limits():
+    """what engines of npm make of scenes that no set is tuned on, at a step of 0.1 ms; each engine's file has three steps."""
+    yield "engine", "set", *HEADINGS
+    yield "exact", "", *(exact for _, exact, *_ in QUANTITIES)
+    for name in TABLES:
+        with open(FOLDER / f"{name}.csv") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        for one in dict.fromkeys((row.get("solver", ""), row["set"]) for row in rows):
+            own = [row for row in rows if (row.get("solver", ""), row["set"]) == one]
+            yield " ".join(filter(None, (name, one[0]))), one[1], *(row["step 0.1 ms"] for row in own)
