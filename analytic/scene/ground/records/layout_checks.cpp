@@ -115,7 +115,7 @@ void check_marks(const RecordTable& table, std::size_t column) {
   }
   const std::string_view cell = times > 1 ? table.rows[last][column] : std::string_view();
   const auto nines = std::ranges::count(cell, '9');
-  if (nines > 1 && cell.find_first_not_of("-+9.,0") == cell.npos && most > 2 * next)
+  if (nines > 1 && cell.find_first_not_of("-+9.,0") == cell.npos && next > 0 && most > 2 * next)
     table.cursor.fail_at(table.lines[last], in_quotes(cell) + " comes " + std::to_string(times) +
                                                 " times and marks missing data, it seems: must be taken out");
 }

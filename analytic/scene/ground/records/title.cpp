@@ -46,7 +46,7 @@ bool has_factor(std::string_view name) {
   if (plain.size() > 2 && plain[0] == '-' && plain[1] >= 'a' && plain[1] <= 'z' && quantity_in(plain))
     return true;
   plain = trimmed(plain);
-  if (plain.ends_with("/g") || plain.ends_with("/pga")) return true;
+  if (plain.ends_with("/g") || plain.ends_with("/pga") || plain.find("+/-") != plain.npos) return true;
   // A number before the unit: "acceleration, 1e-1 m/s2".
   const std::string_view last = std::string_view(plain).substr(plain.find_last_of(" ,") + 1);
   if (is_numeric(last) && last.size() < plain.size() && last.find_first_of(".e") != last.npos) return true;

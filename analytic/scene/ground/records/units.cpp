@@ -102,13 +102,13 @@ constexpr Symbol symbols[] = {{"m", length(1)},
 
 /// One spelling of signs that have several, in lower case.
 std::string plain_spelling(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 29> spellings{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 30> spellings{
       {{"\u00a0", " "},    {"\u2009", " "},  {"\u202f", " "},   {"\u2212", "-"},  {"\u2013", "-"},
        {"\u207b", "-"},    {"\u00b9", "1"},  {"\u00b2", "2"},   {"\u00b7", "*"},  {"\u22c5", "*"},
        {"\u2219", "*"},    {"\u2022", "*"},  {"\u00d7", "*"},   {"\u2215", "/"},  {"\u2044", "/"},
        {"\u00b5", "u"},    {"\u03bc", "u"},  {"\u00b0", "deg"}, {"**", "^"},      {"^{2}", "^2"},
        {"^{-2}", "^-2"},   {"^{-1}", "^-1"}, {"^(2)", "^2"},    {"^(-2)", "^-2"}, {"^(-1)", "^-1"},
-       {" squared", "^2"}, {" per ", "/"},   {"g's", "g"},      {"$", ""}}};
+       {" squared", "^2"}, {" per ", "/"},   {"g's", "g"},      {"$", ""},        {"sa/s", "sps"}}};
   std::string plain = lower(text);
   for (const auto& [from, to] : spellings)
     for (std::size_t at = plain.find(from); at != std::string::npos; at = plain.find(from, at + to.size()))

@@ -114,7 +114,7 @@ constexpr std::string_view spectral_words[] = {"sa",
                                                "spectra",
                                                "スペクトル",
                                                "谱"};
-constexpr std::string_view pseudo_words[] = {"pseudo", "スペクトル"};
+constexpr std::string_view pseudo_words[] = {"pseudo", "damped", "uhs", "sdof", "スペクトル"};
 constexpr std::string_view spectrum_parts[] = {"widmo", "spektar", "spektr", "스펙트럼", "طیف",   "譜",
                                                "谱",    "spectr",  "spektr", "spettr",   "φασμα", "спектр"};
 constexpr std::string_view period_parts[] = {

@@ -34,7 +34,7 @@ TEST(Steps, TwoThatDifferAreRefused) {
         "sampled at 100 Hz, anti-alias 50 Hz", "f = 1.9 Hz, fs = 100 Hz", "sampled at 100 Hz",
         "samples: 3, rate: 100 Hz", "step: 0.01 s", "Sampling time: 10 ms", "Sample rate 100 samples/s",
         "Schrittweite = 0,01 s", "intervalo de muestreo: 0.01 s", "analysis dt = 0.001 s, record dt = 0.01 s",
-        "dt = 0.01 s, resampled to 100 Hz", "Zeitschritt 0,01 Sekunden"})
+        "dt = 0.01 s, resampled to 100 Hz", "Sample rate: 100 Sa/s", "Zeitschritt 0,01 Sekunden"})
     EXPECT_NEAR(read_text(one_column(line)).interval, 0.01, 1e-12) << line;
   for (const std::string line :
        {"camera frame rate: 50 fps", "Original sampling rate: 200 Hz, decimated to 100 Hz",
