@@ -51,13 +51,13 @@ double slip_of(const Face& lower, const Face& upper, double leaning) {
   return leaning * lower.half_length - seen_from(upper, corner(lower, leaning)).x();
 }
 
-/// Whether a block lies on the ground, to a few hundredths of a height: some engines keep a skin between.
-bool lies_on_ground(const Block& block, const BlockPose& pose, double height) {
+/// Whether a block lies on the ground, to so much, m.
+bool lies_on_ground(const Block& block, const BlockPose& pose, double tolerance) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const int face : {-1, 1})
     for (const double side : {-1.0, 1.0})
       lowest = std::min(lowest, corner(face_of(block, pose, face), side).y());
-  return lowest < 0.03 * height;
+  return lowest < tolerance;
 }
 
 /// Share of the height below a block by which it has sunk in rather than fallen off.
@@ -127,6 +127,7 @@ class BodyAccount {
     const double time = static_cast<double>(samples_) * setup_.dt;
     double penetration = 0, gap = 0;
     double sunk = 0, below = 0;  // depths and heights of all below a block, m
+    double skin = 0.01 * least_height_;
     for (std::size_t k = 0; k < poses_.size(); ++k) {
       const Block& block = scene_.blocks[k];
       const InterfaceState& state =
@@ -136,8 +137,10 @@ class BodyAccount {
       record_.slip = std::max(record_.slip, std::abs(state.slip - start));
       if (std::isfinite(state.depth)) sunk += std::max(0.0, state.depth);
       // What is at the ground because all has sunk in has not fallen off.
-      const bool supported = std::isfinite(state.depth) && (k == 0 || sunk > sunk_share * below ||
-                                                            !lies_on_ground(block, poses_[k], least_height_));
+      const bool supported = std::isfinite(state.depth) &&
+                             (k == 0 || sunk > sunk_share * below || !lies_on_ground(block, poses_[k], skin));
+      // Engines that keep a skin hold the lowest block above the ground, and so what lies beside it.
+      if (k == 0) skin += std::clamp(-1.5 * state.depth, 0.0, 0.1 * least_height_);
       below += 2 * block.half_height;
       record_.unsupported_since[k] =
           supported ? std::numeric_limits<double>::infinity() : std::min(record_.unsupported_since[k], time);

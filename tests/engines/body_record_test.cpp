@@ -187,6 +187,10 @@ TEST(Bodies, ABlockThatLiesOnTheGroundBesideItsBaseHasFallen) {
     cubes.bodies.insert(cubes.bodies.end(), {{.x = 0, .y = 0.2}, {.x = 0.39, .y = height}});
   const BodyRecord record = account_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
   EXPECT_EQ(record.unsupported_since, (std::vector<double>{infinity, 2 * dt}));
+  // An engine that keeps a skin of 15 mm.
+  for (BodyState& body : cubes.bodies) body.y += 0.015;
+  const BodyRecord hovering = account_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
+  EXPECT_EQ(hovering.unsupported_since, record.unsupported_since);
 }
 
 // A cube of 0.4 m on a plate of 0.2 m goes down through it, and lies on the ground where it stood.
