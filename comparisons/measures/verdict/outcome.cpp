@@ -105,7 +105,8 @@ std::string range_text(double low, double high, const char* unit) {
   return from == to ? to : from + " to " + to;
 }
 
-/// The row of each set in which something happens that does not in the exact motion, with the largest error.
+/// The row of each set in which the gravest happens that does not in the exact motion, of several that with
+/// the largest error.
 std::vector<const ReplicatedRow*> rows_with_events(const std::vector<ReplicatedRow>& rows) {
   std::vector<const ReplicatedRow*> list;
   for (const ReplicatedRow& row : rows) {
@@ -114,7 +115,10 @@ std::vector<const ReplicatedRow*> rows_with_events(const std::vector<ReplicatedR
       return other->scene == row.scene && set_name(*other) == set_name(row);
     };
     const ReplicatedRow*& worst = found_or_added(list, same, &row);
-    if (*row.error > *worst->error) worst = &row;
+    const auto rank = [](const ReplicatedRow& one) {
+      return std::pair(one.events.front().kind, -*one.error);
+    };
+    if (rank(row) < rank(*worst)) worst = &row;
   }
   return list;
 }
