@@ -15,10 +15,16 @@ namespace {
 
 // Keys of files that nobody but the lessons has; what they mean stands at the members that they fill.
 
-constexpr KeyTable course_keys{
-    "",
-    "a lesson as part of a course",
-    {{"place"}, {"minutes"}, {"pattern"}, {"after"}, {"aims"}, {"references"}, {"predictions"}, {"problems"}}};
+constexpr KeyTable course_keys{"",
+                               "a lesson as part of a course",
+                               {{"place"},
+                                {"minutes"},
+                                {"pattern"},
+                                {"after"},
+                                {"aims"},
+                                {"references"},
+                                {"predictions"},
+                                {"problems"}}};
 
 constexpr KeyTable problem_keys{"[[problems]]",
                                 "a question with its scene",

@@ -144,6 +144,32 @@ TEST(Verdict, OfManySetsSaysInWhichBlocksSinkAndInWhichTheyFall) {
       "With ode:step (set3), blocks fall or topple that do not in the exact motion; with ode:step (set0) and 2 others, blocks sink in, by 50 mm at most.");
 }
 
+TEST(Verdict, OfASetTheGravestOfAnyRowIsToldAndTheMostOfAll) {
+  std::vector<ReplicatedRow> rows;
+  for (int i = 0; i < 4; ++i) rows.push_back(row("a", "set" + std::to_string(i), 1e-3, 1e-3));
+  for (ReplicatedRow& one : rows) one.rise = 0.02;
+  // At a larger step the first set is less near and hovers, and is thrown up higher at a smaller one.
+  rows.push_back(row("a", "set0", 1e-2, 0.1));
+  rows.back().hover = rows.back().largest_position_difference = 0.015;
+  rows.push_back(row("a", "set1", 1e-4, 1e-4));
+  rows.back().rise = 0.14;
+  EXPECT_EQ(headline(rows, {scene("a")})[1],
+            "With ode:step (set0) and 3 others, blocks are thrown up, by 140 mm at most.");
+}
+
+TEST(Verdict, SetsThatFailAreNotSaidToBeFurthest) {
+  std::vector<ReplicatedRow> rows{row("a", "best", 1e-3, 1e-3), row("a", "other", 1e-3, 1e-2),
+                                  row("a", "one", 1e-3, 1e-3), row("a", "two", 1e-3, 1e-3)};
+  for (std::size_t i : {2U, 3U}) {
+    rows[i].status = RunStatus::failed;
+    rows[i].error.reset();
+    rows[i].errors = {INFINITY};
+  }
+  const auto told = headline(rows, {scene("a")});
+  EXPECT_NE(told.back().find("ode:step (one) and ode:step (two) fail in 2 runs"), std::string::npos)
+      << told.back();
+}
+
 TEST(Verdict, WhatMovesWhereNothingShouldIsTold) {
   std::vector<ReplicatedRow> rows{row_at_rest("tuned"), row_at_rest("default")};
   rows[1].largest_position_difference = 0.5;
