@@ -20,13 +20,13 @@ struct LastTenth {
     return true;
   }
 
-  /// Whether a part of a quantity has gone one way over the last three tenths, but for a share: what rocks
+  /// Whether a part of a quantity has gone one way over the last half, but for a share: what rocks
   /// has not.
   template <class Quantity>
   bool goes_one_way(const Quantity& quantity, Eigen::Index part, int size) const {
     constexpr std::size_t pieces = 20;
     constexpr double share = 0.2;
-    const std::size_t length = 3 * (last - first), start = last > length ? last - length : 0;
+    const std::size_t length = 5 * (last - first), start = last > length ? last - length : 0;
     const auto at = [&](std::size_t piece) {
       return Vector<double>(quantity(start + piece * (last - start) / pieces).segment(part, size));
     };
