@@ -102,6 +102,7 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   if (!executor->leads()) return serve(*executor, arguments, common);
   MotionLibrary library;
   const Ensemble ensemble = read_ensemble(arguments, common, library);
+  warn_of_sizes(make_scene(typical_document(ensemble), library), common);
   const ResultsFolder folder(arguments.out, Results::sweep, subject_of(arguments.ensemble), common.replace);
   const SweepResult result =
       sweep(ensemble, library, *executor,

@@ -7,6 +7,7 @@
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
+#include "comparisons/measures/metrics/sizes.hpp"
 #include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/suites/shipped.hpp"
 
@@ -228,7 +229,10 @@ void add_motion(py::module_& core) {
                                return outcome_json(run_outcome(motion.scene->scene, motion.history)).dump();
                              })
       .def_property_readonly("warnings", [](const HeldMotion& motion) {
-        return validity_warnings(motion.scene->scene, motion.history);
+        std::vector<std::string> warnings = size_warnings(motion.scene->scene);
+        for (std::string& warning : validity_warnings(motion.scene->scene, motion.history))
+          warnings.push_back(std::move(warning));
+        return warnings;
       });
 }
 

@@ -193,4 +193,11 @@ Value typical_value(const Variation& variation) {
                                 : variation.values.front();
 }
 
+SceneDocument typical_document(const Ensemble& ensemble) {
+  SceneDocument document = ensemble.base;
+  for (const Variation& variation : ensemble.variations)
+    set_values(document, variation, typical_value(variation));
+  return document;
+}
+
 }  // namespace rockstack

@@ -88,6 +88,9 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
 /// The first value of a variation, or the median where values are drawn.
 Value typical_value(const Variation& variation);
 
+/// The base scene with the typical value of each variation.
+SceneDocument typical_document(const Ensemble& ensemble);
+
 // Every key of an ensemble file. A new one is a line here, and is read where the others of its table are.
 
 inline constexpr KeyTable ensemble_keys{

@@ -131,9 +131,7 @@ void read_summary(Ensemble& ensemble, const Node& root) {
 
 /// Makes the scene of the first value of everything, then of each value by itself; of very many, of some.
 void try_values(const Ensemble& ensemble, MotionLibrary& library) {
-  SceneDocument document = ensemble.base;
-  for (const Variation& variation : ensemble.variations)
-    set_values(document, variation, typical_value(variation));
+  SceneDocument document = typical_document(ensemble);
   make_scene(document, library);
   const auto try_value = [&](const Axis& axis, std::size_t i) {
     for (const std::size_t v : axis.variations)
