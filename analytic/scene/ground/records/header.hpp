@@ -61,8 +61,8 @@ void note_interval(const Cursor& cursor, double interval, Header& header);
 void read_steps(const Cursor& cursor, const Line& line, bool may_count, Header& header);
 
 /// Reads what else a line of the header says of all numbers: how many they are, which of them stands for
-/// missing data, that they are a spectrum. @throws InputError where they are to be multiplied by a factor, or
-/// are normalised: whether that has been done is not said.
+/// missing data, that they are a spectrum, that samples were left out or interpolated. @throws InputError
+/// where they are to be multiplied by a factor, or are normalised: whether that has been done is not said.
 void read_statements(const Cursor& cursor, const Line& line, Header& header);
 
 }  // namespace rockstack::records

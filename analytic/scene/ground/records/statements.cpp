@@ -172,6 +172,34 @@ void read_missing(const Tokens& tokens, Header& header) {
   }
 }
 
+/// Whether a line names a step or a rate, with its unit, that is this step.
+bool names_step(std::string_view plain, double interval) {
+  constexpr double rounding = 1e-6;
+  const auto list = words(plain, ",;:=()[]");
+  for (std::size_t k = 0; k + 1 < list.size(); ++k) {
+    const auto unit = read_unit(list[k + 1]);
+    double value = 0;
+    if (!unit || std::from_chars(list[k].data(), list[k].data() + list[k].size(), value).ec != std::errc())
+      continue;
+    const double named = value * unit->factor,
+                 step = unit->quantity == Quantity::frequency ? 1 / named : named;
+    if (std::abs(step - interval) < rounding * interval) return true;
+  }
+  return false;
+}
+
+/// Notes a line that says samples were left out, averaged or interpolated, unless it names the step as what
+/// came of that: "resampled to 100 Hz".
+void note_resampling(const Cursor& cursor, std::string_view plain, Header& header) {
+  constexpr std::array results{"decimat", "downsampl", "subsampl", "resampl", "interpolated to"};
+  constexpr std::array ways{"block average", "averaged by", "output every", "only every"};
+  const auto has = [&](auto part) { return plain.find(part) != plain.npos; };
+  const bool named = header.interval && names_step(plain, *header.interval);
+  if (header.resampled_line == 0 &&
+      (std::ranges::any_of(ways, has) || (std::ranges::any_of(results, has) && !named)))
+    header.resampled_line = cursor.line_number();
+}
+
 }  // namespace
 
 void read_statements(const Cursor& cursor, const Line& line, Header& header) {
@@ -180,6 +208,7 @@ void read_statements(const Cursor& cursor, const Line& line, Header& header) {
   read_stated_count(cursor, tokens, header);
   refuse_factor(cursor, tokens);
   read_missing(tokens, header);
+  note_resampling(cursor, folded(line.text), header);
   if (header.spectrum_line == 0 && any_of_topic(tokens, Topic::spectrum) &&
       !any_of_topic(tokens, Topic::history))
     header.spectrum_line = line.number;

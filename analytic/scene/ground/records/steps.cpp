@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "analytic/scene/ground/records/header.hpp"
@@ -231,34 +230,6 @@ void check_rates(const Cursor& cursor, std::string_view plain, Header& header) {
   }
 }
 
-/// Whether a line names a step or a rate, with its unit, that is this step.
-bool names_step(std::string_view plain, double interval) {
-  constexpr double rounding = 1e-6;
-  const auto list = words(plain, ",;:=()[]");
-  for (std::size_t k = 0; k + 1 < list.size(); ++k) {
-    const auto unit = read_unit(list[k + 1]);
-    double value = 0;
-    if (!unit || std::from_chars(list[k].data(), list[k].data() + list[k].size(), value).ec != std::errc())
-      continue;
-    const double named = value * unit->factor,
-                 step = unit->quantity == Quantity::frequency ? 1 / named : named;
-    if (std::abs(step - interval) < rounding * interval) return true;
-  }
-  return false;
-}
-
-/// Notes a line that says samples were left out, averaged or interpolated, unless it names the step as what
-/// came of that: "resampled to 100 Hz".
-void note_resampling(const Cursor& cursor, std::string_view plain, Header& header) {
-  constexpr std::array results{"decimat", "downsampl", "subsampl", "resampl", "interpolated to"};
-  constexpr std::array ways{"block average", "averaged by", "output every", "only every"};
-  const auto has = [&](auto part) { return plain.find(part) != plain.npos; };
-  const bool named = header.interval && names_step(plain, *header.interval);
-  if (header.resampled_line == 0 &&
-      (std::ranges::any_of(ways, has) || (std::ranges::any_of(results, has) && !named)))
-    header.resampled_line = cursor.line_number();
-}
-
 void read_intervals(const Cursor& cursor, std::string_view plain, bool required, Header& header) {
   const std::size_t before = header.interval_line;
   for (const Key& key : keys)
@@ -266,7 +237,6 @@ void read_intervals(const Cursor& cursor, std::string_view plain, bool required,
       if (!setting.number.empty() && (required || is_numeric(setting.number)))
         note_interval(cursor, interval_of(cursor, setting, key.rate), header);
   if (header.interval_line != before) check_rates(cursor, plain, header);
-  note_resampling(cursor, plain, header);
 }
 
 /// "NPTS=  4000, DT= .01000 SEC", or the older "4000  .01000  NPTS, DT", in either order.
