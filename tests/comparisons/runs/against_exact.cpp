@@ -38,6 +38,30 @@ TEST(AgainstExact, WhatFallsAsTheSceneEndsHasNotStood) {
   EXPECT_EQ(verdict(0.3, false), TopplingVerdict::neither);
 }
 
+// The exact motion topples. An engine that holds the block past its balance lets it stand; one in which it
+// still turns as the scene ends has decided nothing.
+TEST(AgainstExact, WhatStaysPastItsBalanceStands) {
+  Scene scene;
+  scene.duration = 3;
+  scene.blocks = {make_block(1, 4, 2500)};
+  scene.initial = {{0.3}, {0}};
+  Suite suite;
+  suite.wanted.histories = false;
+  const auto verdict = [&](double velocity) {
+    History engine;
+    engine.blocks = 1;
+    engine.times = regular_times(0.01, scene.duration);
+    engine.angles.assign(engine.times.size(), 0.3);
+    engine.velocities.assign(engine.times.size(), velocity);
+    RunMetrics row;
+    RunFiles files;
+    compare_with_exact(scene, suite, {engine, 0.01, {}, false}, scene.duration, row, files);
+    return row.toppling_verdict;
+  };
+  EXPECT_EQ(verdict(0), TopplingVerdict::exact_alone);
+  EXPECT_EQ(verdict(0.5), TopplingVerdict::unknown);
+}
+
 // Angles a tenth too large, impacts 2 ms late, the last one missed and one made up.
 TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   const Scene scene = free_rocking(2);
