@@ -182,7 +182,7 @@ std::vector<double> elastic_energy(const BodyRecord& record) {
   return record.contacts ? record.contacts->elastic : std::vector<double>(record.energy.size(), 0.0);
 }
 
-EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajectory, bool bodies) {
+EngineRun engine_run_of(const Scene& scene, const Setup& setup, Trajectory trajectory, bool bodies) {
   EngineRun run;
   run.warnings = trajectory.warnings;
   run.history.blocks = static_cast<int>(scene.blocks.size());
@@ -192,8 +192,8 @@ EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajecto
     BodyAccount account(scene, setup, trajectory);
     for (std::size_t i = 0; i < samples; ++i) account.next();
     if (leaves_pivots(scene.law)) {
-      run.history.slips = each_of(account.interfaces(), &InterfaceState::slip);
-      run.history.gaps = each_of(account.interfaces(), [](const InterfaceState& at) { return -at.depth; });
+      run.history.slips = mapped(account.interfaces(), &InterfaceState::slip);
+      run.history.gaps = mapped(account.interfaces(), [](const InterfaceState& at) { return -at.depth; });
       run.history.centres = account.record().centres;
     }
     if (bodies) run.bodies = account.record();

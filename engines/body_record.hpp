@@ -68,6 +68,6 @@ inline bool needs_bodies(const Scene& scene, bool bodies) {
 }
 
 /// A trajectory of the scene of `setup`. Precondition: it tells bodies where needs_bodies(scene, bodies).
-EngineRun account_of(const Scene& scene, const Setup& setup, Trajectory trajectory, bool bodies);
+EngineRun engine_run_of(const Scene& scene, const Setup& setup, Trajectory trajectory, bool bodies);
 
 }  // namespace rockstack

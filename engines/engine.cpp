@@ -18,13 +18,17 @@ std::string range_of(const Setting& setting) {
 
 }  // namespace
 
-Setting switch_setting(std::string name, double standard, double tuned) {
-  return {.name = std::move(name), .standard = standard, .tuned = tuned, .most = 1, .whole = true};
+Setting switch_setting(std::string name, double default_value, double tuned) {
+  return {.name = std::move(name), .default_value = default_value, .tuned = tuned, .most = 1, .whole = true};
 }
 
-Setting count_setting(std::string name, double standard, double tuned) {
-  return {
-      .name = std::move(name), .standard = standard, .tuned = tuned, .least = 1, .most = 1e6, .whole = true};
+Setting count_setting(std::string name, double default_value, double tuned) {
+  return {.name = std::move(name),
+          .default_value = default_value,
+          .tuned = tuned,
+          .least = 1,
+          .most = 1e6,
+          .whole = true};
 }
 
 Setting shaking_setting() {
@@ -59,7 +63,7 @@ const Setting& find_setting(const std::string& engine, const std::vector<Setting
   const auto found = std::ranges::find(settings, name, &Setting::name);
   if (found == settings.end()) {
     throw std::invalid_argument(fmt::format("{}: {}: no such parameter; there are {}", engine, name,
-                                            fmt::join(each_of(settings, &Setting::name), ", ")));
+                                            fmt::join(mapped(settings, &Setting::name), ", ")));
   }
   return *found;
 }

@@ -24,8 +24,8 @@ struct Setting {
   std::string name = {};
   std::string unit = {};                  ///< as "N/m"; empty for a number alone
   std::vector<std::string> choices = {};  ///< names of 0, 1, … where the number stands for a choice
-  double standard = 0;
-  double tuned = standard;
+  double default_value = 0;
+  double tuned = default_value;
   double least = 0;
   double most =
       choices.empty() ? std::numeric_limits<double>::infinity() : static_cast<double>(choices.size()) - 1;
@@ -41,10 +41,10 @@ struct Setting {
 inline constexpr double stiffest = 1e18;
 
 /// A setting that is off, 0 or false, or on, 1 or true.
-Setting switch_setting(std::string name, double standard, double tuned);
+Setting switch_setting(std::string name, double default_value, double tuned);
 
 /// A setting that counts, from 1 to a million.
-Setting count_setting(std::string name, double standard, double tuned);
+Setting count_setting(std::string name, double default_value, double tuned);
 
 /// How an engine is shaken: "force", the ground's acceleration as a body force in its own frame, or "ground",
 /// a ground that really moves and takes the blocks along.
@@ -57,7 +57,7 @@ double choice_value(const std::string& engine, const Setting& setting, const std
 /// gives the stack that mass, kg: cfm, forces and limits of impulses mean the same for grams and tonnes.
 double mass_factor(const Setup& setup, const Parameters& parameters);
 
-/// Values of a set: &Setting::standard or &Setting::tuned.
+/// Values of a set: &Setting::default_value or &Setting::tuned.
 Parameters values_of(const std::vector<Setting>& settings, double Setting::*set);
 
 /// The setting of that name. @throws std::invalid_argument naming the engine, the setting and all there are.
@@ -94,12 +94,12 @@ struct EngineDescription {
   std::size_t warm_up = 0;
   /// How many runs a process of its worker answers, one after the other, each as if it was the first.
   std::size_t runs_per_process = 1;
-  /// Every setting, with its value in either set: `standard` is what a user gets who sets nothing but
+  /// Every setting, with its value in either set: `default_value` is what a user gets who sets nothing but
   /// friction and restitution, `tuned` suits this problem best; the adapter's head says why.
   std::vector<Setting> settings = {};
 
   std::string full_name() const { return name + ":" + solver; }
-  Parameters default_parameters() const { return values_of(settings, &Setting::standard); }
+  Parameters default_parameters() const { return values_of(settings, &Setting::default_value); }
   Parameters tuned_parameters() const { return values_of(settings, &Setting::tuned); }
 };
 

@@ -11,7 +11,7 @@ namespace rockstack {
 namespace {
 
 /// ∫ (end − t) a(t) dt over [from, to], on which the acceleration is smooth.
-double smooth_moment(const GroundMotion& motion, double from, double to, double end) {
+double smooth_displacement_integral(const GroundMotion& motion, double from, double to, double end) {
   // Gauss–Legendre on [−1, 1].
   static constexpr std::array<double, 3> points{0, 0.5384693101056831, 0.9061798459386640};
   static constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
@@ -29,13 +29,13 @@ double next_kink(const GroundMotion& motion, double t) {
   return motion.interval * (std::floor(t / motion.interval) + 1);
 }
 
-double moment(const GroundMotion& motion, double from, double to) {
+double displacement_integral(const GroundMotion& motion, double from, double to) {
   const double last = std::min(to, motion.end());
   double sum = 0;
   for (double t = from; t < last;) {
     double next = std::min(last, next_kink(motion, t));
     if (!(next > t)) next = last;  // a kink that rounding puts at t itself
-    sum += smooth_moment(motion, t, next, to);
+    sum += smooth_displacement_integral(motion, t, next, to);
     t = next;
   }
   return sum;
@@ -55,7 +55,7 @@ struct GroundAxis {
   double advance(const GroundMotion& motion, double from, double to) {
     if (motion.empty()) return 0;
     const double length = to - from;
-    const double mean = velocity + moment(motion, from, to) / length;
+    const double mean = velocity + displacement_integral(motion, from, to) / length;
     displacement += mean * length;
     velocity += mean_acceleration(motion, from, to) * length;
     return mean;

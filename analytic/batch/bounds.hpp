@@ -24,11 +24,11 @@ struct PartialSums {
 
 /// Whether an opening angle or a margin neither crosses nor grazes zero but at its start, as stays_clear().
 template <class Real>
-class Clearance {
+class NoCrossingBound {
  public:
   using Mask = typename Real::Mask;
 
-  explicit Clearance(const Real& start) : start_(start) {}
+  explicit NoCrossingBound(const Real& start) : start_(start) {}
 
   void add(const Real& coefficient) {
     reach_ += abs(coefficient);

@@ -7,16 +7,16 @@ namespace rockstack {
 /// What follows the impacts of a pack, as resolve() tells of one: where the interface that impacts alone goes
 /// on to its other side, and the others stay as they are. Patterns are in sides; the solution's has no value.
 template <class Real, int N>
-struct Foresight {
-  ForeseenImpact<Real, N> impact;
+struct ImpactPrediction {
+  PredictedImpact<Real, N> impact;
   Truth<Real> holds;  ///< whether this follows under either law
 };
 
 /// From the sides and the relative velocities before, at directions with the impacting angles zero.
 template <class Real, int N>
-Foresight<Real, N> foresee(const Model<Real, N>& model, const PerBlock<Real, N>& sides,
-                           const Vector<Real, N>& velocities, const Directions<Real, N>& directions,
-                           const PerBlock<Truth<Real>, N>& impacting) {
+ImpactPrediction<Real, N> foresee(const Model<Real, N>& model, const PerBlock<Real, N>& sides,
+                                  const Vector<Real, N>& velocities, const Directions<Real, N>& directions,
+                                  const PerBlock<Truth<Real>, N>& impacting) {
   const Stack<Real, N>& stack = model.stack;
   const Vector<Real, N> rates = absolute(velocities);
   const Motion<Real, N> motion{centre_velocities(make_chain(stack, sides, directions), rates), rates};
@@ -28,10 +28,11 @@ Foresight<Real, N> foresee(const Model<Real, N>& model, const PerBlock<Real, N>&
   }
   const Chain<Real, N> chain = make_chain(stack, thrown, directions);
   const NearestMotion<Real, N> after = nearest_motion(stack, thrown, chain, motion);
-  Foresight<Real, N> result{{{directions, motion},
-                             solution_for<Real, N>(model, {}, directions, chain, motion,
-                                                   Eigen::Map<const Vector<Real, N>>(after.relative.data()))},
-                            after.well_conditioned};
+  ImpactPrediction<Real, N> result{
+      {{directions, motion},
+       solution_for<Real, N>(model, {}, directions, chain, motion,
+                             Eigen::Map<const Vector<Real, N>>(after.relative.data()))},
+      after.well_conditioned};
   const PatternSolution<Real, N>& solution = result.impact.solution;
   // What is clearly pressed inside its width does not open under the paper's first trial either. That trial
   // and this pattern pivot about the same corners; where the one parts, or the other presses, it is the

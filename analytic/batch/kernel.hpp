@@ -163,7 +163,7 @@ class StepKernel {
       const Real& side = start_.sides[k];
       keep(0, start_.angles[k]);
       keep(1, start_.advances[k]);
-      Clearance<Real> clearance(start_.angles[k] * side);
+      NoCrossingBound<Real> clearance(start_.angles[k] * side);
       PartialSums<Real> heights;
       heights.add(absolute[0]);
       clearance.add(start_.advances[k] * side);
@@ -225,7 +225,7 @@ class StepKernel {
   }
 
   Mask stays_clear(const Polynomial<Real>& margin) const {
-    Clearance<Real> clearance(margin[0]);
+    NoCrossingBound<Real> clearance(margin[0]);
     for (std::size_t n = 1; n < margin.terms; ++n) clearance.add(margin[n]);
     return clearance.holds();
   }

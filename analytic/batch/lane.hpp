@@ -66,7 +66,7 @@ class Lane {
   void pass(const StepRows<N>& rows, std::size_t lane) {
     const double length = rows.length[lane];
     solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
-    solver_.pass(length);
+    solver_.skip_step(length);
     passing_ = true;
   }
 
@@ -77,19 +77,19 @@ class Lane {
     const double length = rows.length[lane];
     const double landing = rows.landing[lane];
     if (!(rows.silent[lane] > 0)) {
-      const Cleared cleared = cleared_by_bounds(rows, lane);
+      const ExcludedEvents cleared = cleared_by_bounds(rows, lane);
       solver_.record(dense_output(rows, lane, cleared), landing, cleared);
     }
     solver_.steps().lengthen(length, static_cast<std::size_t>(rows.orders[lane]));
     const auto interface = static_cast<std::size_t>(rows.lander[lane]);
-    if (!(rows.foreseen[lane] > 0)) return solver_.land(landing, length, interface, nullptr);
+    if (!(rows.foreseen[lane] > 0)) return solver_.resolve_single_impact(landing, length, interface, nullptr);
     const auto foreseen = foreseen_impact(rows, lane, interface);
-    solver_.land(landing, length, interface, &foreseen);
+    solver_.resolve_single_impact(landing, length, interface, &foreseen);
   }
 
-  ForeseenImpact<double, blocks> foreseen_impact(const StepRows<N>& rows, std::size_t lane,
-                                                 std::size_t interface) const {
-    ForeseenImpact<double, blocks> impact;
+  PredictedImpact<double, blocks> foreseen_impact(const StepRows<N>& rows, std::size_t lane,
+                                                  std::size_t interface) const {
+    PredictedImpact<double, blocks> impact;
     auto& [before, solution] = impact;
     solution.pattern = solver_.state().pattern;
     solution.pattern[interface] = opposite(solution.pattern[interface]);
@@ -119,20 +119,20 @@ class Lane {
       velocities[k] = rows.velocity[k][lane];
       peaks[k] = rows.peak[k][lane];
     }
-    solver_.arrive(angles, velocities, peaks);
+    solver_.set_state(angles, velocities, peaks);
   }
 
   /// A step that the kernel could not tell all about.
   void follow(const StepRows<N>& rows, std::size_t lane) {
     arrive(rows, lane);
-    const Cleared cleared = cleared_by_bounds(rows, lane);
+    const ExcludedEvents cleared = cleared_by_bounds(rows, lane);
     DenseOutput<double, blocks> output = dense_output(rows, lane, cleared);
     solver_.steps().fit(rows.excess[lane], static_cast<std::size_t>(rows.orders[lane]), output);
     solver_.follow(output, cleared);
   }
 
   DenseOutput<double, blocks> dense_output(const StepRows<N>& rows, std::size_t lane,
-                                           const Cleared& cleared) const {
+                                           const ExcludedEvents& cleared) const {
     const auto orders = static_cast<std::size_t>(rows.orders[lane]);
     const auto read = [&](const CoefficientRows& from, std::size_t terms, Polynomial<double>& to) {
       to.terms = terms;
@@ -155,8 +155,8 @@ class Lane {
   }
 
   /// What the kernel has told of a step. What holds over all of it holds over the part that fit() leaves.
-  Cleared cleared_by_bounds(const StepRows<N>& rows, std::size_t lane) const {
-    Cleared cleared;
+  ExcludedEvents cleared_by_bounds(const StepRows<N>& rows, std::size_t lane) const {
+    ExcludedEvents cleared;
     if (!clear_) return cleared;
     for (std::size_t k = 0; k < N; ++k) {
       cleared.contacts.set(k, rows.stays[k][lane] > 0);
@@ -168,7 +168,7 @@ class Lane {
 
   /// `changed` tells whether more may have changed since a step was asked for than the rows know.
   bool request_step(StepRows<N>& rows, std::size_t lane, bool changed) {
-    if (!solver_.seek_motion()) return false;
+    if (!solver_.advance_to_motion()) return false;
     if (changed) {
       arrive(rows, lane);
       describe_state(rows, lane);

@@ -60,7 +60,7 @@ struct StepRows {
   LaneRow lands;            ///< whether one interface closes, and nothing else happens
   LaneRow silent;           ///< then: whether nothing is to be recorded
   LaneRow landing, lander;  ///< where: s of the step, and the interface, from 0
-  LaneRow foreseen;         ///< whether it is known what follows the impact: these, as in ForeseenImpact
+  LaneRow foreseen;         ///< whether it is known what follows the impact: these, as in PredictedImpact
   PerBlock<LaneRow> cosine, sine, rotation, centre_speed_x, centre_speed_y;
   PerBlock<LaneRow> after, negligible, impulse_normal, impulse_tangential, impulse_moment;
   LaneRow orders;             ///< of the series

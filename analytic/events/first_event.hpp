@@ -108,7 +108,7 @@ void find_toppling(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>
 template <class Real, int N>
 FirstEvent<Real> first_event(const DenseOutput<Real, N>& output,
                              const std::array<Real, max_blocks>& toppling_angles,
-                             const Cleared& cleared = {}) {
+                             const ExcludedEvents& cleared = {}) {
   FirstEvent<Real> event;
   event.opened = output.start.pattern;
   AngleHulls<Real, N> hulls{};

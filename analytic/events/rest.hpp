@@ -35,16 +35,16 @@ struct RestingStack {
 /// What a stack that stands still bears over a stretch of time, at most: the least effective gravity g + ÿg
 /// in m/s², and the largest |ẍg| / (g + ÿg).
 template <class Real>
-struct Bearing {
+struct SupportDemand {
   Real least_gravity;
   Real tilt;
 };
 
-/// The bearing through the rest of a ground piece; its tilt is infinite where there is a pulse in it, or
+/// The demand through the rest of a ground piece; its tilt is infinite where there is a pulse in it, or
 /// where the ground falls away. Straight lines have their extremes at their ends, and so has their ratio.
 template <class Real>
-Bearing<Real> bearing(const Real& gravity, const GroundPiece<Real>& piece, const Real& offset) {
-  Bearing<Real> result{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
+SupportDemand<Real> support_demand(const Real& gravity, const GroundPiece<Real>& piece, const Real& offset) {
+  SupportDemand<Real> result{std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
   if (!piece.straight()) return result;
   const auto gravity_at = [&](const Real& time) { return gravity + piece.vertical.line_at(time); };
   const auto push_at = [&](const Real& time) { return abs(piece.horizontal.line_at(time)); };

@@ -17,7 +17,7 @@ struct RestOfChatter {
   std::array<PatternSolution<Real, N>, 2> flights = {};  ///< accelerations and forces, on either side
 
   /// By how much velocities differ from those of the closed stack at most, rad/s.
-  Vector<Real, N> thrown() const { return impact.relative - closure.relative; }
+  Vector<Real, N> velocity_jump() const { return impact.relative - closure.relative; }
 };
 
 /// Chatter of one interface alone, as a series: impacts that throw it to and fro, and change nothing else.
@@ -37,7 +37,7 @@ class ZenoSummation {
       : model_(model), resolution_(resolution) {}
 
   /// Whether chatter has to be followed further than it counts: flights are below a coarse resolution sooner.
-  bool pays() const { return resolution_ < coarse; }
+  bool worthwhile() const { return resolution_ < coarse; }
 
   /// An impact of a number in the history, to the state after it, `offset` into a ground piece.
   struct Landing {
@@ -50,7 +50,7 @@ class ZenoSummation {
   };
 
   /// Goes on watching; whether from here on chatter moves the motion by less than the resolution.
-  bool harmless(const Landing& landing) {
+  bool below_resolution(const Landing& landing) {
     const int interface = thrown_alone(landing);
     const Real speed = interface < 0 ? Real(0) : abs(landing.after.relative[interface]);
     const bool follows = interface >= 0 && interface == interface_ && landing.number == number_ + 1 &&
@@ -161,7 +161,7 @@ class ZenoSummation {
   }
 
   bool others_stay_open(const RestOfChatter<Real, N>& rest) const {
-    const Vector<Real, N> thrown = rest.thrown();
+    const Vector<Real, N> thrown = rest.velocity_jump();
     for (int k = 0; k < thrown.size(); ++k) {
       if (k == rest.interface || rest.closure.pattern[k] == Contact::closed) continue;
       const Real speed = abs(rest.closure.relative[k]) + 2 * abs(thrown[k]);

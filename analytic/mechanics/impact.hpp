@@ -45,7 +45,7 @@ struct BeforeImpact {
 
 /// An impact whose outcome is known.
 template <class Real, int N = Eigen::Dynamic>
-struct ForeseenImpact {
+struct PredictedImpact {
   BeforeImpact<Real, N> before;
   PatternSolution<Real, N> solution;  ///< the consistent one, and that of the law
 };

@@ -14,7 +14,7 @@ namespace rockstack {
 
 /// What `make` gives of each part of a list, a function or a member.
 template <class List, class Make>
-auto each_of(const List& list, Make make) {
+auto mapped(const List& list, Make make) {
   std::vector<std::decay_t<decltype(std::invoke(make, *list.begin()))>> made;
   made.reserve(list.size());
   std::transform(list.begin(), list.end(), std::back_inserter(made),
@@ -24,7 +24,7 @@ auto each_of(const List& list, Make make) {
 
 /// The texts of the parts of a list, one after the other.
 template <class List, class Text>
-std::string text_of_each(const List& list, Text text, const std::string& between = "") {
+std::string joined_texts(const List& list, Text text, const std::string& between = "") {
   std::string all;
   for (const auto& part : list) all += (all.empty() ? "" : between) + text(part);
   return all;

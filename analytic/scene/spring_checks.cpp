@@ -17,8 +17,8 @@ struct Foundation {
   double across = 0, along = 0;       ///< tr M⁻¹K of that, a unit of stiffness
 };
 
-double at(const std::vector<double>& values, std::size_t k, double standard) {
-  return values.empty() ? standard : values[k];
+double at(const std::vector<double>& values, std::size_t k, double default_value) {
+  return values.empty() ? default_value : values[k];
 }
 
 Foundation foundation_of(const Scene& scene, std::size_t k) {
@@ -49,10 +49,10 @@ void refuse(bool given, const char* key, const std::string& value, const std::st
 }
 
 /// The first that is not what holds where a key is left out.
-void refuse_any_but(const std::vector<double>& values, double standard, const char* key,
+void refuse_any_but(const std::vector<double>& values, double default_value, const char* key,
                     const std::string& reason) {
   const auto given =
-      std::find_if(values.begin(), values.end(), [&](double value) { return value != standard; });
+      std::find_if(values.begin(), values.end(), [&](double value) { return value != default_value; });
   if (given != values.end()) refuse(true, key, number_text(*given), reason);
 }
 

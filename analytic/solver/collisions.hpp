@@ -15,7 +15,7 @@ class Collisions {
         model_(model),
         end_of_chatter_(model, resolution_of(options)),
         zeno_(model, resolution_of(options)),
-        sums_chatter_(options.events == EventsKept::summed && zeno_.pays() && !upright_) {}
+        sums_chatter_(options.events == EventsKept::summed && zeno_.worthwhile() && !upright_) {}
 
   /// As EndOfChatter tells.
   bool negligibly_open(const State<Real, N>& state, int k) const {
@@ -27,7 +27,7 @@ class Collisions {
   /// the impacts to come.
   Resolution<Real, N> outcome(const Impact<Real, N>& impact, const Directions<Real, N>& directions,
                               const GroundPiece<Real>& piece, const Real& offset, Recorder<Real, N>& recorder,
-                              const ForeseenImpact<Real, N>* foreseen) {
+                              const PredictedImpact<Real, N>* foreseen) {
     const Model<Real, N>& model = upright_ ? *upright_ : model_;
     const BeforeImpact<Real, N> before = foreseen   ? foreseen->before
                                          : upright_ ? before_impact(model, impact.before)
@@ -72,7 +72,7 @@ class Collisions {
   std::optional<RestOfChatter<Real, N>> negligible_rest(
       const typename ZenoSummation<Real, N>::Landing& landing, const Recorder<Real, N>& recorder) {
     const PatternSolution<Real, N>& after = landing.after;
-    if (!zeno_.harmless(landing) || recorder.keeps(after)) return std::nullopt;
+    if (!zeno_.below_resolution(landing) || recorder.keeps(after)) return std::nullopt;
     const State<Real, N> open{after.pattern, landing.impact.before.angles, after.relative};
     const Point<Real> ground = landing.piece.at(landing.offset);
     auto rest = zeno_.rest(landing, end_of_chatter_.fastest_return(open, ground));

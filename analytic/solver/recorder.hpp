@@ -34,7 +34,7 @@ class Recorder {
 
   /// A step from `offset` into a ground piece up to its event. What ends as it starts bears nothing.
   void note_step(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
-                 const FirstEvent<Real>& event, const Cleared& cleared) {
+                 const FirstEvent<Real>& event, const ExcludedEvents& cleared) {
     const Real start = piece.start + offset;
     for (const auto& [s, kind, interface] : event.grazes)
       if (s <= event.s) history_.grazes.push_back({start + s * output.length, kind, interface});
@@ -44,7 +44,7 @@ class Recorder {
   }
 
   /// Whether there is something to keep of a stretch of time through which the stack stands still.
-  bool wants(const RestingStack<Real, N>& resting, const Bearing<Real>& bears) const {
+  bool wants(const RestingStack<Real, N>& resting, const SupportDemand<Real>& bears) const {
     if (sample_due()) return true;
     for (std::size_t k = 0; k < history_.forces.size(); ++k) {
       const BasicDemand<Real>& known = history_.forces[k];
@@ -182,7 +182,7 @@ class Recorder {
   bool may_peak(const RestOfChatter<Real, N>& rest) const {
     const Vector<Real, N> angles = absolute(rest.angles);
     const Vector<Real, N> velocities = absolute(rest.closure.relative);
-    const Vector<Real, N> thrown = absolute(rest.thrown());
+    const Vector<Real, N> thrown = absolute(rest.velocity_jump());
     const Real gain = rest.fastest * static_cast<Real>(history_.blocks) * rest.duration;
     for (int k = 0; k < history_.blocks; ++k) {
       const Real change = 2 * abs(thrown[k]) + gain;

@@ -61,7 +61,7 @@ class Solver {
   }
 
   /// Goes on up to a step in which blocks move, and true; or to the end. @throws as run().
-  bool seek_motion() {
+  bool advance_to_motion() {
     while (!finished()) {
       if (pieces_.remaining() > 0 && !is_closed(state_.pattern)) return true;
       advance();
@@ -71,17 +71,17 @@ class Solver {
 
   /// What the next step has besides a state and a pattern. Preconditions: not finished, not at the end of a
   /// piece.
-  struct Stretch {
+  struct NextStep {
     Real length;  ///< s
     ScaledBodyForce<Real> body_force;
   };
-  Stretch next_step() const {
+  NextStep next_step() const {
     const Real length = steps_.length(pieces_.current(), longest_step());
     return {length, scaled_body_force(model_.gravity, pieces_.current(), pieces_.offset(), length)};
   }
 
   /// Goes along a step up to its first event, and through that. @throws as run().
-  void follow(DenseOutput<Real, N>& output, const Cleared& cleared = {}) {
+  void follow(DenseOutput<Real, N>& output, const ExcludedEvents& cleared = {}) {
     ties_.keep_fresh_open(output);
     const FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
     state_ = output.at(event.s);
@@ -95,7 +95,7 @@ class Solver {
 
   /// Goes along a whole step in which nothing happens, and nothing is to be recorded but peaks. Where such
   /// steps lead, the caller knows, and tells before it asks for more than them.
-  void pass(const Real& length) {
+  void skip_step(const Real& length) {
     ties_.note_uneventful_step();
     go(1, length);
   }
@@ -107,16 +107,16 @@ class Solver {
   }
 
   /// Where steps that were passed have led: relative angles and velocities, and all peaks so far.
-  void arrive(const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
-              const PerBlock<Real, N>& peaks) {
+  void set_state(const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
+                 const PerBlock<Real, N>& peaks) {
     state_.angles = angles;
     state_.velocities = velocities;
     recorder_.raise_peaks(peaks);
     directed_ = false;
   }
 
-  /// Keeps what a step up to s of its length has to tell, before land().
-  void record(const DenseOutput<Real, N>& output, const Real& s, const Cleared& cleared) {
+  /// Keeps what a step up to s of its length has to tell, before resolve_single_impact().
+  void record(const DenseOutput<Real, N>& output, const Real& s, const ExcludedEvents& cleared) {
     FirstEvent<Real> event;
     event.s = s;
     recorder_.note_step(output, pieces_.current(), pieces_.offset(), event, cleared);
@@ -124,8 +124,8 @@ class Solver {
 
   /// Goes through the impact of an interface at s of a step, where the stack has arrived. `foreseen` is what
   /// follows if no other interface closes with it, or null. @throws as run().
-  void land(const Real& s, const Real& length, std::size_t interface,
-            const ForeseenImpact<Real, N>* foreseen) {
+  void resolve_single_impact(const Real& s, const Real& length, std::size_t interface,
+                             const PredictedImpact<Real, N>* foreseen) {
     require_numbers();
     FirstEvent<Real> event;
     event.s = s;
@@ -169,7 +169,7 @@ class Solver {
   bool skip_rest() {
     if (!is_closed(state_.pattern) || !ties_.all_clear() || ties_.at_instant()) return false;
     const auto stands = [&] {
-      const Bearing<Real> bears = bearing(model_.gravity, pieces_.current(), pieces_.offset());
+      const SupportDemand<Real> bears = support_demand(model_.gravity, pieces_.current(), pieces_.offset());
       return bears.tilt < resting_.critical_tilt && !recorder_.wants(resting_, bears);
     };
     // Samples are looked at one by one where gravity stays as it is; that is enough.
@@ -190,7 +190,7 @@ class Solver {
       fail("angles or velocities have become too large for numbers");
   }
 
-  void handle(const FirstEvent<Real>& event, const ForeseenImpact<Real, N>* foreseen = nullptr) {
+  void handle(const FirstEvent<Real>& event, const PredictedImpact<Real, N>* foreseen = nullptr) {
     const Pattern from = state_.pattern;
     if (event.toppling >= 0) {
       toppled_ = true;
@@ -211,7 +211,7 @@ class Solver {
   }
 
   /// Rule 4: an impact, or the end of chatter.
-  void collide(Interfaces closing, const ForeseenImpact<Real, N>* foreseen) {
+  void collide(Interfaces closing, const PredictedImpact<Real, N>* foreseen) {
     const int first = lowest(closing);
     for (int k = 0; k < state_.size(); ++k) {
       if (collisions_.negligibly_open(state_, k)) closing.set(k);

@@ -40,7 +40,7 @@ BasicGraze<double> in_double(const BasicGraze<Real>& graze) {
 /// Each of a list.
 template <class Wide>
 auto in_double(const std::vector<Wide>& values) {
-  return each_of(values, [](const Wide& value) { return in_double(value); });
+  return mapped(values, [](const Wide& value) { return in_double(value); });
 }
 
 inline History to_double(History history) {

@@ -24,19 +24,19 @@ class ChainSeries {
   using Directions = PerBlock<PlaneVector<Real>, N>;
 
   /// What a series tells besides motion. Margins are made of forces too.
-  struct Asked {
+  struct Options {
     bool forces;   ///< push() and force()
     bool margins;  ///< these and margin()
   };
 
   /// From directions, and relative velocities times the step's length. Keeps a reference to `linkage`.
-  ChainSeries(const Linkage<Real, N>& linkage, Equations equations, const Asked& asked,
+  ChainSeries(const Linkage<Real, N>& linkage, Equations equations, const Options& options,
               const Directions& directions, const PerBlock<Real, N>& advances)
       : linkage_(linkage),
         linear_(equations != Equations::nonlinear),
         small_angles_(equations == Equations::small_angle),
-        forces_(asked.forces || asked.margins),
-        margins_(asked.margins) {
+        forces_(options.forces || options.margins),
+        margins_(options.margins) {
     start(directions, advances);
   }
 

@@ -115,22 +115,22 @@ Poses<Real> without_roundings(const ContactModel<Real>& stack, const Poses<Real>
 }
 
 /// The impact of bodies that meet at `touching`; nothing where no impulses end it. `smooth` is the stack
-/// without friction, `free` the acceleration without contact. `turn` is as turn() below.
-template <class Real, class Turn>
+/// without friction, `free` the acceleration without contact. `choose` is as choose_branch() below.
+template <class Real, class Choose>
 std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
                                               const ContactModel<Real>& smooth,
                                               const ContactChatter<Real>& chatter,
                                               const Joints<Real>& touching, Bodies<Real> bodies,
-                                              const FreeVector<Real>& free, const Turn& turn) {
+                                              const FreeVector<Real>& free, const Choose& choose) {
   const FreeVector<Real> before = vector_of(bodies.rate);
-  const ContactQuestion<Real> question{stack, bodies, before, ContactLevel::impacts};
-  const TouchingContacts<Real> contacts(question, touching);
+  const ContactProblem<Real> problem{stack, bodies, before, ContactLevel::impacts};
+  const TouchingContacts<Real> contacts(problem, touching);
   auto found = find_mode(contacts, touching);
   if (!found) return std::nullopt;
-  const bool several = turn(contacts, touching, *found);
-  ModeResponse<Real> response = respond(question, *found);
+  const bool several = choose(contacts, touching, *found);
+  ModeResponse<Real> response = respond(problem, *found);
   std::optional<Joints<Real>> mode = found;
-  if (stack.bounces_by(RestitutionLaw::poisson)) mode = expand(question, touching, *found, response);
+  if (stack.bounces_by(RestitutionLaw::poisson)) mode = expand(problem, touching, *found, response);
   if (!mode) return std::nullopt;
   ContactCollision<Real> impact{*found, response.forces, *std::move(mode), {}};
   if (several) impact.consistency = Consistency::several;
@@ -212,7 +212,7 @@ bool couples(const TouchingContacts<Real>& contacts, const TouchingInterface<Rea
 template <class Real>
 bool one_motion_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints) {
   const auto sticks = [&](const TouchingInterface<Real>& contact) {
-    return contacts.question().slip_before(joints[contact.interface]) == 0;
+    return contacts.problem().slip_before(joints[contact.interface]) == 0;
   };
   const auto& interfaces = contacts.interfaces();
   const auto ways = 1U << std::count_if(interfaces.begin(), interfaces.end(), sticks);
@@ -241,10 +241,10 @@ bool one_motion_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>
 template <class Real>
 std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
                                       const Joints<Real>& mode, std::size_t most) {
-  const ContactQuestion<Real>& question = contacts.question();
-  OtherModes<Real> others(question, mode, most);
-  add_on_other_faces(question, joints, mode, others);
-  if (!question.of_accelerations() || others.full()) return std::move(others).take();
+  const ContactProblem<Real>& problem = contacts.problem();
+  OtherModes<Real> others(problem, mode, most);
+  add_on_other_faces(problem, joints, mode, others);
+  if (!problem.of_accelerations() || others.full()) return std::move(others).take();
   const auto& interfaces = contacts.interfaces();
   const bool sought = most > 1 ? !one_motion_obeys(contacts, joints)
                                : std::any_of(interfaces.begin(), interfaces.end(),
@@ -259,7 +259,7 @@ std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, co
       return abs(force.tangential) <= (1 + tolerance<Real>(1e-9)) * contact.friction * force.normal;
     });
   };
-  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(problem.stack, joints, problem.level);
   const auto leaves_face = [&](const Joints<Real>& other) {
     return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return slides_off(other[k]); });
   };
@@ -271,14 +271,15 @@ std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, co
 
 /// Whether modes besides one obey as well; where branches are followed, it becomes the one that is taken.
 template <class Real>
-bool turn(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
-          const SpringContacts<Real>& springs, const Real& time, Branching* branching, Joints<Real>& mode) {
+bool choose_branch(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
+                   const SpringContacts<Real>& springs, const Real& time, Branching* branching,
+                   Joints<Real>& mode) {
   constexpr std::size_t most = 32;
   std::vector<Joints<Real>> ways = other_modes(contacts, joints, mode, branching != nullptr ? most : 1);
   if (branching == nullptr || ways.empty()) return !ways.empty();
-  const ContactQuestion<Real>& question = contacts.question();
-  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
-  for (Joints<Real>& way : ways) settle(question, pairs, way);
+  const ContactProblem<Real>& problem = contacts.problem();
+  const ShortVector<int> pairs = open_pairs(problem.stack, joints, problem.level);
+  for (Joints<Real>& way : ways) settle(problem, pairs, way);
   ways.insert(ways.begin(), mode);
   std::vector<Pattern> patterns;
   for (Joints<Real> way : ways) {

@@ -61,7 +61,7 @@ Pattern pattern_of(const Joints<Real>& joints) {
 
 template <class Real>
 std::vector<Real> angles_of(const Poses<Real>& poses) {
-  return each_of(poses, &Pose<Real>::angle);
+  return mapped(poses, &Pose<Real>::angle);
 }
 
 /// What the joints of a sample carry.

@@ -75,12 +75,12 @@ class ContactSolver {
       const FirstSpringChange<Real> change =
           SpringGuards<Real>(stack_, springs_.points(), state_.bodies, step.series, springs).first();
       if (!change.guards.empty() && (found.guards.empty() || change.s < found.s)) {
-        go(step.series, springs, change.s);
+        advance_to(step.series, springs, change.s);
         return handle(change);
       }
     }
     const bool whole = found.s == 1 && step.series.length >= remaining;
-    go(step.series, springs, found.s);
+    advance_to(step.series, springs, found.s);
     if (!found.guards.empty()) {
       handle(found, step.series);
     } else if (whole) {
@@ -100,7 +100,7 @@ class ContactSolver {
   }
 
   /// Goes up to s of a step.
-  void go(const ModeSeries<Real>& series, const SpringSeries<Real>& springs, const Real& s) {
+  void advance_to(const ModeSeries<Real>& series, const SpringSeries<Real>& springs, const Real& s) {
     Bodies<Real> next = series.at(s);
     if (!vector_of(next.rate).allFinite()) stop("velocities have become too large for numbers at", time());
     recorder_.note_step(state_.joints, series, springs_, springs, s, time());
@@ -146,17 +146,17 @@ class ContactSolver {
     Joints<Real> touching = state_.joints;
     const int interface = found.guards.front().interface + 1;
     if (apply(found, stack_, chatter_, state_.bodies, touching))
-      return meet(before, std::move(touching), interface);
+      return resolve_impact(before, std::move(touching), interface);
     look_ahead_.note_decision(time(), longest_);
     state_.joints = std::move(touching);
-    hold();
+    project_onto_joints();
     if (std::ranges::find(found.guards, Change::corner, &Guard<Real>::change) != found.guards.end())
       note(EventKind::corner, interface, springs_.shown(before), state_.bodies.rate);
     decide(before, series.at(found.s + look_ahead_.time / series.length), look_ahead_.time);
   }
 
   /// Puts bodies onto joints, and takes from velocities what joints do not leave.
-  void hold() {
+  void project_onto_joints() {
     const Poses<Real> rates = state_.bodies.rate;
     place(stack_, state_.joints, state_.bodies);
     state_.bodies.rate = held_rates(smooth_, state_.joints, {state_.bodies.at, rates});
@@ -164,16 +164,18 @@ class ContactSolver {
   }
 
   /// An impact of joints that touch.
-  void meet(const Joints<Real>& before, Joints<Real> touching, int interface) {
+  void resolve_impact(const Joints<Real>& before, Joints<Real> touching, int interface) {
     look_ahead_.note_impact();
     const Poses<Real> rates = state_.bodies.rate;
     close_negligible(stack_, chatter_, state_.bodies, touching);
     place(stack_, touching, state_.bodies);
     state_.bodies.rate = rates;
     const Real approach = closing_speed(stack_, state_.bodies, interface - 1, touching[interface - 1]);
-    const auto impact = collide(
-        stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
-        [&](const auto& contacts, const auto& joints, auto& mode) { return turn(contacts, joints, mode); });
+    const auto impact =
+        collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
+                [&](const auto& contacts, const auto& joints, auto& mode) {
+                  return choose_branch(contacts, joints, mode);
+                });
     if (!impact) stop("no impulses end an impact at", time());
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
@@ -183,48 +185,51 @@ class ContactSolver {
     decide(impact->mode, state_.bodies, 0, true);
   }
 
-  /// Decides by the laws of contact as they stand `later`, s, at `bodies`. `placed`: on their joints.
-  void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& later, bool placed = false) {
+  /// Decides by the laws of contact as they stand `time_ahead`, s, at `bodies`, which `on_joints` tells to be
+  /// on their joints.
+  void decide(const Joints<Real>& before, Bodies<Real> bodies, const Real& time_ahead,
+              bool on_joints = false) {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
-    const FreeVector<Real> free = free_acceleration(later, bodies);
-    const Joints<Real> joined = later > 0 ? fresh_.joined(touching, time(), 2 * look_ahead_.time) : touching;
+    const FreeVector<Real> free = free_acceleration(time_ahead, bodies);
+    const Joints<Real> joined =
+        time_ahead > 0 ? fresh_.joined(touching, time(), 2 * look_ahead_.time) : touching;
     Joints<Real> joints = joined;
-    const ContactQuestion<Real> question{stack_, bodies, free, ContactLevel::accelerations};
-    std::optional<TouchingContacts<Real>> contacts(std::in_place, question, joints);
+    const ContactProblem<Real> problem{stack_, bodies, free, ContactLevel::accelerations};
+    std::optional<TouchingContacts<Real>> contacts(std::in_place, problem, joints);
     auto mode = find_mode(*contacts, joints);
     if (!mode) {
       joints = follow_without_solution(joints);
       bodies = state_.bodies;
-      contacts.emplace(question, joints);
+      contacts.emplace(problem, joints);
       mode = find_mode(*contacts, joints);
       if (!mode) stop("no forces let the motion go on at", time());
     }
-    // Without an event nothing tells of others.
+    // Other modes are sought only where an event can tell of them.
     const bool others =
-        (branching_ != nullptr || !same_modes(before, *mode)) && turn(*contacts, joints, *mode);
+        (branching_ != nullptr || !same_modes(before, *mode)) && choose_branch(*contacts, joints, *mode);
     const Poses<Real> rates = state_.bodies.rate;
     state_.joints = *mode;
     fresh_.mark(touching, joined, state_.joints, time());
     const bool stays = same_modes(touching, *mode) && same_modes(joints, *mode) &&
                        std::ranges::all_of(*mode, [](const Joint<Real>& joint) { return joint.slip == 0; });
-    if (placed && stays) {
+    if (on_joints && stays) {
       // The contacts that hold them are known.
       const FreeVector<Real> velocities = vector_of(rates);
       state_.bodies.rate = poses_of<Real>(respond(*contacts, *mode, &velocities).motion);
       place(stack_, state_.joints, state_.bodies);
     } else {
-      hold();
+      project_onto_joints();
     }
     if (!same_modes(before, state_.joints))
       note(kind_of(before, state_.joints), lowest_change(before, state_.joints), springs_.shown(before),
            rates, others ? Consistency::several : Consistency::consistent);
   }
 
-  /// Calls turn() of contact_decision.hpp, which chatter does not come to.
-  bool turn(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, Joints<Real>& mode) {
+  /// Calls choose_branch() of contact_decision.hpp, which chatter does not come to.
+  bool choose_branch(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, Joints<Real>& mode) {
     const bool follows = branching_ != nullptr && event_limit_.burst() <= longest_followed_burst;
-    return rockstack::turn(contacts, joints, springs_, time(), follows ? branching_ : nullptr, mode);
+    return rockstack::choose_branch(contacts, joints, springs_, time(), follows ? branching_ : nullptr, mode);
   }
 
   /// The impulse that lets the motion go on where no forces do: that of a vanishing step of Moreau's.
@@ -250,8 +255,8 @@ class ContactSolver {
   }
 
   /// Without rigid contacts; springs have bodies where they are at that time.
-  FreeVector<Real> free_acceleration(const Real& later, const Bodies<Real>& bodies) const {
-    const Point<Real> ground = pieces_.current().at(pieces_.offset() + later);
+  FreeVector<Real> free_acceleration(const Real& time_ahead, const Bodies<Real>& bodies) const {
+    const Point<Real> ground = pieces_.current().at(pieces_.offset() + time_ahead);
     FreeVector<Real> result = uniform<Real>(stack_.size(), -ground.x(), -(across_ + ground.y()));
     if (!springs_.empty()) result += springs_.accelerations(bodies);
     return result;
@@ -278,7 +283,7 @@ class ContactSolver {
   ContactModel<Real> smooth_;  ///< the stack without friction
   GroundPieces<Real> pieces_;
   ContactChatter<Real> chatter_;
-  FreshJoints<Real> fresh_;
+  RecentChanges<Real> fresh_;
   std::vector<Real> toppling_angles_;
   Real across_{};   ///< gravity across the ground, m/s²
   Real unit_time_;  ///< √(H/g), s

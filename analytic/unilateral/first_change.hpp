@@ -6,9 +6,9 @@ namespace rockstack {
 
 /// Which joints have just parted or started to slide from rest by a decision: their guards start at zero.
 template <class Real>
-class FreshJoints {
+class RecentChanges {
  public:
-  explicit FreshJoints(std::size_t size) : joints_(size) {}
+  explicit RecentChanges(std::size_t size) : joints_(size) {}
 
   /// A decision from `joined` joints, `before` before it. What returns to its joint has not parted.
   void mark(const Joints<Real>& before, const Joints<Real>& joined, const Joints<Real>& after,
@@ -124,7 +124,7 @@ bool ends_step(const ModeSeries<Real>& series, const Guard<Real>& guard, const R
 /// The changes that end a step. Guards that a decision at `time` starts at zero are seen from `skipped` on.
 template <class Real>
 FirstChange<Real> first_change(std::vector<Guard<Real>> guards, const ModeSeries<Real>& series,
-                               const FreshJoints<Real>& fresh, const Real& time, bool decided,
+                               const RecentChanges<Real>& fresh, const Real& time, bool decided,
                                const Real& skipped) {
   FirstChange<Real> found;
   for (Guard<Real>& guard : guards) {

@@ -264,7 +264,7 @@ void add_parts(const Scene& scene, const History& exact, const CandidateMotion& 
 
 void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateMotion& candidate,
                         double horizon, RunMetrics& row, RunFiles& files) {
-  const Wanted& wanted = suite.wanted;
+  const ResultSelection& wanted = suite.wanted;
   const History& history = candidate.history;
   const History exact = exact_motion(scene, history.times);
   const Difference apart = difference(exact, history);

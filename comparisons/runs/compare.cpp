@@ -50,15 +50,15 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
     cells[{nominal.scene, *nominal.dt}].push_back(&one);
   }
   for (const auto& [cell, own] : cells)
-    for (const RankedSet& set : rank_all(each_of(own, [](const ReplicatedRow* row) { return *row; })))
+    for (const RankedSet& set : rank_all(mapped(own, [](const ReplicatedRow* row) { return *row; })))
       for (ReplicatedRow* one : own)
         if (set_name(*one) == set_name(set) && one->status == RunStatus::done) one->rank = set.rank;
   return reported;
 }
 
 /// Tells rows as CompareOptions has them, those that are told together the nearest first. Keeps references.
-auto row_teller(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
-                const CompareOptions& options) {
+auto row_reporter(const std::vector<Job>& jobs, const std::vector<JudgedScene>& scenes,
+                  const CompareOptions& options) {
   struct Cell {
     std::size_t left = 0;  ///< rows that are still to come
     std::vector<RunWithReplicates> rows = {};
@@ -138,7 +138,7 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
                     {"page", page_text(scene.document, scene.scene)}});
       json["scenes"].push_back(std::move(entry));
     }
-  json["title"] = fmt::format("{}", fmt::join(each_of(suites, &Suite::title), "; "));
+  json["title"] = fmt::format("{}", fmt::join(mapped(suites, &Suite::title), "; "));
   json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
@@ -209,7 +209,7 @@ CompareResult compare(const std::vector<Suite>& suites, const std::filesystem::p
   require_comparable(suites);
   const std::vector<Job> jobs = jobs_of(suites);
   const std::vector<JudgedScene> scenes = judged_scenes(suites);
-  const auto [made, reused] = carry_out(jobs, folder, executor, options, row_teller(jobs, scenes, options));
+  const auto [made, reused] = carry_out(jobs, folder, executor, options, row_reporter(jobs, scenes, options));
   ComparisonEvidence evidence{reported_rows(made, scenes), {}, {}};
   CompareResult result{{evidence.rows.begin(), evidence.rows.end()}, reused, {}};
   evidence.fits = fit_runs(result.rows);

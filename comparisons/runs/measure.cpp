@@ -77,7 +77,7 @@ void add_history(const History& history, RunFiles& files) {
 }
 
 /// Writes the files of one motion by itself; what shows it needs the scene as it was run.
-void write_motion(const NamedScene& scene, const History& history, const Support& support, Json summary,
+void write_motion(const NamedScene& scene, const History& history, const SupportLoss& support, Json summary,
                   RunFiles files, const std::filesystem::path& folder) {
   add_history(history, files);
   if (!scene.scene.horizontal.empty() || !scene.scene.vertical.empty())
@@ -290,10 +290,11 @@ BranchTree solve_branches_into(const SolveJob& job, std::size_t most) {
   return tree;
 }
 
-std::pair<History, Support> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                                          const std::filesystem::path& folder, const std::string& command) {
+std::pair<History, SupportLoss> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                                              const std::filesystem::path& folder,
+                                              const std::string& command) {
   auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters, {}, true);
-  const Support support = support_of(bodies->penetration, bodies->unsupported_since);
+  const SupportLoss support = support_of(bodies->penetration, bodies->unsupported_since);
   RunMetrics row = describe({{}, scene, dt, &series});
   row.steps = static_cast<int>(history.size() - 1);
   row.warnings = static_cast<int>(warnings);

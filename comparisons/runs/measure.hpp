@@ -84,7 +84,8 @@ BranchTree solve_branches_into(const SolveJob& job, std::size_t most);
 /// Runs one engine and writes the same files, with patterns as its angles tell them (sampled_patterns());
 /// an engine reports no events, so events.csv has its header alone. Returns how its blocks end on what they
 /// stand on as well.
-std::pair<History, Support> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                                          const std::filesystem::path& folder, const std::string& command);
+std::pair<History, SupportLoss> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
+                                              const std::filesystem::path& folder,
+                                              const std::string& command);
 
 }  // namespace rockstack

@@ -17,7 +17,7 @@ Verdict verdict(bool holds) {
 
 /// "exact 1.0, bullet 1.1, ode 1.2" for a number of each answer.
 std::string each(const std::vector<Answer>& answers, const std::function<double(const History&)>& value) {
-  return text_of_each(
+  return joined_texts(
       answers, [&](const Answer& one) { return fmt::format("{} {:.4g}", one.name, value(one.history)); },
       ", ");
 }
@@ -110,14 +110,14 @@ Statement amplitudes(const Evidence& evidence) {
   bool falls = list.size() > 4 && list[1].peak > list[0].peak;
   for (std::size_t i = 2; i < 5 && falls; ++i) falls = list[i].peak < list[i - 1].peak;
   const auto first_four = [](const Answer& answer) {
-    std::vector<double> peaks = each_of(swings(answer.history, top), &Swing::peak);
+    std::vector<double> peaks = mapped(swings(answer.history, top), &Swing::peak);
     peaks.resize(std::min<std::size_t>(peaks.size(), 4));
     return fmt::format("{} {:.4f}", answer.name, fmt::join(peaks, " "));
   };
   return {
       "Fig. 18", "The top block's swings get smaller, except the second.", verdict(falls),
       "the second peak is larger than the first, each later one (to the fifth) smaller than the one before",
-      fmt::format("first four peaks, rad: {}", text_of_each(evidence.free_answers, first_four, ", "))};
+      fmt::format("first four peaks, rad: {}", joined_texts(evidence.free_answers, first_four, ", "))};
 }
 
 Statement angle_at_one_second(const Evidence& evidence) {

@@ -79,7 +79,7 @@ std::string band_csv(const std::vector<double>& times, std::size_t blocks,
   for (std::size_t i = 0; i < shortest->size() / blocks; ++i) {
     csv.add(fmt::format("{:.7g}", times[i]));
     for (std::size_t k = 0; k < blocks; ++k) {
-      const auto values = each_of(motions, [&](const auto& angles) { return angles[i * blocks + k]; });
+      const auto values = mapped(motions, [&](const auto& angles) { return angles[i * blocks + k]; });
       for (const double share : {lower, upper}) csv.add(fmt::format("{:.7g}", quantile(values, share)));
     }
     csv.end_line();

@@ -55,7 +55,7 @@ Json fields_of(const GroundMotion& motion) {
 Json fields_of(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
                point_restitution, restitution_law, springs, initial, horizontal, vertical, engine] = scene;
-  const Json each = each_of(blocks, [](const Block& block) -> Json {
+  const Json each = mapped(blocks, [](const Block& block) -> Json {
     const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
     return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
   });

@@ -20,7 +20,7 @@ std::vector<double> read_steps(const Node& table) {
 std::vector<std::string> read_settings(const Node& table) {
   const Node* node = find(table, "settings");
   if (node == nullptr) return {"default", "tuned"};
-  return each_of(entries(*node, "an array of \"default\" and \"tuned\""), [](const Node& child) {
+  return mapped(entries(*node, "an array of \"default\" and \"tuned\""), [](const Node& child) {
     return choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}});
   });
 }

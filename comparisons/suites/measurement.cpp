@@ -14,7 +14,7 @@ namespace {
 
 std::vector<std::string> names_of_columns(const Node& node) {
   if (node.kind != Node::Kind::array) return {text(node)};
-  return each_of(entries(node, "a name of a column for each block"), text);
+  return mapped(entries(node, "a name of a column for each block"), text);
 }
 
 /// Factor to rad or m that the key `unit` says.
@@ -33,7 +33,7 @@ std::size_t column_named(const records::RecordTable& table, const std::string& n
         table.cursor.fail_at(table.title_line, fmt::format("several columns are {}: must be one", name));
       return static_cast<std::size_t>(found - titles.begin());
     }
-  const auto names = each_of(titles, [](const records::Title& title) { return title.text; });
+  const auto names = mapped(titles, [](const records::Title& title) { return title.text; });
   table.cursor.fail_at(table.title_line,
                        fmt::format("no column {}; its titles are {}", name,
                                    names.empty() ? "missing" : fmt::format("{}", fmt::join(names, ", "))));

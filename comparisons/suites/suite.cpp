@@ -45,24 +45,24 @@ std::vector<Variant> read_variants(const Node& array) {
   return variants;
 }
 
-constexpr std::initializer_list<std::pair<const char*, bool Wanted::*>> result_names{
-    {"angles", &Wanted::angles},
-    {"impacts", &Wanted::impacts},
-    {"patterns", &Wanted::patterns},
-    {"bodies", &Wanted::bodies},
-    {"histories", &Wanted::histories}};
+constexpr std::initializer_list<std::pair<const char*, bool ResultSelection::*>> result_names{
+    {"angles", &ResultSelection::angles},
+    {"impacts", &ResultSelection::impacts},
+    {"patterns", &ResultSelection::patterns},
+    {"bodies", &ResultSelection::bodies},
+    {"histories", &ResultSelection::histories}};
 
-Wanted read_wanted(const Node& array) {
-  Wanted wanted{false, false, false, false, false};
+ResultSelection read_results(const Node& array) {
+  ResultSelection wanted{false, false, false, false, false};
   for (const Node& child : entries(array, "an array of at least one name, e.g. [\"angles\"]")) {
-    bool& one = wanted.*choice<bool Wanted::*>(child, result_names);
+    bool& one = wanted.*choice<bool ResultSelection::*>(child, result_names);
     if (one) throw wrong_value(child, "named once");
     one = true;
   }
   return wanted;
 }
 
-bool read_softness(const Node& node, const Wanted& wanted) {
+bool read_softness(const Node& node, const ResultSelection& wanted) {
   const bool softness = choice<bool>(node, {{"whole", false}, {"split", true}});
   if (softness && !wanted.bodies)
     throw wrong_value(node, "\"whole\" where `results` leaves out \"bodies\", which tell contacts");
@@ -90,7 +90,7 @@ struct SceneChange {
 /// An error of one of them names where it stands in the suite.
 NamedScene read_changed_scene(const std::filesystem::path& file, const SceneChange& change) {
   try {
-    return read_named_scene(file, each_of(change.overrides, [](const auto& one) { return one.first; }));
+    return read_named_scene(file, mapped(change.overrides, [](const auto& one) { return one.first; }));
   } catch (const InputError& error) {
     const std::string message = error.what();
     for (const auto& [text, place] : change.overrides)
@@ -167,7 +167,7 @@ std::string Variant::name() const {
   return names.at(static_cast<std::size_t>(choice));
 }
 
-std::vector<std::string> names_of(const Wanted& wanted) {
+std::vector<std::string> names_of(const ResultSelection& wanted) {
   std::vector<std::string> names;
   for (const auto& [name, field] : result_names)
     if (wanted.*field) names.emplace_back(name);
@@ -223,7 +223,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   }
   if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
   if (const Node* node = find(root, "repeats")) suite.repeats = static_cast<int>(whole_number(*node, 1));
-  if (const Node* node = find(root, "results")) suite.wanted = read_wanted(*node);
+  if (const Node* node = find(root, "results")) suite.wanted = read_results(*node);
   if (const Node* node = find(root, "softness")) suite.softness = read_softness(*node, suite.wanted);
   if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
   if (const Node* table = find(root, "draws")) suite.replicates = read_replicates(*table);

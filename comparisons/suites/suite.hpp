@@ -119,7 +119,7 @@ struct PaperScenes {
 };
 
 /// Which results a suite asks for of each run; what is not asked for is not computed.
-struct Wanted {
+struct ResultSelection {
   bool angles = true;     ///< differences of angles, and how still a stack at rest is
   bool impacts = true;    ///< impacts and settlings side by side; impacts.csv
   bool patterns = true;   ///< shares of time; patterns.csv
@@ -128,7 +128,7 @@ struct Wanted {
 };
 
 /// The names of those that are wanted, as suite files have them.
-std::vector<std::string> names_of(const Wanted& wanted);
+std::vector<std::string> names_of(const ResultSelection& wanted);
 
 /// What `compare` runs: every scene on the exact solver, on its variants and on every series.
 struct Suite {
@@ -139,7 +139,7 @@ struct Suite {
   std::vector<std::string> left_out;      ///< engines that it asks for and this build leaves out
   std::optional<PaperScenes> statements;  ///< where the suite is held against what the paper says
   double tolerance = 0.01;                ///< up to which histories agree, rad
-  Wanted wanted;
+  ResultSelection wanted;
   Perturbations perturbations;     ///< none unless asked for
   Replicates replicates;           ///< behind each number of an engine
   int repeats = 5;                 ///< timed runs after the warm-up

@@ -187,13 +187,18 @@ std::vector<Engine> make_box2d() {
         .capabilities = {.single_precision = true, .planar = true},
         .settings =
             {count_setting("velocityIterations", 8, 50),
-             {.name = "positionIterations", .standard = 3, .most = 1e6, .whole = true},
+             {.name = "positionIterations", .default_value = 3, .most = 1e6, .whole = true},
              switch_setting("warmStarting", true, true),
              switch_setting("continuousPhysics", true, false),
-             {.name = "polygonRadius", .standard = b2_polygonRadius, .tuned = 0, .most = 1e3},
+             {.name = "polygonRadius", .default_value = b2_polygonRadius, .tuned = 0, .most = 1e3},
              {.name = "restitution", .most = 1, .role = SettingRole::restitution},
-             {.name = "restitutionThreshold", .standard = 1, .role = SettingRole::restitution_threshold},
-             {.name = "lengthUnit", .unit = "m", .standard = 1, .tuned = 0.02, .least = 1e-6, .most = 1e6},
+             {.name = "restitutionThreshold", .default_value = 1, .role = SettingRole::restitution_threshold},
+             {.name = "lengthUnit",
+              .unit = "m",
+              .default_value = 1,
+              .tuned = 0.02,
+              .least = 1e-6,
+              .most = 1e6},
              shaking_setting()}},
        [](const Setup& setup, const Parameters& parameters) {
          return std::make_unique<Box2DSimulation>(setup, parameters);

@@ -33,25 +33,28 @@ std::vector<Setting> settings_of(BulletSolver solver) {
   const Tuned tuned = tuned_for(solver);
   std::vector<Setting> settings{
       count_setting("numIterations", 10, tuned.iterations),
-      {.name = "erp2", .standard = 0.2, .tuned = tuned.erp2, .most = 1},
+      {.name = "erp2", .default_value = 0.2, .tuned = tuned.erp2, .most = 1},
       {.name = "globalCfm", .tuned = tuned.cfm},
-      {.name = "sor", .standard = 1, .most = 2},
+      {.name = "sor", .default_value = 1, .most = 2},
       switch_setting("splitImpulse", true, tuned.split),
       {.name = "splitImpulsePenetrationThreshold",
        .unit = "m",
-       .standard = -0.04F,
+       .default_value = -0.04F,
        .tuned = 0,
        .least = -std::numeric_limits<double>::infinity()},
-      {.name = "splitImpulseTurnErp", .standard = 0.1F, .most = 1},
+      {.name = "splitImpulseTurnErp", .default_value = 0.1F, .most = 1},
       {.name = "linearSlop", .unit = "m", .least = -1, .most = 1},
-      {.name = "warmstartingFactor", .standard = 0.85, .tuned = tuned.warmstarting, .most = 1},
-      {.name = "solverMode", .standard = SOLVER_USE_WARMSTARTING | SOLVER_SIMD, .most = 8191, .whole = true},
+      {.name = "warmstartingFactor", .default_value = 0.85, .tuned = tuned.warmstarting, .most = 1},
+      {.name = "solverMode",
+       .default_value = SOLVER_USE_WARMSTARTING | SOLVER_SIMD,
+       .most = 8191,
+       .whole = true},
       {.name = "leastSquaresResidualThreshold"},
-      {.name = "contactBreakingThreshold", .standard = 0.02, .tuned = tuned.breaking},
+      {.name = "contactBreakingThreshold", .default_value = 0.02, .tuned = tuned.breaking},
       {.name = "restitution", .most = 1, .role = SettingRole::restitution},
       {.name = "restitutionVelocityThreshold",
        .unit = "m/s",
-       .standard = 0.2F,
+       .default_value = 0.2F,
        .role = SettingRole::restitution_threshold},
       {.name = "unitMass", .unit = "kg", .tuned = tuned.unit_mass, .most = 1e12},
       {.name = "ground", .choices = {"box", "plane"}},
@@ -59,12 +62,12 @@ std::vector<Setting> settings_of(BulletSolver solver) {
       {.name = "contactStiffness", .unit = "N/m", .most = stiffest},
       {.name = "contactDamping", .unit = "N s/m", .most = stiffest},
       switch_setting("frictionAnchor", false, false),
-      {.name = "frictionERP", .standard = 0.2F, .most = 1},
+      {.name = "frictionERP", .default_value = 0.2F, .most = 1},
       shaking_setting(),
   };
   if (solver == BulletSolver::mlcp_lemke) {
     settings.push_back(count_setting("maxLoops", 1000, 1000));
-    settings.push_back({.name = "maxValue", .standard = 100000});
+    settings.push_back({.name = "maxValue", .default_value = 100000});
   }
   return settings;
 }

@@ -42,7 +42,7 @@ ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt) {
   const Setup setup = set_up(scene, dt, adapter.parameters);
   Trajectory trajectory = adapter.run(setup, adapter.parameters);
   std::vector<BodyState> bodies = trajectory.bodies;
-  return {account_of(scene, setup, std::move(trajectory), false).history, std::move(bodies)};
+  return {engine_run_of(scene, setup, std::move(trajectory), false).history, std::move(bodies)};
 }
 
 const std::vector<Check>& checks() {

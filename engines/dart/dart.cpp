@@ -186,17 +186,17 @@ std::vector<Setting> settings_of(DartSolver solver) {
   std::vector<Setting> settings{
       {.name = "collisionDetector", .choices = {"fcl", "dart"}, .tuned = 1},
       {.name = "ErrorAllowance", .unit = "m"},
-      {.name = "ErrorReductionParameter", .standard = 0.01, .most = 1},
-      {.name = "MaxErrorReductionVelocity", .unit = "m/s", .standard = 1e-3},
-      {.name = "ConstraintForceMixing", .standard = 1e-5, .least = 1e-9, .most = 1},
+      {.name = "ErrorReductionParameter", .default_value = 0.01, .most = 1},
+      {.name = "MaxErrorReductionVelocity", .unit = "m/s", .default_value = 1e-3},
+      {.name = "ConstraintForceMixing", .default_value = 1e-5, .least = 1e-9, .most = 1},
       {.name = "RestitutionCoeff", .most = 1, .role = SettingRole::restitution},
       {.name = "unitMass", .unit = "kg", .most = 1e12},
       shaking_setting(),
   };
   if (solver == DartSolver::pgs) {
     settings.push_back(count_setting("MaxIteration", 30, 300));
-    settings.push_back({.name = "DeltaXThreshold", .unit = "N s", .standard = 1e-6});
-    settings.push_back({.name = "RelativeDeltaXTolerance", .standard = 1e-3, .tuned = 1e-6, .most = 1});
+    settings.push_back({.name = "DeltaXThreshold", .unit = "N s", .default_value = 1e-6});
+    settings.push_back({.name = "RelativeDeltaXTolerance", .default_value = 1e-3, .tuned = 1e-6, .most = 1});
   }
   return settings;
 }

@@ -120,16 +120,19 @@ class Springs final : public ShakenSimulation {
 }  // namespace
 
 int main() {
-  return serve(
-      {{{.name = "springs",
-         .solver = "euler",
-         .version = "1",
-         .licence = "same as rockstack",
-         .capabilities = {.planar = true, .lead = 0.5 / parts},
-         .settings =
-             {{.name = "sinking", .unit = "m", .standard = 1e-4, .tuned = 1e-6, .least = 1e-9, .most = 1},
-              {.name = "dampingRatio", .standard = 0.5, .tuned = 2, .most = 10}}},
-        [](const Setup& setup, const Parameters& parameters) {
-          return std::make_unique<Springs>(setup, parameters);
-        }}});
+  return serve({{{.name = "springs",
+                  .solver = "euler",
+                  .version = "1",
+                  .licence = "same as rockstack",
+                  .capabilities = {.planar = true, .lead = 0.5 / parts},
+                  .settings = {{.name = "sinking",
+                                .unit = "m",
+                                .default_value = 1e-4,
+                                .tuned = 1e-6,
+                                .least = 1e-9,
+                                .most = 1},
+                               {.name = "dampingRatio", .default_value = 0.5, .tuned = 2, .most = 10}}},
+                 [](const Setup& setup, const Parameters& parameters) {
+                   return std::make_unique<Springs>(setup, parameters);
+                 }}});
 }

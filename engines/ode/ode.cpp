@@ -94,7 +94,7 @@ class OdeSimulation final : public ShakenSimulation {
   std::size_t warnings() const override { return warnings_; }
 
   std::vector<ContactPoint> contacts() const override {
-    return each_of(touches_, [this](const Touch& touch) { return point_of(touch); });
+    return mapped(touches_, [this](const Touch& touch) { return point_of(touch); });
   }
 
  private:
@@ -252,11 +252,11 @@ class OdeSimulation final : public ShakenSimulation {
 std::vector<Setting> settings_of(OdeSolver solver) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   std::vector<Setting> settings{
-      {.name = "erp", .standard = 0.2, .tuned = 0.01, .most = 1},
-      {.name = "cfm", .unit = "s/kg", .standard = 1e-10, .tuned = 1e-6},
+      {.name = "erp", .default_value = 0.2, .tuned = 0.01, .most = 1},
+      {.name = "cfm", .unit = "s/kg", .default_value = 1e-10, .tuned = 1e-6},
       {.name = "contactSurfaceLayer", .unit = "m"},
-      {.name = "contactMaxCorrectingVel", .unit = "m/s", .standard = endless},
-      {.name = "maxContacts", .standard = 8, .least = 1, .most = 64, .whole = true},
+      {.name = "contactMaxCorrectingVel", .unit = "m/s", .default_value = endless},
+      {.name = "maxContacts", .default_value = 8, .least = 1, .most = 64, .whole = true},
       switch_setting("contactApprox1", true, true),
       switch_setting("contactMu2", false, true),
       switch_setting("finiteRotationMode", false, false),
@@ -271,7 +271,7 @@ std::vector<Setting> settings_of(OdeSolver solver) {
   };
   if (solver == OdeSolver::quickstep) {
     settings.push_back(count_setting("quickStepNumIterations", 20, 100));
-    settings.push_back({.name = "quickStepW", .standard = 1.3, .most = 2});
+    settings.push_back({.name = "quickStepW", .default_value = 1.3, .most = 2});
     settings.push_back({.name = "randomSeed", .most = 4294967295.0, .whole = true});
   }
   return settings;

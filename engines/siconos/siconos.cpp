@@ -9,12 +9,12 @@ std::unique_ptr<Simulation> start_siconos(const Setup& setup, const Parameters& 
 
 std::vector<Engine> make_siconos() {
   const std::vector<Setting> settings{
-      {.name = "theta", .standard = 0.5, .most = 1},
-      {.name = "gamma", .standard = 0.5, .most = 1},
+      {.name = "theta", .default_value = 0.5, .most = 1},
+      {.name = "gamma", .default_value = 0.5, .most = 1},
       {.name = "constraintActivationThreshold", .unit = "m", .tuned = 1e-9},
-      {.name = "SICONOS_DPARAM_TOL", .standard = 1e-4, .tuned = 1e-12, .most = 1},
+      {.name = "SICONOS_DPARAM_TOL", .default_value = 1e-4, .tuned = 1e-12, .most = 1},
       {.name = "SICONOS_IPARAM_MAX_ITER",
-       .standard = 1e3,
+       .default_value = 1e3,
        .tuned = 1e4,
        .least = 1,
        .most = 1e9,

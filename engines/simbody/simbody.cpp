@@ -15,13 +15,17 @@ std::vector<Engine> make_simbody() {
         .version = SIMBODY_VERSION ", double precision",
         .licence = "Apache-2.0",
         .capabilities = {.planar = true, .lead = 0},
-        .settings =
-            {{.name = "integrator", .choices = {"CPodes", "RungeKuttaMerson", "RungeKutta3", "Verlet"}},
-             {.name = "accuracy", .standard = 1e-3, .tuned = 1e-7, .least = 1e-12, .most = 0.1},
-             {.name = "stiffness", .unit = "N/m", .standard = 1e8, .least = 1e-18, .most = 1e18},
-             {.name = "dissipation", .unit = "s/m", .standard = 1, .tuned = 5e4},
-             {.name = "transition_velocity", .unit = "m/s", .standard = 0.01, .tuned = 1e-4, .least = 1e-12},
-             {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12}}},
+        .settings = {{.name = "integrator",
+                      .choices = {"CPodes", "RungeKuttaMerson", "RungeKutta3", "Verlet"}},
+                     {.name = "accuracy", .default_value = 1e-3, .tuned = 1e-7, .least = 1e-12, .most = 0.1},
+                     {.name = "stiffness", .unit = "N/m", .default_value = 1e8, .least = 1e-18, .most = 1e18},
+                     {.name = "dissipation", .unit = "s/m", .default_value = 1, .tuned = 5e4},
+                     {.name = "transition_velocity",
+                      .unit = "m/s",
+                      .default_value = 0.01,
+                      .tuned = 1e-4,
+                      .least = 1e-12},
+                     {.name = "unitMass", .unit = "kg", .tuned = 1, .most = 1e12}}},
        start_simbody}};
 }
 

@@ -38,7 +38,7 @@ void check_setting(const Setting& setting) {
           "letters, digits, '_', '-' and '.', at most 60");
   require(is_line(setting.unit), "unit", setting.name, "one line");
   require(setting.least <= setting.most, "least", setting.name, "at most `most`");
-  for (const double value : {setting.standard, setting.tuned})
+  for (const double value : {setting.default_value, setting.tuned})
     require(setting.allows(value), setting.name.c_str(), fmt::format("{}", value), "within its own range");
   const auto count = static_cast<double>(setting.choices.size());
   require(setting.choices.empty() || (setting.whole && setting.least == 0 && setting.most == count - 1),

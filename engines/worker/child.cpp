@@ -169,8 +169,8 @@ bool Allowance::lasts(std::chrono::microseconds wait) {
   const auto passed =
       std::min<std::chrono::steady_clock::duration>(now - std::exchange(last_, now), 10 * wait);
   clock_ += std::chrono::duration<double>(passed).count();
-  unwanted_ = asked_ != nullptr && (*asked_)();
-  return !unwanted_ && (clock_ < limit_ || used() < limit_);
+  cancelled_ = asked_ != nullptr && (*asked_)();
+  return !cancelled_ && (clock_ < limit_ || used() < limit_);
 }
 
 /// The clock's time less what the session waited for processors; no less than the time it had them.
@@ -248,8 +248,8 @@ ProcessEnd Child::finish(const Allowance& time) {
   ProcessEnd end;
   const bool ended = has_ended();
   if (!ended) {
-    end.unwanted = time.unwanted();
-    end.timed_out = !end.unwanted;
+    end.cancelled = time.cancelled();
+    end.timed_out = !end.cancelled;
     end.stopped = is(WSTOPPED, number_);
   }
   kill_session(number_);

@@ -20,15 +20,15 @@ struct Limits {
   /// While this process runs, s: by the clock, also where the worker sleeps or is stopped, less what it
   /// waited for processors that others had; may be infinite.
   double time = 600;
-  std::uint64_t memory = std::uint64_t{4} << 30;    ///< bytes
-  std::uint64_t reply = std::uint64_t{16} << 20;    ///< bytes of its reply, as of any file that it writes
-  const std::function<bool()>* unwanted = nullptr;  ///< asked every few ms: true ends the run; null: none
+  std::uint64_t memory = std::uint64_t{4} << 30;     ///< bytes
+  std::uint64_t reply = std::uint64_t{16} << 20;     ///< bytes of its reply, as of any file that it writes
+  const std::function<bool()>* cancelled = nullptr;  ///< asked every few ms: true ends the run; null: none
 };
 
 /// How a process ended, or answered.
 struct ProcessEnd {
   bool timed_out = false;     ///< and was killed for it
-  bool unwanted = false;      ///< likewise
+  bool cancelled = false;     ///< of Limits, was true
   bool stopped = false;       ///< by a signal, and not going on, when it was killed
   int signal = 0;             ///< that ended it otherwise; 0: none did
   int exit_code = 0;          ///< where it ended by itself
@@ -81,9 +81,9 @@ class Allowance {
  public:
   /// `before`: what its session was given for something else.
   Allowance(pid_t session, const Limits& limits, Scheduled before = {})
-      : session_(session), limit_(limits.time), asked_(limits.unwanted), before_(before) {}
+      : session_(session), limit_(limits.time), asked_(limits.cancelled), before_(before) {}
 
-  bool unwanted() const { return unwanted_; }
+  bool cancelled() const { return cancelled_; }
 
   /// Counts the time since the last call, in which this process meant to wait for `wait` at most.
   /// @return whether any is left, for what is still wanted.
@@ -97,7 +97,7 @@ class Allowance {
   const std::function<bool()>* asked_;
   Scheduled before_;
   double clock_ = 0;
-  bool unwanted_ = false;
+  bool cancelled_ = false;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

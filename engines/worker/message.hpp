@@ -95,7 +95,7 @@ Object read_object(const nlohmann::json& object, const std::array<Named<Object>,
 template <class Object, std::size_t Count>
 void write_columns(nlohmann::json& object, const std::vector<Object>& list,
                    const std::array<Named<Object>, Count>& fields, Form form) {
-  for (const auto& [name, member] : fields) object[name] = to_field(each_of(list, member), form);
+  for (const auto& [name, member] : fields) object[name] = to_field(mapped(list, member), form);
 }
 
 template <class Object, std::size_t Count>

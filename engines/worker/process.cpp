@@ -11,9 +11,9 @@
 namespace rockstack {
 namespace {
 
-/// Between looks at a child: often where it may be unwanted.
+/// Between looks at a child: often where it may be cancelled.
 std::chrono::milliseconds tick_of(const Limits& limits) {
-  return std::chrono::milliseconds(limits.unwanted != nullptr ? 5 : 50);
+  return std::chrono::milliseconds(limits.cancelled != nullptr ? 5 : 50);
 }
 
 /// Waits for a tick at most until the socket takes some of what is left of a question, or has more of a
@@ -83,7 +83,7 @@ ProcessEnd LastingProcess::ask(std::string_view question, const Limits& limits) 
     if (!open) child_.wait_for_end(time, tick);
     end = child_.finish(time);
     if (too_long) {
-      end.timed_out = end.unwanted = false;
+      end.timed_out = end.cancelled = false;
       end.signal = SIGXFSZ;
     }
   }

@@ -136,7 +136,7 @@ std::string joined(const std::vector<std::string>& names) {
 /// All engines of a program. @throws InputError where it is no worker, with the reason.
 std::vector<const WorkerEngine*> all_engines_at(const fs::path& program) {
   try {
-    return each_of(engines_at(fs::absolute(program)), [](const WorkerEngine& engine) { return &engine; });
+    return mapped(engines_at(fs::absolute(program)), [](const WorkerEngine& engine) { return &engine; });
   } catch (const std::exception& error) {
     throw InputError(
         fmt::format("worker = {}: must be a worker program; {}", program.string(), error.what()));
@@ -220,7 +220,7 @@ const WorkerEngine& find_engine(const std::string& name) {
       fs::is_regular_file(file, ignored) ? fmt::format("; for the file in this folder write ./{}", name) : "";
   for (const WorkerEngine& engine : engines_called(file))
     if (name == engine.name || name == engine.full_name()) return engine;
-  std::vector<std::string> there = each_of(engines(), &WorkerEngine::full_name);
+  std::vector<std::string> there = mapped(engines(), &WorkerEngine::full_name);
   std::vector<std::string> words = there;
   for (const WorkerEngine& engine : engines()) words.push_back(engine.name);
   for (const BrokenWorker& broken : broken_workers())

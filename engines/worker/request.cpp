@@ -42,7 +42,7 @@ constexpr std::array<Named<BodyState>, 2> out_of_plane_fields{
 constexpr std::array<Named<ContactImpact>, 3> impact_fields{
     {{"time", &ContactImpact::time}, {"speed", &ContactImpact::speed}, {"after", &ContactImpact::after}}};
 
-constexpr std::array<Named<Setting>, 4> setting_fields{{{"default", &Setting::standard},
+constexpr std::array<Named<Setting>, 4> setting_fields{{{"default", &Setting::default_value},
                                                         {"tuned", &Setting::tuned},
                                                         {"least", &Setting::least},
                                                         {"most", &Setting::most}}};

@@ -29,7 +29,7 @@ RunReply stopped() {
 
 /// Why there is no reply.
 RunReply explain(const ProcessEnd& end, const Limits& limits) {
-  if (end.unwanted) return stopped();
+  if (end.cancelled) return stopped();
   if (end.signal == SIGXFSZ && !end.timed_out)
     return {"failed", fmt::format("its reply is longer than {} bytes", limits.reply)};
   const char* status = end.timed_out ? "time limit" : end.signal != 0 ? "signal" : "failed";
@@ -107,7 +107,7 @@ RunReply answer_of(const ProcessEnd& end, const WorkerEngine& engine, const Ques
                    const Limits& limits) {
   RunReply answer;
   try {
-    const bool silent = end.unwanted || end.timed_out || end.signal != 0 || end.exit_code != 0;
+    const bool silent = end.cancelled || end.timed_out || end.signal != 0 || end.exit_code != 0;
     answer = silent ? explain(end, limits) : read_run(end.reply, questions);
   } catch (const std::exception& error) {
     const std::string reason =
@@ -133,7 +133,7 @@ thread_local Kept kept;
 /// True for a run that need not have a process of its own: nobody takes its time, and nobody may stop it.
 bool may_share(const WorkerEngine& engine, const RunRequest& asked, const Limits& limits) {
   return engine.runs_per_process > 1 && engine.form == Form::json && asked.repeats == 0 &&
-         limits.unwanted == nullptr;
+         limits.cancelled == nullptr;
 }
 
 RunReply ask_kept(const WorkerEngine& engine, RunRequest& asked, const Limits& limits) {
@@ -154,7 +154,7 @@ RunReply ask_kept(const WorkerEngine& engine, RunRequest& asked, const Limits& l
 RunReply ask(const WorkerEngine& engine, RunRequest& asked, Limits limits) {
   limits.reply = reply_limit(asked);
   if (!may_share(engine, asked, limits)) {
-    const std::string question = to_bytes(asked, engine.form, limits.unwanted);
+    const std::string question = to_bytes(asked, engine.form, limits.cancelled);
     return answer_of(run_process(engine.program, question, limits), engine, {asked}, limits);
   }
   double spent = 0;
@@ -184,7 +184,7 @@ RunReply ask(const WorkerEngine& engine, const Scene& scene, double dt, const Pa
       return {"memory limit",
               fmt::format("{:.4g} steps of a shaken ground: a worker takes {:.3g} GB to read them, of {:.3g}",
                           step_count(scene.duration, dt), memory * 1e-9, most * 1e-9)};
-    asked.setup = set_up(scene, dt, parameters, limits.unwanted);
+    asked.setup = set_up(scene, dt, parameters, limits.cancelled);
     return ask(engine, asked, limits);
   } catch (const Stopped&) {
     return stopped();
@@ -228,7 +228,7 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
   if (result.status != "done") return result;
   const std::size_t steps = run.trajectory.angles.size() / scene.blocks.size() - 1;
   result.cold = run.warm_up.value_or(steps) < asked.warm_up;
-  result.run = account_of(scene, asked.setup, std::move(run.trajectory), bodies);
+  result.run = engine_run_of(scene, asked.setup, std::move(run.trajectory), bodies);
   result.seconds = std::move(run.seconds);
   return result;
 }

@@ -71,10 +71,10 @@ std::vector<StepLine> shown_lines(const Comparison& comparison, const std::strin
   return nearest;
 }
 
-Shown shown_runs(const Comparison& comparison, const std::string& scene) {
+RunSelection shown_runs(const Comparison& comparison, const std::string& scene) {
   std::vector<Run> exact = done_runs(comparison, scene);
   exact.resize(!exact.empty() && exact.front().exact() ? 1 : 0);
-  return {exact, each_of(shown_lines(comparison, scene), [](const StepLine& line) { return line.front(); })};
+  return {exact, mapped(shown_lines(comparison, scene), [](const StepLine& line) { return line.front(); })};
 }
 
 std::vector<double> chosen_steps(const std::vector<Run>& runs) {

@@ -5,12 +5,12 @@
 namespace rockstack::plots {
 
 /// What figures over time show: the exact run, and of each of shown_lines() that with the smallest step.
-struct Shown {
+struct RunSelection {
   std::vector<Run> exact;  ///< one run, or none where it failed
   std::vector<Run> engines;
 };
 
-Shown shown_runs(const Comparison& comparison, const std::string& scene);
+RunSelection shown_runs(const Comparison& comparison, const std::string& scene);
 
 /// Runs of one engine, solver and settings, by ascending time step; those that differ in their iterations
 /// too, by falling iterations.

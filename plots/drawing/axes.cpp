@@ -52,7 +52,7 @@ std::string tics_in_units(double low, double high, double step) {
     tics.push_back(fmt::format("'{:.4g}' {}", k == 0 ? 0 : k * step / unit, plain(k * step)));
   return fmt::format(
       "set ytics ({})\nset label '×10^{{{:.0f}}}' at graph 0, graph 1 right offset -0.8,0.75 font ',11'\n",
-      text_of_each(tics, std::identity(), ", "), power);
+      joined_texts(tics, std::identity(), ", "), power);
 }
 
 constexpr auto shade = "#ECECEC";
@@ -97,7 +97,7 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
     std::erase_if(chosen,
                   [&](double place) { return place > high / std::pow(high / low, overhang / pixels); });
   const auto tic = [](double place) { return fmt::format("'{}' {}", in_decades(place), plain(place)); };
-  return fmt::format("set {}tics ({})\n", axis, text_of_each(chosen, tic, ", "));
+  return fmt::format("set {}tics ({})\n", axis, joined_texts(chosen, tic, ", "));
 }
 
 std::string linear_tics(const std::string& axis, double low, double high, double pixels) {

@@ -6,15 +6,15 @@
 namespace rockstack::plots {
 
 /// Where values lie.
-struct Reach {
+struct Extent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
   void add(double value) { low = std::min(low, value), high = std::max(high, value); }
   /// With room on a linear axis.
-  Reach wider(double margin) const { return {low - margin, high + margin}; }
+  Extent wider(double margin) const { return {low - margin, high + margin}; }
   /// With room on a logarithmic axis: a factor.
-  Reach wider_times(double factor) const { return {low / factor, high * factor}; }
+  Extent wider_times(double factor) const { return {low / factor, high * factor}; }
   /// Where a value is on a logarithmic axis of so many pixels.
   double place(double value, double pixels) const {
     return pixels * std::log(value / low) / std::log(high / low);

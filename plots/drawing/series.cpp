@@ -74,8 +74,8 @@ bool are_many(const std::vector<Run>& runs) {
          most_series;
 }
 
-Reach extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least) {
-  Reach all, exact;
+Extent extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least) {
+  Extent all, exact;
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (const double value : curves[i].values) {
       all.add(value);

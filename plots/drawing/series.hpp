@@ -27,7 +27,7 @@ bool are_many(const std::vector<Run>& runs);
 /// All of the exact curve, and of the others what lies within `room` times its span beyond it: an engine
 /// whose blocks fall over or slide away must not flatten the rest. With a margin of `least` or more; one
 /// curve a run.
-Reach extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least);
+Extent extent_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, double room, double least);
 
 /// Adds one panel, or where they are many a small one for each series that has one.
 void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series>& series, bool many);

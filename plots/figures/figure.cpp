@@ -51,7 +51,7 @@ std::vector<Figure> all_figures() {
         {"solvers." + one.name, "All solvers: " + one.name, one.question,
          "A row a solver and set, those first that answer for all scenes; a small cross a scene, a large "
          "mark the median of all. Rows whose scenes lie among each other are not told apart.",
-         OfComparison{solver_scores}});
+         ComparisonFigure{solver_scores}});
   return list;
 }
 
@@ -70,7 +70,7 @@ const std::vector<Figure>& figures() {
 std::vector<const Figure*> figures_of(const ComparedScene& scene) {
   std::vector<const Figure*> list;
   for (const Figure& figure : figures())
-    if (const auto* of = std::get_if<OfScene>(&figure.of); of != nullptr && of->needs(scene))
+    if (const auto* of = std::get_if<SceneFigure>(&figure.of); of != nullptr && of->needs(scene))
       list.push_back(&figure);
   return list;
 }
@@ -86,16 +86,16 @@ const Figure* figure_in(const std::string& stem) {
 void draw_figures(const fs::path& results, const Comparison& comparison) {
   for (const ComparedScene& scene : comparison.scenes)
     for (const Figure* figure : figures_of(scene))
-      draw(std::get<OfScene>(figure->of).draw({*figure, comparison, scene}),
+      draw(std::get<SceneFigure>(figure->of).draw({*figure, comparison, scene}),
            figure_stem(results, scene, *figure));
   for (const Figure& figure : figures())
-    if (const auto* of = std::get_if<OfComparison>(&figure.of); of != nullptr)
+    if (const auto* of = std::get_if<ComparisonFigure>(&figure.of); of != nullptr)
       draw_all(figure, of->draw({figure, comparison}), results);
 }
 
 void draw_figures(const fs::path& results) {
   for (const Figure& figure : figures()) {
-    const auto* of = std::get_if<OfFolder>(&figure.of);
+    const auto* of = std::get_if<FolderFigure>(&figure.of);
     if (of == nullptr || !fs::exists(results / of->needs)) continue;
     Drawings drawings = of->draw({figure, results});
     if (of->narrow) drawings[narrow_part] = of->draw({figure, results, narrow_width}).at("");
@@ -112,8 +112,8 @@ Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const
   return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(scene.heading(), legend, answer);
 }
 
-Shown SceneSubject::shown(const std::vector<std::string>& files) const {
-  Shown shown = shown_runs(comparison, scene.name);
+RunSelection SceneSubject::shown(const std::vector<std::string>& files) const {
+  RunSelection shown = shown_runs(comparison, scene.name);
   std::erase_if(shown.engines, [&](const Run& run) {
     return !std::ranges::all_of(files,
                                 [&](const std::string& file) { return fs::exists(run.folder / file); });
@@ -127,7 +127,7 @@ TimeAxis SceneSubject::time_axis(const std::vector<Run>& runs, Legend& legend) c
   return axis;
 }
 
-std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up) {
+std::function<std::string(double, double)> logarithmic_axes(const Extent& across, const Extent& up) {
   return [across, up](double width, double height) {
     return logarithmic_range("x", across.low, across.high, width) +
            logarithmic_range("y", up.low, up.high, height) + grid_lines;
@@ -136,9 +136,9 @@ std::function<std::string(double, double)> logarithmic_axes(const Reach& across,
 
 std::string number_block(const std::string& name, const Numbers& lines) {
   const auto line = [](const std::vector<double>& numbers) {
-    return text_of_each(numbers, plain, " ") + "\n";
+    return joined_texts(numbers, plain, " ") + "\n";
   };
-  return "$" + name + " << END\n" + text_of_each(lines, line) + "END\n";
+  return "$" + name + " << END\n" + joined_texts(lines, line) + "END\n";
 }
 
 void Plots::add(const Numbers& lines, const std::vector<std::string>& styles) {
@@ -151,7 +151,7 @@ std::string word_tics(const std::vector<std::string>& words, int first, int step
   const auto tic = [&](const std::string& word) {
     return fmt::format("{} {}", in_quotes(word), std::exchange(first, first + step));
   };
-  return text_of_each(words, tic, ", ");
+  return joined_texts(words, tic, ", ");
 }
 
 }  // namespace rockstack::plots

@@ -22,7 +22,7 @@ struct SceneSubject {
   Drawing nothing(const std::string& reason) const { return empty_sheet(scene.heading(), reason); }
 
   /// The exact run and the engines' runs that figures over time show, these only with all of some files.
-  Shown shown(const std::vector<std::string>& files = {}) const;
+  RunSelection shown(const std::vector<std::string>& files = {}) const;
   /// The time that some motions take, and what its shade means as an entry of the legend.
   TimeAxis time_axis(const std::vector<Run>& runs, Legend& legend) const;
   /// How high a panel is, pixels, that is `usual` where all panels together are `all`.
@@ -51,16 +51,16 @@ using Drawings = std::map<std::string, Drawing>;
 /// The part that stands in the place of the single drawing on a narrow screen.
 inline constexpr auto narrow_part = "narrow";
 
-struct OfScene {
+struct SceneFigure {
   Drawing (*draw)(const SceneSubject&);
   bool (*needs)(const ComparedScene&);  ///< whether a scene's results have what it shows
 };
 
-struct OfComparison {
+struct ComparisonFigure {
   Drawings (*draw)(const ComparisonSubject&);
 };
 
-struct OfFolder {
+struct FolderFigure {
   Drawings (*draw)(const FolderSubject&);
   const char* needs;    ///< a file of results
   bool narrow = false;  ///< whether it is drawn once more, as narrow as narrow_width
@@ -72,7 +72,7 @@ struct Figure {
   std::string title;        ///< heading on a page
   std::string question;     ///< that it answers
   std::string explanation;  ///< how to read it
-  std::variant<OfScene, OfComparison, OfFolder> of;
+  std::variant<SceneFigure, ComparisonFigure, FolderFigure> of;
 
   /// A sheet with a title, the question and the answer.
   Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const {
@@ -112,7 +112,7 @@ std::vector<fs::path> draw_animations(const fs::path& results);
 // What figures are drawn with besides the skeletons of plots/drawing.
 
 /// The exact run, where there is one, before those of the engines.
-inline std::vector<Run> all_runs(const Shown& shown) {
+inline std::vector<Run> all_runs(const RunSelection& shown) {
   std::vector<Run> runs = shown.exact;
   runs.insert(runs.end(), shown.engines.begin(), shown.engines.end());
   return runs;
@@ -124,7 +124,7 @@ inline Legend mark_legend(const std::vector<Run>& runs, double size) {
 }
 
 /// Ranges and numbers of a panel over two logarithmic axes, by its width and height in pixels.
-std::function<std::string(double, double)> logarithmic_axes(const Reach& across, const Reach& up);
+std::function<std::string(double, double)> logarithmic_axes(const Extent& across, const Extent& up);
 
 /// Lines of numbers as a data block that plot commands call $name.
 using Numbers = std::vector<std::vector<double>>;

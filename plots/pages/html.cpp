@@ -12,7 +12,7 @@ namespace {
 
 /// Sentences, each in an element and a line of its own.
 std::string elements(const std::string& name, const std::vector<std::string>& sentences) {
-  return text_of_each(sentences,
+  return joined_texts(sentences,
                       [&](const std::string& sentence) { return element(name, escaped(sentence)) + "\n"; });
 }
 
@@ -99,7 +99,7 @@ std::string sentence_list(const std::vector<std::string>& sentences) {
 }
 
 std::string table(const std::vector<std::string>& columns, const std::string& rows) {
-  const std::string headings = text_of_each(columns, [](const std::string& name) { return heading(name); });
+  const std::string headings = joined_texts(columns, [](const std::string& name) { return heading(name); });
   return element("table", element("thead", element("tr", headings)) + element("tbody", "\n" + rows));
 }
 
@@ -111,7 +111,7 @@ std::string table_row(const std::vector<std::string>& columns, const std::vector
 }
 
 std::string definition_list(const Facts& facts) {
-  return element("dl", text_of_each(facts, [](const auto& fact) {
+  return element("dl", joined_texts(facts, [](const auto& fact) {
                    return element("dt", escaped(fact.first)) + element("dd", escaped(fact.second)) + "\n";
                  }));
 }
@@ -172,7 +172,7 @@ std::string scene_figure(const fs::path& results, const Comparison& comparison, 
 
 std::string file_links(const fs::path& results) {
   const auto to = [](const std::string& name) { return link(escaped(name), escaped(name)); };
-  return text_of_each(names_in(results, {".csv", ".json"}), to, ", ");
+  return joined_texts(names_in(results, {".csv", ".json"}), to, ", ");
 }
 
 }  // namespace rockstack::plots

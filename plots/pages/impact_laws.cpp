@@ -52,7 +52,7 @@ std::string stacks_table(const std::vector<LawCell>& cells) {
 
 std::string pairs_table(const Json& pairs) {
   const Cells columns{"kind", "law paper", "law consistent", "impacts", "clearness"};
-  return table(columns, text_of_each(pairs, [&](const Json& pair) {
+  return table(columns, joined_texts(pairs, [&](const Json& pair) {
                  return table_row(columns,
                                   {text_at(pair, "kind"), text_at(pair, "paper"), text_at(pair, "consistent"),
                                    whole(pair.at("count").get<double>()),
@@ -79,7 +79,7 @@ std::string solvers_table(const std::vector<LawRun>& runs) {
   const auto tallies = together_by<LawTally>(runs, [](const LawRun& one) {
     return fmt::format("{};{}", line_label(one.run), value_of(one.run.dt));
   });
-  return table(columns, text_of_each(tallies, [&](const LawTally& tally) {
+  return table(columns, joined_texts(tallies, [&](const LawTally& tally) {
                  return table_row(columns, with_tally(parts_of(tally.of), tally));
                }));
 }
@@ -89,7 +89,7 @@ std::string states_table(const std::vector<LawRun>& runs, const Json& states) {
       followed_by({"state", "height over width of the top block", "its mass over that below"}, tally_columns);
   std::map<std::string, LawTally> tallies;
   for (const LawRun& one : runs) tallies[one.run.scene].add(one);
-  return table(columns, text_of_each(states, [&](const Json& state) {
+  return table(columns, joined_texts(states, [&](const Json& state) {
                  const std::string name = text_at(state, "name");
                  const Json& blocks = state.at("blocks");
                  const Json &top = blocks.at(blocks.size() - 1), &below = blocks.at(blocks.size() - 2);
@@ -124,10 +124,10 @@ std::string runs_table(const fs::path& folder) {
   const std::set<std::string> lists{"before", "rates", "rates_paper", "rates_consistent"};
   CsvLine row(folder / "impact-laws-engines.csv");
   const std::vector<std::size_t> order = order_of(row.names());
-  const Cells columns = each_of(order, [&](std::size_t i) { return row.names()[i]; });
+  const Cells columns = mapped(order, [&](std::size_t i) { return row.names()[i]; });
   std::string rows;
   while (row.next()) {
-    const Cells cells = each_of(order, [&](std::size_t i) {
+    const Cells cells = mapped(order, [&](std::size_t i) {
       return lists.contains(row.names()[i]) ? rounded(row.text(i)) : row.text(i);
     });
     rows += table_row(columns, cells, row.text("status") == "done" ? "" : " class=\"failed\"");
@@ -138,14 +138,14 @@ std::string runs_table(const fs::path& folder) {
 std::string maps(const fs::path& results, const std::vector<LawCell>& cells) {
   std::set<int> blocks;
   for (const LawCell& cell : cells) blocks.insert(cell.blocks);
-  return text_of_each(blocks, [&](int count) {
+  return joined_texts(blocks, [&](int count) {
     return drawn_figure(results, fmt::format("impact-laws.{}-blocks", count), fmt::format("laws-{}-", count),
                         fmt::format("Where the laws differ for {} blocks", count));
   });
 }
 
 std::string content(const fs::path& folder, const LawResults& results, const Json& json) {
-  const std::string parameters = text_of_each(json.at("engines"), [](const Json& engine) {
+  const std::string parameters = joined_texts(json.at("engines"), [](const Json& engine) {
     return details(escaped(solver_named(engine) + ", " + text_at(engine, "settings")),
                    definition_list(facts_of(engine.at("parameters"))));
   });

@@ -188,7 +188,7 @@ Json stage_of(const Scene& scene, const History& history) {
                             leaves_pivots(scene.law) ? friction_of(scene) : std::vector<double>(), history,
                             chatter_speed(scene));
   const auto ground = [&](const auto& along) {
-    return each_of(history.times, [&](double time) { return acceleration(along, time); });
+    return mapped(history.times, [&](double time) { return acceleration(along, time); });
   };
   if (!scene.horizontal.empty() || !scene.vertical.empty())
     add_ground(history.times, ground(scene.horizontal), ground(scene.vertical), stage);

@@ -201,7 +201,7 @@ std::string remarks_section(const Comparison& comparison) {
                              " class=\"hint\"") +
                      "\n";
   for (const SolverRemarks& solver : list) {
-    const std::string items = text_of_each(solver.list, [](const Remark& one) {
+    const std::string items = joined_texts(solver.list, [](const Remark& one) {
       return element("li", escaped(one.sentence) + " " + element("code", escaped(one.command))) + "\n";
     });
     text += element("h3", escaped(solver.solver)) + element("ul", items) + "\n";

@@ -33,7 +33,7 @@ std::string statements_section(const Comparison& comparison) {
   if (comparison.statements.empty()) return "";
   const std::vector<std::string> columns{"Figure", "The paper says", "Verdict", "It holds if", "Computed"};
   const std::string rows =
-      text_of_each(comparison.statements, [&](const auto& cells) { return table_row(columns, cells); });
+      joined_texts(comparison.statements, [&](const auto& cells) { return table_row(columns, cells); });
   return section("What the paper says, and what was computed",
                  element("div", table(columns, rows), " class=\"statements\""), " id=\"statements\"");
 }

@@ -98,7 +98,7 @@ std::string sentence(std::vector<Run> runs) {
   std::erase_if(runs, [](const Run& run) { return !run.step_share; });
   if (runs.empty()) return "";
   const auto percent = [&](const auto& share) {
-    return percent_of(median(each_of(runs, [&](const Run& run) { return value_of(run.*share); })));
+    return percent_of(median(mapped(runs, [&](const Run& run) { return value_of(run.*share); })));
   };
   return element(
       "p", fmt::format("In the median of {} runs the contact model makes {:.0f} % of the difference, contact "
@@ -132,7 +132,7 @@ std::string terms_table(const Comparison& comparison, const std::string& scene) 
   std::vector<Run> runs = done_runs(comparison, scene);
   std::erase_if(runs, [](const Run& run) { return !run.step_difference; });
   if (runs.empty()) return "";
-  const std::string rows = text_of_each(runs, [&](const Run& run) {
+  const std::string rows = joined_texts(runs, [&](const Run& run) {
     return table_row(columns, {run_label(run), fmt::format("{:.2g}", value_of(run.rms_angle_difference)),
                                size_and_share(run.model_difference, run.model_share),
                                size_and_share(run.softness_difference, run.softness_share),

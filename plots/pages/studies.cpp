@@ -121,10 +121,10 @@ std::string canon_content(const Json& canon) {
     scenes += details(escaped(text_at(scene, "name") + ": " + text_at(scene, "title")),
                       code_block(text_at(scene, "scene_file")));
   }
-  const std::string rows = text_of_each(canon.at("rows"), [](const Json& row) {
+  const std::string rows = joined_texts(canon.at("rows"), [](const Json& row) {
     const std::string name = escaped(solver_named(row) + ", " + text_at(row, "settings"));
     return element("tr",
-                   element("th", name, " scope=\"row\"") + text_of_each(row.at("answers"), verdict_cell)) +
+                   element("th", name, " scope=\"row\"") + joined_texts(row.at("answers"), verdict_cell)) +
            "\n";
   });
   return filled_in(canon_html,

@@ -32,7 +32,7 @@ std::string bare_question(const WorkerEngine& engine, const Scene& scene, double
   }
   for (const Setting& setting : engine.settings) {
     double value = parameters.at(setting.name);
-    if (value == setting.standard || setting.name == "unitMass") continue;
+    if (value == setting.default_value || setting.name == "unitMass") continue;
     if (setting.name == "contactStiffness" || setting.name == "contactDamping") value *= mass;
     if (setting.name == "slip1") value /= mass;
     text += fmt::format("set {} {}\n", setting.name, value);

@@ -137,7 +137,7 @@ TEST(BodyRecords, EnergyOfFreeFlightIsConstantAndDriftOutOfThePlaneIsSeen) {
                             .z = 1e-3 * time,
                             .tilt = 1e-4 * time});
   }
-  const BodyRecord record = account_of(scene, set_up(scene, dt, {}), stone, true).bodies.value();
+  const BodyRecord record = engine_run_of(scene, set_up(scene, dt, {}), stone, true).bodies.value();
   const Block& block = scene.blocks[0];
   const double expected = 0.5 * block.mass * (2 * 2 + 3 * 3) + 0.5 * block.inertia * 0.25 +
                           block.mass * scene.gravity * (10 - block.half_height);
@@ -161,7 +161,7 @@ TEST(Bodies, ABlockHasFallenOffSinceItLastHadSomethingBelowIt) {
       cubes.velocities.insert(cubes.velocities.end(), {0, 0});
       cubes.bodies.insert(cubes.bodies.end(), {{.x = 0, .y = 0.2}, {.x = x, .y = 0.7}});
     }
-    const BodyRecord record = account_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
+    const BodyRecord record = engine_run_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
     EXPECT_EQ(record.centres.size(), 4 * places.size());
     EXPECT_EQ(record.centres[4], 0);
     EXPECT_EQ(record.centres[6], places[1]);
@@ -185,11 +185,11 @@ TEST(Bodies, ABlockThatLiesOnTheGroundBesideItsBaseHasFallen) {
   cubes.velocities.assign(6, 0);
   for (const double height : {0.6, corner + 0.1, corner})
     cubes.bodies.insert(cubes.bodies.end(), {{.x = 0, .y = 0.2}, {.x = 0.39, .y = height}});
-  const BodyRecord record = account_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
+  const BodyRecord record = engine_run_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
   EXPECT_EQ(record.unsupported_since, (std::vector<double>{infinity, 2 * dt}));
   // An engine that keeps a skin of 15 mm.
   for (BodyState& body : cubes.bodies) body.y += 0.015;
-  const BodyRecord hovering = account_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
+  const BodyRecord hovering = engine_run_of(scene, set_up(scene, dt, {}), cubes, true).bodies.value();
   EXPECT_EQ(hovering.unsupported_since, record.unsupported_since);
 }
 
@@ -204,7 +204,7 @@ TEST(Bodies, ABlockThatSinksThroughWhatItStandsOnHasNotFallenOff) {
   bodies.velocities.assign(6, 0);
   for (const double height : {0.4, 0.3, 0.201})
     bodies.bodies.insert(bodies.bodies.end(), {{.x = 0, .y = 0.1}, {.x = 0.06, .y = height}});
-  const BodyRecord record = account_of(scene, set_up(scene, 0.1, {}), bodies, true).bodies.value();
+  const BodyRecord record = engine_run_of(scene, set_up(scene, 0.1, {}), bodies, true).bodies.value();
   EXPECT_TRUE(std::ranges::all_of(record.unsupported_since, [](double time) { return std::isinf(time); }));
   EXPECT_NEAR(record.penetration.back(), 0.199, 1e-12);
 }

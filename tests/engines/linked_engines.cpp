@@ -41,7 +41,7 @@ std::unique_ptr<Simulation> start(const Engine& engine, const Scene& scene, doub
 EngineRun simulate(const Engine& engine, const Scene& scene, double dt, const Parameters& parameters,
                    bool bodies) {
   const Setup setup = set_up(scene, dt, parameters);
-  return account_of(scene, setup, run(engine, setup, parameters, needs_bodies(scene, bodies)), bodies);
+  return engine_run_of(scene, setup, run(engine, setup, parameters, needs_bodies(scene, bodies)), bodies);
 }
 
 }  // namespace rockstack

@@ -118,8 +118,8 @@ TEST(Restitution, GoesIntoTheSettingsThatAreForIt) {
   engine.solver = "one";
   engine.settings = {
       {.name = "bounce", .most = 1, .role = SettingRole::restitution},
-      {.name = "bounce_vel", .standard = 0.2, .least = 0.01, .role = SettingRole::restitution_threshold},
-      {.name = "other", .standard = 3}};
+      {.name = "bounce_vel", .default_value = 0.2, .least = 0.01, .role = SettingRole::restitution_threshold},
+      {.name = "other", .default_value = 3}};
   Scene scene = leaning_stack();
   const Parameters standard = engine.default_parameters();
   EXPECT_EQ(with_restitution(engine, scene, standard), standard);

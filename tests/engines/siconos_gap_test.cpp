@@ -34,7 +34,7 @@ TEST(SiconosGap, IsThatOfTheStepThatLands) {
         Trajectory trajectory = run(engine, setup, parameters, true);
         double speed = 0;
         for (const BodyState& body : trajectory.bodies) speed = std::max(speed, -body.velocity_y);
-        const auto depths = account_of(scene, setup, std::move(trajectory), true).bodies->penetration;
+        const auto depths = engine_run_of(scene, setup, std::move(trajectory), true).bodies->penetration;
         deepest = std::max(deepest, *std::max_element(depths.begin(), depths.end()) / (dt * speed));
       }
       // Gravity adds gh to v in a step, a hundredth. Depths are spread evenly over one hv: of 21 the deepest

@@ -22,11 +22,11 @@ const InputKey* key_of_blocks(std::string_view name) {
 
 /// The number that stands for all blocks where a scene says no other; NaN where none does.
 double standard_entry(const InputKey& key) {
-  std::string_view standard = key.standard;
-  if (standard.starts_with("all ")) standard.remove_prefix(4);
-  if (standard == "that of [engine]") standard = surface_keys.keys.begin()->standard;
+  std::string_view default_value = key.default_value;
+  if (default_value.starts_with("all ")) default_value.remove_prefix(4);
+  if (default_value == "that of [engine]") default_value = surface_keys.keys.begin()->default_value;
   double value = std::numeric_limits<double>::quiet_NaN();
-  std::from_chars(standard.data(), standard.data() + standard.size(), value);
+  std::from_chars(default_value.data(), default_value.data() + default_value.size(), value);
   return value;
 }
 

@@ -15,9 +15,9 @@ void require_table(const Node& node, const KeyTable& allowed) {
   if (node.kind != Node::Kind::table) throw wrong_value(node, "a table");
   for (const Node& child : node.children) {
     if (std::ranges::find(allowed.keys, child.name, &InputKey::name) != allowed.keys.end()) continue;
-    const auto names = each_of(allowed.keys, [](const InputKey& key) { return std::string(key.name); });
+    const auto names = mapped(allowed.keys, [](const InputKey& key) { return std::string(key.name); });
     throw InputError(child.place + ": " + one_line(child.key) + ": unknown key, must be one of " +
-                     text_of_each(names, std::identity(), ", ") + did_you_mean(child.name, names));
+                     joined_texts(names, std::identity(), ", ") + did_you_mean(child.name, names));
   }
 }
 
@@ -60,7 +60,7 @@ const std::vector<Node>& entries(const Node& array, const std::string& allowed) 
 
 std::vector<double> numbers(const Node& node) {
   if (node.kind != Node::Kind::array) throw wrong_value(node, "an array of numbers");
-  return each_of(node.children, [](const Node& child) {
+  return mapped(node.children, [](const Node& child) {
     if (!std::isfinite(number(child))) throw wrong_value(child, "a finite number");
     return child.number;
   });
@@ -75,7 +75,7 @@ std::ptrdiff_t place_among(const Node& node, const std::vector<const char*>& nam
   const auto found = std::find(names.begin(), names.end(), node.text);
   if (node.kind != Node::Kind::text || found == names.end())
     throw wrong_value(
-        node, text_of_each(names, quoted, " or ") + did_you_mean(node.text, {names.begin(), names.end()}));
+        node, joined_texts(names, quoted, " or ") + did_you_mean(node.text, {names.begin(), names.end()}));
   return found - names.begin();
 }
 

@@ -10,15 +10,15 @@ namespace rockstack {
 /// A key of an input file and what it means; `rockstack keys` prints it. SI units.
 struct InputKey {
   const char* name;
-  const char* example = "";   ///< a value that is accepted, as TOML; empty: a table, with keys of its own
-  const char* unit = "";      ///< empty: none
-  const char* range = "";     ///< which values are accepted
-  const char* standard = "";  ///< what holds where it is left out: a value as TOML, or words; see below
+  const char* example = "";  ///< a value that is accepted, as TOML; empty: a table, with keys of its own
+  const char* unit = "";     ///< empty: none
+  const char* range = "";    ///< which values are accepted
+  const char* default_value = "";  ///< what holds where it is left out: a value as TOML, or words; see below
   const char* meaning = "";
 };
 
-// Words that `standard` has where no value stands for a key that is left out. "instead of KEY": one of the
-// two must be there, or may be there where KEY may be left out.
+// Words that `default_value` has where no value stands for a key that is left out. "instead of KEY": one of
+// the two must be there, or may be there where KEY may be left out.
 inline constexpr const char* required_key = "required";
 inline constexpr const char* no_default = "none";
 
@@ -65,7 +65,7 @@ Choice choice(const Node& node, std::initializer_list<const char*> names) {
 }
 template <class Choice>
 Choice choice(const Node& node, std::initializer_list<std::pair<const char*, Choice>> choices) {
-  const auto names = each_of(choices, [](const auto& each) { return each.first; });
+  const auto names = mapped(choices, [](const auto& each) { return each.first; });
   return choices.begin()[place_among(node, names)].second;
 }
 

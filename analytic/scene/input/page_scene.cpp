@@ -60,7 +60,7 @@ std::string table_text(const Json& table, const std::string& prefix) {
 std::string toml_value(const Json& value) {
   if (value.is_string()) return value == infinite ? infinite : toml_text(value.get<std::string>());
   if (value.is_number()) return number_text(value.get<double>());
-  return "[" + text_of_each(value, toml_value, ", ") + "]";
+  return "[" + joined_texts(value, toml_value, ", ") + "]";
 }
 
 std::string scene_text(const Json& scene) {

@@ -113,7 +113,7 @@ std::vector<Block> read_blocks(const Node& root) {
   const Node* array = find(root, "blocks");
   if (array == nullptr) return {};  // validate() says how many there must be
   if (array->kind != Node::Kind::array) throw wrong_value(*array, "an array of tables, [[blocks]]");
-  return each_of(array->children, read_block);
+  return mapped(array->children, read_block);
 }
 
 /// An array with a number for each block; whether there are as many, validate() says.
@@ -155,7 +155,7 @@ std::vector<double> read_each(const Node& table, std::string_view key, std::size
   if (node == nullptr) return {};
   if (node->kind != Node::Kind::array) return std::vector<double>(size, number(*node));
   if (!stiffness) return one_each(*node);
-  return each_of(entries(*node, "a number for each block"), number);
+  return mapped(entries(*node, "a number for each block"), number);
 }
 
 void read_contact(const Node& root, Scene& scene) {

@@ -9,7 +9,7 @@ namespace rockstack {
 
 /// What the joint of one interface can become.
 template <class Real>
-ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int interface,
+ShortVector<Joint<Real>, 10> choices(const ContactProblem<Real>& problem, int interface,
                                      const Joint<Real>& joint) {
   if (!joint.touches()) return {joint};
   ShortVector<Joint<Real>, 10> result{joint};
@@ -18,12 +18,12 @@ ShortVector<Joint<Real>, 10> choices(const ContactQuestion<Real>& question, int 
   for (const Contact touch : {Contact::left, Contact::closed, Contact::right}) {
     if (joint.pivots() && touch != joint.touch) continue;
     for (const int slip : {-1, 0, 1}) {
-      if (question.slip_before(joint) != 0 && slip != joint.slip) continue;
+      if (problem.slip_before(joint) != 0 && slip != joint.slip) continue;
       Joint<Real> next = joint;
       next.touch = touch;
       next.slip = slip;
       if (joint.touch == Contact::closed && next.pivots())
-        next.corner_below = corner_is_below(question.stack, interface, joint.offset, next.side(), slip);
+        next.corner_below = corner_is_below(problem.stack, interface, joint.offset, next.side(), slip);
       result.push_back(next);
     }
   }
@@ -48,12 +48,12 @@ bool obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& joints, c
     if (-force.moment - force.normal * left < -moment_rounding) return false;
   }
   const Real motion_rounding =
-      tolerance<Real>(1e-9) * contacts.question().free.template lpNorm<Eigen::Infinity>();
+      tolerance<Real>(1e-9) * contacts.problem().free.template lpNorm<Eigen::Infinity>();
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     const Joint<Real>& joint = mode[contact.interface];
     for (std::size_t i = 0; i < contact.points(); ++i)
       if (contacts.condition(contact.point(i), held, values) < -motion_rounding) return false;
-    if (joint.slip != 0 && contacts.question().slip_before(joints[contact.interface]) == 0 &&
+    if (joint.slip != 0 && contacts.problem().slip_before(joints[contact.interface]) == 0 &&
         contacts.condition(contact.slip(), held, values) * joint.slip < -motion_rounding)
       return false;
   }
@@ -68,7 +68,7 @@ std::vector<Joints<Real>> modes_that_obey(const TouchingContacts<Real>& contacts
   ShortVector<ShortVector<Joint<Real>, 10>> ways;
   std::size_t count = 1;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    ways.push_back(choices(contacts.question(), k, joints[k]));
+    ways.push_back(choices(contacts.problem(), k, joints[k]));
     count *= ways.back().size();
     if (count > most) return modes;
   }
@@ -146,12 +146,12 @@ bool slides_off(const Joint<Real>& pair) {
 /// Whether a pair of corners slides off its face, or sticks there where it would slide along the other one.
 /// `joint` is what it becomes, at interface k, `forces` what that takes.
 template <class Real>
-bool changes_face(const ContactQuestion<Real>& question, const ShortVector<ContactForce<Real>>& forces, int k,
+bool changes_face(const ContactProblem<Real>& problem, const ShortVector<ContactForce<Real>>& forces, int k,
                   const Joint<Real>& joint, const Real& rounding) {
   if (!joint.touches() || joint.slip != 0) return slides_off(joint);
-  const auto other = on_other_face(forces[k], joint, relative_angle(question.bodies.at, k));
+  const auto other = on_other_face(forces[k], joint, relative_angle(problem.bodies.at, k));
   const int against = joint.corner_below ? joint.side() : -joint.side();
-  return against * other.tangential > question.stack.friction[k] * other.normal + rounding;
+  return against * other.tangential > problem.stack.friction[k] * other.normal + rounding;
 }
 
 /// The first of `pairs` that changes its face in a mode of `contacts`, or −1.
@@ -161,16 +161,16 @@ int first_to_change(const TouchingContacts<Real>& contacts, const ShortVector<in
   const auto forces = held_forces(contacts, mode, holding(contacts, held_by(contacts, mode)));
   const Real rounding = tolerance<Real>(1e-12) * largest_force(forces);
   for (const int k : pairs)
-    if (changes_face(contacts.question(), forces, k, mode[k], rounding)) return k;
+    if (changes_face(contacts.problem(), forces, k, mode[k], rounding)) return k;
   return -1;
 }
 
 /// Settles those of `pairs` that stick in a mode, and would slide along their other faces.
 template <class Real>
-void settle(const ContactQuestion<Real>& question, const ShortVector<int>& pairs, Joints<Real>& mode) {
-  const auto forces = respond(question, mode).forces;
+void settle(const ContactProblem<Real>& problem, const ShortVector<int>& pairs, Joints<Real>& mode) {
+  const auto forces = respond(problem, mode).forces;
   for (const int k : pairs)
-    mode[k].settled = mode[k].sticks() && changes_face<Real>(question, forces, k, mode[k], 0);
+    mode[k].settled = mode[k].sticks() && changes_face<Real>(problem, forces, k, mode[k], 0);
 }
 
 /// Opens settled pairs again that do not go on to stick in a mode; true where there are any.
@@ -204,8 +204,8 @@ void set_mode(const ContactModel<Real>& stack, const TouchingInterface<Real>& co
 /// the end that meets its face, where the other one does not. All sticks.
 template <class Real>
 Joints<Real> likely_mode(const TouchingContacts<Real>& contacts, Joints<Real> joints) {
-  const ContactQuestion<Real>& question = contacts.question();
-  if (question.of_accelerations()) return joints;
+  const ContactProblem<Real>& problem = contacts.problem();
+  if (problem.of_accelerations()) return joints;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     Joint<Real>& joint = joints[contact.interface];
     joint.slip = 0;
@@ -213,7 +213,7 @@ Joints<Real> likely_mode(const TouchingContacts<Real>& contacts, Joints<Real> jo
     const Real left = contacts.told(contact.point(0)), right = contacts.told(contact.point(1));
     const Real meets = tolerance<Real>(1e-9) * std::min(left, right);
     if ((left < meets) != (right < meets))
-      set_mode(question.stack, contact, {left < meets, right < meets}, 0, joint);
+      set_mode(problem.stack, contact, {left < meets, right < meets}, 0, joint);
   }
   return joints;
 }
@@ -224,7 +224,7 @@ template <class Real>
 bool surely_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
                   const ShortVector<int>& pairs) {
   if (std::ranges::any_of(mode, [](const Joint<Real>& joint) { return joint.slip != 0; })) return false;
-  const ContactQuestion<Real>& question = contacts.question();
+  const ContactProblem<Real>& problem = contacts.problem();
   const ContactForceRows<Real> held = held_by(contacts, mode);
   const ShortNumbers<Real> values = holding(contacts, held);
   const auto forces = held_forces(contacts, mode, values);
@@ -236,7 +236,7 @@ bool surely_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& mo
     const auto [left, right] = contact.ends;
     if (const int side = mode[contact.interface].side(); side != 0) {
       const std::size_t open = contact.point(side < 0 ? 1 : 0);
-      const Real fast = question.free.template lpNorm<Eigen::Infinity>();
+      const Real fast = problem.free.template lpNorm<Eigen::Infinity>();
       if (!(contacts.condition(open, held, values) > tolerance<Real>(1e-9) * fast)) return false;
       continue;
     }
@@ -245,7 +245,7 @@ bool surely_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>& mo
     if (!(-force.moment - force.normal * left > least)) return false;
   }
   return std::none_of(pairs.begin(), pairs.end(),
-                      [&](int k) { return changes_face<Real>(question, forces, k, mode[k], -rounding); });
+                      [&](int k) { return changes_face<Real>(problem, forces, k, mode[k], -rounding); });
 }
 
 /// Where blocks are, how fast they move, and what they touch.

@@ -202,8 +202,8 @@ ContactModel<Real> contact_model_of(const Scene& scene) {
   stack.restitution_law = scene.restitution_law;
   const CornerSprings& springs = scene.springs;
   if (springs.stiffness.empty() && springs.bed_stiffness.empty()) return stack;
-  const auto of = [](const std::vector<double>& values, std::size_t k, double standard) {
-    return Real(values.empty() ? standard : values[k]);
+  const auto of = [](const std::vector<double>& values, std::size_t k, double default_value) {
+    return Real(values.empty() ? default_value : values[k]);
   };
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     constexpr double rigid = std::numeric_limits<double>::infinity();

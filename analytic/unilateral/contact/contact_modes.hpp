@@ -16,10 +16,10 @@ void add_points(const TouchingInterface<Real>& contact, int slip, ContactForceRo
 template <class Real>
 std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts,
                                           const Joints<Real>& joints) {
-  const ContactQuestion<Real>& question = contacts.question();
+  const ContactProblem<Real>& problem = contacts.problem();
   ContactForceRows<Real> sticking, points;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
-    const int slip = question.slip_before(joints[contact.interface]);
+    const int slip = problem.slip_before(joints[contact.interface]);
     if (slip == 0) sticking.push_back({contact.slip()});
     add_points(contact, slip, points);
   }
@@ -71,8 +71,8 @@ std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts
       pushes.push_back(!(solution->w[at] > parting));
       normal += normals[at];
     }
-    const int slip = question.slip_before(joint);
-    set_mode(question.stack, contact, pushes, slip, joint);
+    const int slip = problem.slip_before(joint);
+    set_mode(problem.stack, contact, pushes, slip, joint);
     if (slip == 0 && abs(tangential[held_at++]) > contact.friction * normal + force_rounding)
       return std::nullopt;
   }
@@ -82,7 +82,7 @@ std::optional<Joints<Real>> sticking_mode(const TouchingContacts<Real>& contacts
 /// What Lemke's method finds: a mode, and what each unknown is. For each contact these are forces at its
 /// points, and where friction is sought, to the right and to the left, and the slip.
 template <class Real>
-struct RubbingSolution {
+struct LcpSolution {
   Joints<Real> mode;
   ShortNumbers<Real> unknowns;
 };
@@ -90,14 +90,15 @@ struct RubbingSolution {
 /// By Lemke's method. Beside what is sought, each contact bears a normal impulse `borne`, where any is given;
 /// then no slips are sought of contacts without friction.
 template <class Real>
-std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts, const Joints<Real>& joints,
-                                         const ShortNumbers<Real>& borne = {}) {
-  const ContactQuestion<Real>& question = contacts.question();
+std::optional<LcpSolution<Real>> solve_coulomb_lcp(const TouchingContacts<Real>& contacts,
+                                                   const Joints<Real>& joints,
+                                                   const ShortNumbers<Real>& borne = {}) {
+  const ContactProblem<Real>& problem = contacts.problem();
   ContactForceRows<Real> rows;
   ShortNumbers<Real> signs;  // of each row; 0 of the slip, of which there is none in the equations
   ShortVector<bool> cones;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
-    const int slip = question.slip_before(joints[contact.interface]);
+    const int slip = problem.slip_before(joints[contact.interface]);
     add_points(contact, slip, rows);
     while (signs.size() < rows.size()) signs.push_back(1);
     cones.push_back(slip == 0 && (borne.empty() || contact.friction > 0));
@@ -141,27 +142,27 @@ std::optional<RubbingSolution<Real>> rub(const TouchingContacts<Real>& contacts,
     Joint<Real>& joint = mode[contact.interface];
     ShortVector<bool> pushes;
     for (std::size_t i = 0; i < contact.points(); ++i, ++at) pushes.push_back(!(solution->w[at] > parting));
-    int slip = question.slip_before(joint);
+    int slip = problem.slip_before(joint);
     if (cones[c]) {
       // Equality holds for that of the two conditions slack ± slip ≥ 0 which is of the way it does not slide.
       if (solution->z[at + 2] > parting) slip = solution->w[at] > solution->w[at + 1] ? 1 : -1;
       at += 3;
     }
-    set_mode(question.stack, contact, pushes, slip, joint);
+    set_mode(problem.stack, contact, pushes, slip, joint);
   }
   for (Real& unknown : solution->z) unknown /= scale;
-  return RubbingSolution<Real>{std::move(mode), std::move(solution->z)};
+  return LcpSolution<Real>{std::move(mode), std::move(solution->z)};
 }
 
 /// Mode whose forces change the motion least, of all modes that obey.
 template <class Real>
 std::optional<Joints<Real>> nearest_mode(const TouchingContacts<Real>& contacts, const Joints<Real>& joints) {
-  const ContactQuestion<Real>& question = contacts.question();
+  const ContactProblem<Real>& problem = contacts.problem();
   std::optional<Joints<Real>> nearest;
   Real least = std::numeric_limits<Real>::infinity();
   for (auto& mode : modes_that_obey(contacts, joints, 100'000)) {
-    const FreeVector<Real> change = respond(contacts, mode).motion - question.free;
-    const Real size = change.cwiseAbs2().cwiseQuotient(question.stack.inverse_mass).sum();
+    const FreeVector<Real> change = respond(contacts, mode).motion - problem.free;
+    const Real size = change.cwiseAbs2().cwiseQuotient(problem.stack.inverse_mass).sum();
     if (!(size < least)) continue;
     least = size;
     nearest = std::move(mode);
@@ -175,7 +176,7 @@ std::optional<Joints<Real>> mode_on_faces(const TouchingContacts<Real>& contacts
                                           const Joints<Real>& joints) {
   if (contacts.empty()) return joints;
   if (auto mode = sticking_mode(contacts, joints)) return mode;
-  auto rubbing = rub(contacts, joints);
+  auto rubbing = solve_coulomb_lcp(contacts, joints);
   if (rubbing && obeys(contacts, joints, rubbing->mode)) return std::move(rubbing->mode);
   auto other = nearest_mode(contacts, joints);
   if (!other && rubbing) other = std::move(rubbing->mode);
@@ -191,54 +192,54 @@ std::optional<Joints<Real>> mode_on_faces(const TouchingContacts<Real>& contacts
 /// as Murty's least-index method finds what is active: the first pair that changes its face does.
 template <class Real>
 std::optional<Joints<Real>> find_mode(const TouchingContacts<Real>& contacts, Joints<Real> joints) {
-  const ContactQuestion<Real>& question = contacts.question();
+  const ContactProblem<Real>& problem = contacts.problem();
   for (Joint<Real>& joint : joints) joint.settled = joint.settled && joint.pivots();
-  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(problem.stack, joints, problem.level);
   if (Joints<Real> likely = likely_mode(contacts, joints); surely_obeys(contacts, likely, pairs)) {
-    for (const int k : pairs) meet_face(question.stack, k, likely[k]);
+    for (const int k : pairs) meet_face(problem.stack, k, likely[k]);
     return likely;
   }
   auto first = mode_on_faces(contacts, joints);
-  const bool goes_on = question.level != ContactLevel::impacts;  // else the slip passes the corner
+  const bool goes_on = problem.level != ContactLevel::impacts;  // else the slip passes the corner
   if (first && goes_on && unsettle(*first, joints))
-    return find_mode(TouchingContacts<Real>(question, joints), joints);
+    return find_mode(TouchingContacts<Real>(problem, joints), joints);
   if (pairs.empty() || !first) return first;
   auto mode = first;
   int changing = first_to_change(contacts, pairs, *mode);
   for (std::size_t changes = 0; changing >= 0 && changes < 4 * pairs.size(); ++changes) {
     bool& below = joints[changing].corner_below;
     below = !below;
-    const TouchingContacts<Real> others(question, joints);
+    const TouchingContacts<Real> others(problem, joints);
     mode = mode_on_faces(others, joints);
     if (!mode) break;
     changing = first_to_change(others, pairs, *mode);
   }
   if (!mode || changing >= 0) mode = first;
-  for (const int k : pairs) meet_face(question.stack, k, (*mode)[k]);
+  for (const int k : pairs) meet_face(problem.stack, k, (*mode)[k]);
   return mode;
 }
 
 template <class Real>
-std::optional<Joints<Real>> find_mode(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
-  return find_mode(TouchingContacts<Real>(question, joints), joints);
+std::optional<Joints<Real>> find_mode(const ContactProblem<Real>& problem, const Joints<Real>& joints) {
+  return find_mode(TouchingContacts<Real>(problem, joints), joints);
 }
 
 /// Modes that obey besides one, up to a number of them, none of which moves as another.
 template <class Real>
 class OtherModes {
  public:
-  /// Keeps references to `question` and `mode`.
-  OtherModes(const ContactQuestion<Real>& question, const Joints<Real>& mode, std::size_t most)
-      : question_(question),
+  /// Keeps references to `problem` and `mode`.
+  OtherModes(const ContactProblem<Real>& problem, const Joints<Real>& mode, std::size_t most)
+      : problem_(problem),
         mode_(mode),
         most_(most),
-        same_(Real(1e-6) * question.free.template lpNorm<Eigen::Infinity>()) {}
+        same_(Real(1e-6) * problem.free.template lpNorm<Eigen::Infinity>()) {}
 
   bool full() const { return modes_.size() == most_; }
   /// Where a force has just left its cone, motions are yet alike: which of `pairs` stick tells them apart.
   void add(const Joints<Real>& other, const ShortVector<int>& pairs = {}) {
-    if (motions_.empty()) motions_.push_back(respond(question_, mode_).motion);
-    const FreeVector<Real> motion = respond(question_, other).motion;
+    if (motions_.empty()) motions_.push_back(respond(problem_, mode_).motion);
+    const FreeVector<Real> motion = respond(problem_, other).motion;
     for (std::size_t i = 0; i < motions_.size(); ++i) {
       const Joints<Real>& known = i == 0 ? mode_ : modes_[i - 1];
       const auto parts = [&](int k) { return known[k].sticks() != other[k].sticks(); };
@@ -252,7 +253,7 @@ class OtherModes {
   std::vector<Joints<Real>> take() && { return std::move(modes_); }
 
  private:
-  const ContactQuestion<Real>& question_;
+  const ContactProblem<Real>& problem_;
   const Joints<Real>& mode_;
   std::size_t most_;
   Real same_;
@@ -262,9 +263,9 @@ class OtherModes {
 
 /// Adds what other faces of few pairs of corners lead to, where it obeys, and accelerations stay on them.
 template <class Real>
-void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> joints, const Joints<Real>& mode,
+void add_on_other_faces(const ContactProblem<Real>& problem, Joints<Real> joints, const Joints<Real>& mode,
                         OtherModes<Real>& others) {
-  const ShortVector<int> pairs = open_pairs(question.stack, joints, question.level);
+  const ShortVector<int> pairs = open_pairs(problem.stack, joints, problem.level);
   const auto any_pair = [&](const auto& is) {
     return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return is(static_cast<std::size_t>(k)); });
   };
@@ -272,10 +273,10 @@ void add_on_other_faces(const ContactQuestion<Real>& question, Joints<Real> join
   if (pairs.size() > most || !any_pair([&](std::size_t k) { return !mode[k].sticks(); })) return;
   for (unsigned faces = 0; faces < 1U << pairs.size() && !others.full(); ++faces) {
     for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]].corner_below = (faces >> i & 1U) != 0;
-    const TouchingContacts<Real> contacts(question, joints);
+    const TouchingContacts<Real> contacts(problem, joints);
     const auto other = mode_on_faces(contacts, joints);
     if (!other || !obeys(contacts, joints, *other)) continue;
-    if (question.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
+    if (problem.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
       continue;
     others.add(*other, pairs);
   }

@@ -59,7 +59,7 @@ ShortNumbers<Real> holding(const TouchingContacts<Real>& contacts, const Contact
 template <class Real>
 ShortVector<ContactForce<Real>> held_forces(const TouchingContacts<Real>& contacts, const Joints<Real>& mode,
                                             const ShortNumbers<Real>& values) {
-  const ContactModel<Real>& stack = contacts.question().stack;
+  const ContactModel<Real>& stack = contacts.problem().stack;
   ShortVector<ContactForce<Real>> forces(mode.size());
   std::size_t at = 0;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
@@ -79,7 +79,7 @@ ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<
                            const FreeVector<Real>* velocities = nullptr) {
   const ContactForceRows<Real> held = held_by(contacts, mode);
   const ShortNumbers<Real> values = holding(contacts, held, velocities);
-  ModeResponse<Real> response{velocities != nullptr ? *velocities : contacts.question().free,
+  ModeResponse<Real> response{velocities != nullptr ? *velocities : contacts.problem().free,
                               held_forces(contacts, mode, values)};
   for (std::size_t i = 0; i < held.size(); ++i) contacts.act(held[i], values[i], response.motion);
   return response;
@@ -87,8 +87,8 @@ ModeResponse<Real> respond(const TouchingContacts<Real>& contacts, const Joints<
 
 /// Response where joints hold as they say.
 template <class Real>
-ModeResponse<Real> respond(const ContactQuestion<Real>& question, const Joints<Real>& joints) {
-  return respond(TouchingContacts<Real>(question, joints), joints);
+ModeResponse<Real> respond(const ContactProblem<Real>& problem, const Joints<Real>& joints) {
+  return respond(TouchingContacts<Real>(problem, joints), joints);
 }
 
 /// No interface's angular acceleration is larger where all joints stick. Of all accelerations that obey them,
@@ -117,8 +117,8 @@ Real conditioning(const ContactModel<Real>& stack) {
   Bodies<Real> bodies{Poses<Real>(joints.size()), Poses<Real>(joints.size())};
   place(stack, joints, bodies);
   const FreeVector<Real> none = FreeVector<Real>::Zero(Eigen::Index{3} * stack.size());
-  const ContactQuestion<Real> question{stack, bodies, none, ContactLevel::velocities};
-  const TouchingContacts<Real> contacts(question, joints);
+  const ContactProblem<Real> problem{stack, bodies, none, ContactLevel::velocities};
+  const TouchingContacts<Real> contacts(problem, joints);
   const ContactForceRows<Real> held = held_by(contacts, joints);
   const std::size_t size = held.size();
   const auto effect = [&](std::size_t i, std::size_t j) { return contacts.effect(held[i].row, held[j].row); };

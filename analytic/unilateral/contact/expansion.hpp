@@ -31,12 +31,12 @@ ShortVector<Real> point_impulses(const ContactModel<Real>& stack, int interface,
 /// that of both. The mode after it; nothing where no impulses end it. Corners stay on the faces on which they
 /// are compressed; of several solutions, the one of Lemke's method. What slides by rounding is told to slide.
 template <class Real>
-std::optional<Joints<Real>> expand(const ContactQuestion<Real>& question, Joints<Real> touching,
+std::optional<Joints<Real>> expand(const ContactProblem<Real>& problem, Joints<Real> touching,
                                    const Joints<Real>& compressed, ModeResponse<Real>& response) {
-  const ContactModel<Real>& stack = question.stack;
+  const ContactModel<Real>& stack = problem.stack;
   for (std::size_t k = 0; k < touching.size(); ++k)
     if (touching[k].pivots() && compressed[k].pivots()) touching[k] = compressed[k];
-  const TouchingContacts<Real> contacts(question, touching);
+  const TouchingContacts<Real> contacts(problem, touching);
   ShortNumbers<Real> given;
   for (const TouchingInterface<Real>& contact : contacts.interfaces()) {
     const int k = contact.interface;
@@ -49,9 +49,9 @@ std::optional<Joints<Real>> expand(const ContactQuestion<Real>& question, Joints
     }
   }
   const FreeVector<Real> free = response.motion;
-  const ContactQuestion<Real> expansion{stack, question.bodies, free, question.level};
+  const ContactProblem<Real> expansion{stack, problem.bodies, free, problem.level};
   const TouchingContacts<Real> expanding(expansion, touching);
-  auto found = rub<Real>(expanding, touching, given);
+  auto found = solve_coulomb_lcp<Real>(expanding, touching, given);
   if (!found) return std::nullopt;
   std::size_t at = 0;
   for (std::size_t c = 0; c < given.size(); ++c) {

@@ -13,7 +13,7 @@ enum class ContactLevel { velocities, impacts, accelerations };
 
 /// What is asked of the laws of contact at one instant: the motion that follows from the one without contact.
 template <class Real = double>
-struct ContactQuestion {
+struct ContactProblem {
   const ContactModel<Real>& stack;
   const Bodies<Real>& bodies;
   const FreeVector<Real>& free;  ///< the motion without contact
@@ -36,9 +36,9 @@ FreeRow<Real> angle_row(const ContactModel<Real>& stack, int interface, const Re
 /// What an impact adds to the condition of a point: by Newton's law its speed across the face is 0 ≤ u + e u⁻
 /// ⟂ λ ≥ 0 where it met it, u⁻ < 0, so that e u⁻ is what a pushing point keeps, backwards.
 template <class Real>
-Real bounce_of(const ContactQuestion<Real>& question, const FreeRow<Real>& gap_row) {
-  if (question.level != ContactLevel::impacts || !question.stack.bounces_by(RestitutionLaw::newton)) return 0;
-  return question.stack.restitution * std::min<Real>(gap_row.dot(question.free), 0);
+Real bounce_of(const ContactProblem<Real>& problem, const FreeRow<Real>& gap_row) {
+  if (problem.level != ContactLevel::impacts || !problem.stack.bounces_by(RestitutionLaw::newton)) return 0;
+  return problem.stack.restitution * std::min<Real>(gap_row.dot(problem.free), 0);
 }
 
 /// The rows of an interface that touches, by their places among those of all: its gap and slip, and of a flat
@@ -78,17 +78,17 @@ using ContactForceRows = ShortVector<ContactForceRow<Real>, 20>;
 template <class Real>
 class TouchingContacts {
  public:
-  TouchingContacts(const ContactQuestion<Real>& question, const Joints<Real>& joints) : question_(question) {
-    for (int k = 0; k < question.stack.size(); ++k)
+  TouchingContacts(const ContactProblem<Real>& problem, const Joints<Real>& joints) : problem_(problem) {
+    for (int k = 0; k < problem.stack.size(); ++k)
       if (joints[k].touches()) add(k, joints[k]);
     const std::size_t size = rows_.size();
     effects_ = NumberTable<Real>(size, size);
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t j = 0; j <= i; ++j)
-        effects_(i, j) = effects_(j, i) = question.stack.effect(rows_[i], rows_[j]);
+        effects_(i, j) = effects_(j, i) = problem.stack.effect(rows_[i], rows_[j]);
   }
 
-  const ContactQuestion<Real>& question() const { return question_; }
+  const ContactProblem<Real>& problem() const { return problem_; }
   const ShortVector<TouchingInterface<Real>>& interfaces() const { return interfaces_; }
   bool empty() const { return interfaces_.empty(); }
   const FreeRow<Real>& row(std::size_t i) const { return rows_[i]; }
@@ -113,18 +113,18 @@ class TouchingContacts {
   void act(const ContactForceRow<Real>& force, const Real& value, FreeVector<Real>& motion) const {
     FreeRow<Real> direction = rows_[force.row];
     if (force.slide != 0) direction += force.slide * rows_[force.slip];
-    motion += value * question_.stack.inverse_mass.cwiseProduct(direction.transpose());
+    motion += value * problem_.stack.inverse_mass.cwiseProduct(direction.transpose());
   }
 
  private:
   void add(int k, const Joint<Real>& joint) {
-    const ContactModel<Real>& stack = question_.stack;
-    const Real bias = question_.of_accelerations() ? 1 : 0;
-    const ContactKinematics<Real> kinematics = kinematics_of(stack, question_.bodies, k, joint);
+    const ContactModel<Real>& stack = problem_.stack;
+    const Real bias = problem_.of_accelerations() ? 1 : 0;
+    const ContactKinematics<Real> kinematics = kinematics_of(stack, problem_.bodies, k, joint);
     TouchingInterface<Real> contact{k, joint.touch == Contact::closed, rows_.size(), stack.friction[k]};
     const FreeRow<Real>& gap = kinematics.gap_row;
     if (!contact.flat) {
-      add_row(gap, bias * kinematics.gap_bias + bounce_of(question_, gap));
+      add_row(gap, bias * kinematics.gap_bias + bounce_of(problem_, gap));
       add_row(kinematics.slip_row, bias * kinematics.slip_bias);
     } else {
       contact.ends = overlap(stack, k, joint.offset);
@@ -132,7 +132,7 @@ class TouchingContacts {
       const FreeRow<Real> turn = angle_row(stack, k);
       const FreeRow<Real> left = gap - contact.ends.left * turn, right = gap - contact.ends.right * turn;
       // What ends keep is on a line.
-      const Real at_left = bounce_of(question_, left), at_right = bounce_of(question_, right);
+      const Real at_left = bounce_of(problem_, left), at_right = bounce_of(problem_, right);
       const Real turning = (at_left - at_right) / (contact.ends.right - contact.ends.left);
       add_row(gap, bias * kinematics.gap_bias + (at_left + contact.ends.left * turning));
       add_row(kinematics.slip_row, bias * kinematics.slip_bias);
@@ -148,18 +148,18 @@ class TouchingContacts {
   void add_row(const Eigen::MatrixBase<Row>& row, const Real& bias) {
     rows_.resize(rows_.size() + 1);
     rows_.back() = row;
-    free_.push_back(rows_.back().dot(question_.free) + bias);
+    free_.push_back(rows_.back().dot(problem_.free) + bias);
   }
   /// Axes and arms are known to rounding, so that conditions of an interface are to that of the motions of
   /// both its blocks.
   Real rounding_of(int k, const ContactKinematics<Real>& kinematics) const {
     Real size = 0;
     for (Eigen::Index at = Eigen::Index{3} * std::max(k - 1, 0); at < Eigen::Index{3} * (k + 1); ++at)
-      size += (abs(kinematics.gap_row[at]) + abs(kinematics.slip_row[at])) * abs(question_.free[at]);
+      size += (abs(kinematics.gap_row[at]) + abs(kinematics.slip_row[at])) * abs(problem_.free[at]);
     return tolerance<Real>(1e-14) * size;
   }
 
-  const ContactQuestion<Real>& question_;
+  const ContactProblem<Real>& problem_;
   ShortVector<TouchingInterface<Real>> interfaces_;
   ShortVector<FreeRow<Real>, 20> rows_;
   ShortNumbers<Real> free_, rounding_;

@@ -26,7 +26,7 @@ struct BedState {
 enum class BedBound : std::uint8_t { end, depth, pressure };
 
 /// The stretch that presses, from an end of the face, or from near it, on.
-struct BedStretch {
+struct PressedLength {
   bool presses = false;
   int from = 1;  ///< the end that it is counted from: 0 left, 1 right
   BedBound near = BedBound::end, far = BedBound::end;
@@ -40,9 +40,9 @@ inline BedBound bound_of(const BedState& bed, std::size_t end) {
   return bed.crossed == (end == 0) ? BedBound::depth : BedBound::pressure;
 }
 
-inline BedStretch stretch_of(const BedState& bed) {
+inline PressedLength stretch_of(const BedState& bed) {
   const auto& [left, right] = bed.ends;
-  BedStretch stretch;
+  PressedLength stretch;
   if (!(left.deep || right.deep) || !(left.presses || right.presses)) return stretch;
   const bool apart = left.deep != left.presses && right.deep != right.presses && left.deep != right.deep;
   stretch.presses = !apart || bed.crossed == right.deep;
@@ -60,7 +60,7 @@ inline BedStretch stretch_of(const BedState& bed) {
 ///     N = ½ ∫ P du,   couple = ± ¼ ∫ P (1 − u) du,   both over the stretch.
 template <class Real>
 struct GrowingBed {
-  BedStretch stretch;
+  PressedLength stretch;
   std::array<Polynomial<Real>, 2> depth;     ///< m
   std::array<Polynomial<Real>, 2> pressure;  ///< 2bp, N
   Polynomial<Real> normal;                   ///< N

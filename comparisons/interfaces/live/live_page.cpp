@@ -34,20 +34,21 @@ Json scene_of(const fs::path& file, const std::vector<std::string>& overrides,
 }
 
 Json shipped_scenes(std::set<std::string>& records) {
-  return each_of(shipped_names("scenes"), [&](const std::string& name) {
+  return mapped(shipped_names("scenes"), [&](const std::string& name) {
     return Json{{"name", name}, {"scene", scene_of(find_file(name, "scenes"), {}, records)}};
   });
 }
 
 Json setting_json(const Setting& setting) {
-  return {{"name", setting.name},       {"default", setting.standard}, {"tuned", setting.tuned},
-          {"least", setting.least},     {"most", setting.most},        {"whole", setting.whole},
+  return {{"name", setting.name},       {"default", setting.default_value},
+          {"tuned", setting.tuned},     {"least", setting.least},
+          {"most", setting.most},       {"whole", setting.whole},
           {"choices", setting.choices}, {"unit", setting.unit}};
 }
 
 Json engine_list() {
-  return each_of(engines(), [](const WorkerEngine& engine) {
-    return Json{{"name", engine.full_name()}, {"settings", each_of(engine.settings, setting_json)}};
+  return mapped(engines(), [](const WorkerEngine& engine) {
+    return Json{{"name", engine.full_name()}, {"settings", mapped(engine.settings, setting_json)}};
   });
 }
 

@@ -68,8 +68,9 @@ Json told(const LiveState& state, const WorkerRun& run, std::size_t stride, bool
             observed_impacts(state.scene, history, chatter_speed(state.scene)));
   const auto& bodies = run.run.bodies;
   if (bodies) add_energies(answer, state.scene, history.times, bodies->energy, stride);
-  answer["verdict"] = motion_verdict(
-      state.scene, history, bodies ? support_of(bodies->penetration, bodies->unsupported_since) : Support{});
+  answer["verdict"] =
+      motion_verdict(state.scene, history,
+                     bodies ? support_of(bodies->penetration, bodies->unsupported_since) : SupportLoss{});
   answer["warnings"] = run.run.warnings;
   return answer;
 }
@@ -81,7 +82,7 @@ Json solved(const LiveRequest& request, const Limits& limits) {
                    {"member", request.member},
                    {"spread", state.spread}};
   const ProcessEnd end = run_process(worker_folder() / "rockstack_exact", asked.dump(), limits);
-  if (end.unwanted) return {{"dropped", true}};
+  if (end.cancelled) return {{"dropped", true}};
   if (end.timed_out) return {{"failure", fmt::format("not done after {} s", limits.time)}};
   if (end.signal != 0 || end.exit_code != 0)
     return {
@@ -155,7 +156,7 @@ std::string Requests::answer(const std::string& text, const std::function<bool()
   scheduler_.note(request.client);
   const std::function<bool()> cancelled = [&] { return scheduler_.is_superseded(request.client) || gone(); };
   const Limits limits{
-      .time = longest_run, .memory = run_memory, .reply = longest_answer, .unwanted = &cancelled};
+      .time = longest_run, .memory = run_memory, .reply = longest_answer, .cancelled = &cancelled};
   Json answer{{"dropped", true}};
   scheduler_.serve(request.client.kind, cancelled, [&] {
     const bool exact = request.client.kind == Kind::exact || request.read.series.engine == nullptr;

@@ -51,7 +51,7 @@ AdviceListener listener(const AdviceRequest& request, const Common& common) {
                  series.engine->full_name(), dt);
       std::fflush(stderr);
     };
-  if (common.talks())
+  if (common.prints_text())
     listener.trial = [&common](const Trial& trial) {
       clear_progress(common);
       print_trial(trial);
@@ -69,7 +69,7 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
                one.quantity, one.exact_mean, one.other_mean, one.apart.distance,
                one.apart.p_value < 0.05 ? "another distribution" : "not to be told apart");
   const RunMetrics& pick = advice.trials[static_cast<std::size_t>(advice.pick)].row;
-  const std::string changes = text_of_each(
+  const std::string changes = joined_texts(
       common.overrides, [](const std::string& change) { return " --set " + shell_word(change); });
   fmt::print("rockstack simulate {}{} --engine {}:{} --dt {}\n", shell_word(arguments.scene), changes,
              pick.engine, pick.solver, pick.dt.value_or(0));
@@ -88,9 +88,9 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
                         .within = arguments.within,
                         .engines = engines_named(arguments.engines, usual_engines)};
   request.limits.time = std::min(arguments.time_limit, arguments.within);
-  if (common.talks()) print_legend(request);
+  if (common.prints_text()) print_legend(request);
   const Advice advice = advise(scene, request, arguments.out, common.command, listener(request, common));
-  if (in_words(advice_json(scene, request, advice, common.command), common))
+  if (print_json(advice_json(scene, request, advice, common.command), common))
     print_advice(advice, arguments, request, scene.scene.duration, common);
   show_report(arguments.out, common);
   return advice.pick < 0 ? 1 : 0;

@@ -55,7 +55,7 @@ Finding judge(const WorkerEngine& engine, const std::string& settings, const Che
 /// Those of some names, or all. @throws InputError naming all for another name.
 std::vector<Check> checks_named(const std::vector<std::string>& names) {
   std::vector<Check> list = checks();
-  const auto there = each_of(list, [](const Check& check) { return std::string(check.name); });
+  const auto there = mapped(list, [](const Check& check) { return std::string(check.name); });
   const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
     return std::ranges::find(all, name) != all.end();
   };
@@ -99,9 +99,10 @@ Json capabilities_json(const WorkerEngine& engine, const std::string& settings) 
           {"tells_contacts", made.run.bodies->contacts.has_value()},
           {"step_time", made.seconds.front() / static_cast<double>(made.run.history.size() - 1)},
           {"processor_time", made.processor_time},
-          {"settings", each_of(engine.settings, [](const Setting& setting) {
-             return Json{{"name", setting.name},   {"unit", setting.unit},   {"default", setting.standard},
-                         {"tuned", setting.tuned}, {"least", setting.least}, {"most", setting.most}};
+          {"settings", mapped(engine.settings, [](const Setting& setting) {
+             return Json{
+                 {"name", setting.name},   {"unit", setting.unit},   {"default", setting.default_value},
+                 {"tuned", setting.tuned}, {"least", setting.least}, {"most", setting.most}};
            })}};
 }
 
@@ -147,7 +148,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   const auto tell = [&](const Finding& finding) {
     ++count;
     if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;
-    if (common.talks()) print(finding);
+    if (common.prints_text()) print(finding);
     report["checks"].push_back(to_json(finding));
   };
   for (const WorkerEngine* engine : engines_named(arguments.engine)) {
@@ -157,7 +158,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
       tell({engine->full_name(), sets.front(), "FirstRun", error.what()});
       continue;
     }
-    if (common.talks()) print_capabilities(report["engines"].back());
+    if (common.prints_text()) print_capabilities(report["engines"].back());
     for (const std::string& settings : sets) {
       // What no check can be held to is not run, unless checks are named.
       const std::string beyond =
@@ -170,7 +171,7 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
     }
   }
   report["broken"] = broken;
-  if (in_words(report, common)) fmt::print("{} of {} checks do not hold\n", broken, count);
+  if (print_json(report, common)) fmt::print("{} of {} checks do not hold\n", broken, count);
   return broken == 0 ? 0 : 1;
 }
 

@@ -28,7 +28,7 @@ std::string waiting_time(double seconds) {
 std::vector<const WorkerEngine*> engines_named(const std::string& name) {
   std::vector<const WorkerEngine*> list = chosen_engines(name);
   if (name.find_first_of(":/") != std::string::npos) return list;
-  return each_of(engines_called(list.front()->name), [](const WorkerEngine& engine) { return &engine; });
+  return mapped(engines_called(list.front()->name), [](const WorkerEngine& engine) { return &engine; });
 }
 
 std::vector<const WorkerEngine*> engines_named(const std::vector<std::string>& names,
@@ -73,9 +73,9 @@ void refuse_overrides(const Common& common, const char* reason) {
     throw InputError(fmt::format("--set {}: must be left out, {}", common.overrides.front(), reason));
 }
 
-bool in_words(const Json& result, const Common& common) {
+bool print_json(const Json& result, const Common& common) {
   if (common.json) fmt::print("{}\n", result.dump(2));
-  return common.talks();
+  return common.prints_text();
 }
 
 std::string shell_word(const std::string& word) {
@@ -105,7 +105,7 @@ void clear_progress(const Common& common) {
   if (shows_progress(common)) fmt::print(stderr, "\r\033[K");
 }
 
-int end_of_runs(std::size_t failed, std::size_t runs, const char* file, const std::string& reason) {
+int exit_code(std::size_t failed, std::size_t runs, const char* file, const std::string& reason) {
   if (failed > 0)
     fmt::print(stderr, "rockstack: {} of {} runs failed, {} says why; the first: {}\n", failed, runs, file,
                reason);
@@ -113,7 +113,7 @@ int end_of_runs(std::size_t failed, std::size_t runs, const char* file, const st
 }
 
 void print_report(const std::filesystem::path& folder, const Common& common) {
-  if (!common.talks()) return;
+  if (!common.prints_text()) return;
 #ifdef ROCKSTACK_WITH_PLOTS
   fmt::print("report: {}\n", one_line((folder / "report.html").string()));
 #else

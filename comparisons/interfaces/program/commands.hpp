@@ -20,7 +20,7 @@ struct Common {
   std::string command;                 ///< the whole command line, for the results
 
   /// Whether tables and sentences are printed.
-  bool talks() const { return !quiet && !json; }
+  bool prints_text() const { return !quiet && !json; }
 };
 
 // Each command returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as
@@ -181,7 +181,7 @@ std::unique_ptr<Executor> make_executor(std::size_t threads);
 // What the program says on standard output; progress goes to standard error, and only to a terminal.
 
 /// Prints a result where it is wanted as JSON. Returns whether it is wanted in words.
-bool in_words(const Json& result, const Common& common);
+bool print_json(const Json& result, const Common& common);
 
 /// A word as a shell reads it back.
 std::string shell_word(const std::string& word);
@@ -200,7 +200,7 @@ void clear_progress(const Common& common);
 
 /// Says on standard error how many runs failed, which file says why, and why the first did. Returns the exit
 /// code.
-int end_of_runs(std::size_t failed, std::size_t runs, const char* file, const std::string& reason);
+int exit_code(std::size_t failed, std::size_t runs, const char* file, const std::string& reason);
 
 /// Where figures and report are.
 void print_report(const std::filesystem::path& folder, const Common& common);

@@ -70,20 +70,20 @@ void announce_undecided(const std::vector<Suite>& suites, const Common& common) 
   std::map<std::string, std::vector<int>> sets;  // how often each of a set's rows is run
   for (const Job& job : jobs_of(suites))
     if (job.series != nullptr) sets[set_name(describe(job))].push_back(replicates_of(job).runs);
-  const auto runs = each_of(sets, [](const auto& set) { return set.second; });
+  const auto runs = mapped(sets, [](const auto& set) { return set.second; });
   const std::vector<bool> shown = sets_that_can_change(runs, change_level);
-  const auto rows = each_of(runs, [](const std::vector<int>& set) { return set.size(); });
-  if (const auto hidden = std::ranges::count(shown, false); hidden > 0 && common.talks())
+  const auto rows = mapped(runs, [](const std::vector<int>& set) { return set.size(); });
+  if (const auto hidden = std::ranges::count(shown, false); hidden > 0 && common.prints_text())
     fmt::print("`rockstack diff` can show no change of {} of {}; with --draws {} it can\n", hidden,
                counted(sets.size(), "set"), replicates_that_show_changes(rows, change_level));
 }
 
-/// Exit code of rows, as end_of_runs() has it.
+/// Exit code of rows, as exit_code() has it.
 int end_of_rows(const std::vector<RunMetrics>& rows, const char* file) {
   const auto is_failed = [](const RunMetrics& row) { return row.status != RunStatus::done; };
   const auto first = std::ranges::find_if(rows, is_failed);
-  return end_of_runs(static_cast<std::size_t>(std::ranges::count_if(rows, is_failed)), rows.size(), file,
-                     first == rows.end() ? "" : first->reason);
+  return exit_code(static_cast<std::size_t>(std::ranges::count_if(rows, is_failed)), rows.size(), file,
+                   first == rows.end() ? "" : first->reason);
 }
 
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -107,11 +107,11 @@ void print_left_out(const std::vector<std::string>& names) {
 void print_impact_laws(const ImpactLawResults& results, const std::vector<std::string>& left_out,
                        const std::filesystem::path& folder, const Common& common) {
   const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
-  const Json list = each_of(kinds, [](const ImpactShare& kind) {
+  const Json list = mapped(kinds, [](const ImpactShare& kind) {
     return Json{
         {"kind", name(kind.kind)}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}};
   });
-  if (!in_words({{"kinds", list}, {"folder", folder.string()}}, common)) return;
+  if (!print_json({{"kinds", list}, {"folder", folder.string()}}, common)) return;
   fmt::print("{:<18} {:>8} {:>9} {:>9}\n", "impact", "number", "differ", "none");
   for (const ImpactShare& kind : kinds)
     fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", name(kind.kind), kind.impacts,
@@ -149,7 +149,7 @@ void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem
   std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
   for (const StabilityRun& row : rows)
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
-  if (!in_words({{"verdicts", counts}, {"folder", out.string()}}, common)) return;
+  if (!print_json({{"verdicts", counts}, {"folder", out.string()}}, common)) return;
   for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
   fmt::print("{}\n{}\n", one_line((out / "stability.csv").string()), one_line((out / "steps.csv").string()));
 }
@@ -164,14 +164,14 @@ int stability_command(const std::filesystem::path& file, const CompareArguments&
       study, arguments.out, executor, {.command = common.command, .progress = progress(common)});
   print_verdicts(rows, arguments.out, common);
   show_report(arguments.out, common);
-  return end_of_rows(each_of(rows, &StabilityRun::row), "stability.csv");
+  return end_of_rows(mapped(rows, &StabilityRun::row), "stability.csv");
 }
 
 /// The verdict, what was left out, and where the results are; or all of it as JSON.
 void print_comparison(const CompareResult& result, const std::vector<std::string>& left_out,
                       const std::filesystem::path& folder, const Common& common) {
-  if (!in_words({{"headline", result.verdict.headline}, {"rows", result.rows}, {"folder", folder.string()}},
-                common))
+  if (!print_json({{"headline", result.verdict.headline}, {"rows", result.rows}, {"folder", folder.string()}},
+                  common))
     return;
   fmt::print("\n");
   if (std::ranges::any_of(result.rows,
@@ -210,7 +210,7 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   }
   const std::vector<Suite> suites = read_inputs(arguments, common);
   require_comparable(suites);
-  const std::string inputs = fmt::format("{}", fmt::join(each_of(arguments.inputs, subject_of), ", "));
+  const std::string inputs = fmt::format("{}", fmt::join(mapped(arguments.inputs, subject_of), ", "));
   const ResultsFolder folder(arguments.out, Results::comparison, inputs, common.replace);
   for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) warn_of_sizes(scene.scene, common);

@@ -22,7 +22,7 @@ std::vector<std::string> cells_of(const TurnedNumber& number) {
   const RowChange& row = *number.row;
   const QuantityChange& change = *number.change;
   const bool all = row.old_row.scene.empty();
-  return {name(change.turn),
+  return {name(change.trend),
           all ? "all" : row.old_row.scene,
           row.old_row.engine + (row.old_row.solver.empty() ? "" : ":" + row.old_row.solver),
           settings_of(row),
@@ -87,8 +87,8 @@ void print_change(const ResultsChange& result, const ChangeOptions& options) {
   fmt::print("rows in both: {}, to the bit {}, of the nominal run alone {}; worse {}, better alone {}\n",
              result.rows.size(), count([](const RowChange& row) { return row.bits == "same"; }),
              count([](const RowChange& row) { return row.bits == "nominal"; }),
-             count([](const RowChange& row) { return row.worst() == Turn::worse; }),
-             count([](const RowChange& row) { return row.worst() == Turn::better; }));
+             count([](const RowChange& row) { return row.worst() == Trend::worse; }),
+             count([](const RowChange& row) { return row.worst() == Trend::better; }));
   print_tests(result);
   print_singles(result, options);
   if (const ValueSpread cost = cost_ratio(result); cost.values > 0)
@@ -130,7 +130,7 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
     write_file(arguments.out / "diff.csv", changes_csv(result));
     write_file(arguments.out / "diff.json", json.dump(2) + "\n");
   }
-  if (in_words(json, common)) {
+  if (print_json(json, common)) {
     print_change(result, options);
     if (!arguments.out.empty()) fmt::print("results: {}\n", one_line(arguments.out.string()));
     fmt::print("\n{}\n", result.headline());

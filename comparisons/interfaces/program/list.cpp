@@ -27,16 +27,17 @@ void print_table(const KeyTable& table) {
   const std::string_view header = table.header;
   fmt::print("\n{}{}# {}\n", header, header.empty() ? "" : "  ", table.meaning);
   for (const InputKey& key : table.keys) {
-    fmt::print("  {:<20} {:<11} {:<28} {}\n", key.name, *key.unit != '\0' ? key.unit : "-", key.standard,
+    fmt::print("  {:<20} {:<11} {:<28} {}\n", key.name, *key.unit != '\0' ? key.unit : "-", key.default_value,
                key.range);
     fmt::print("  {:<20} {}\n", "", key.meaning);
   }
 }
 
 Json table_json(const char* file, const KeyTable& table) {
-  const auto keys = each_of(table.keys, [](const InputKey& key) {
-    return Json{{"key", key.name},         {"unit", key.unit},       {"range", key.range},
-                {"default", key.standard}, {"meaning", key.meaning}, {"example", key.example}};
+  const auto keys = mapped(table.keys, [](const InputKey& key) {
+    return Json{{"key", key.name},        {"unit", key.unit},
+                {"range", key.range},     {"default", key.default_value},
+                {"meaning", key.meaning}, {"example", key.example}};
   });
   return {{"file", file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", keys}};
 }
@@ -56,14 +57,14 @@ std::string header_in(const std::string& scene, std::string header) {
 }
 
 std::string comment_of(const InputKey& key) {
-  std::string standard;
-  const std::string_view words = key.standard;
+  std::string default_value;
+  const std::string_view words = key.default_value;
   if (words != required_key) {
     const bool value = !words.starts_with("instead") && !words.starts_with(required_key);
-    standard = fmt::format(", {}{}", value ? "default " : "", words);
+    default_value = fmt::format(", {}{}", value ? "default " : "", words);
   }
   return fmt::format("{}: {}{}{}{}", key.meaning, key.unit, *key.unit != '\0' ? ", " : "", key.range,
-                     standard);
+                     default_value);
 }
 
 /// One line a key: required ones and those with a value as they are, others as comments.
@@ -73,7 +74,7 @@ std::string lines_of(const Section& section, const std::string& mark) {
     const auto given = section.values.find(key.name);
     const std::string value = given != section.values.end() ? given->second : key.example;
     if (value.empty()) continue;
-    const bool off = given == section.values.end() && std::string_view(key.standard) != required_key;
+    const bool off = given == section.values.end() && std::string_view(key.default_value) != required_key;
     text += fmt::format("{}{:<38} # {}\n", off ? "" : mark,
                         fmt::format("{}{} = {}", off ? "# " : "", key.name, value), comment_of(key));
   }
@@ -169,8 +170,8 @@ std::vector<Listed> listed_engines() {
 std::vector<Listed> listed(const std::string& kind) {
   if (kind == "engines") return listed_engines();
   if (kind == "lessons")
-    return each_of(lessons(), [](const Lesson& lesson) { return Listed{lesson.name, title(lesson)}; });
-  return each_of(shipped_names(kind), [&](const std::string& name) {
+    return mapped(lessons(), [](const Lesson& lesson) { return Listed{lesson.name, title(lesson)}; });
+  return mapped(shipped_names(kind), [&](const std::string& name) {
     const Node root = read_toml(find_file(name, kind));
     const Node* title = find(root, "title");
     return Listed{name, title != nullptr ? title->text : ""};
@@ -232,7 +233,7 @@ int list_command(const KindArguments& arguments, const Common& common) {
   for (const std::string kind : {"scenes", "suites", "ensembles", "lessons", "engines"}) {
     if (!only.empty() && kind != only) continue;
     if (common.json) {
-      (only.empty() ? all[kind] : all) = each_of(listed(kind), [](const Listed& one) {
+      (only.empty() ? all[kind] : all) = mapped(listed(kind), [](const Listed& one) {
         return Json{{"name", one.name}, {"title", one.title}};
       });
     } else {

@@ -48,7 +48,7 @@ std::string missing(const CLI::App& command) {
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
-  return each_of(app.get_subcommands({}), &CLI::App::get_name);
+  return mapped(app.get_subcommands({}), &CLI::App::get_name);
 }
 
 /// The first word that nobody expected, and what it may have been meant for.

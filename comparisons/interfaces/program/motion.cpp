@@ -17,7 +17,7 @@ namespace {
 
 /// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are; in between
 /// what is said of other motions that obey. `sampled`: an engine's, which tells no events.
-void print_history(const Scene& scene, const History& history, const Support& support,
+void print_history(const Scene& scene, const History& history, const SupportLoss& support,
                    const std::filesystem::path& folder, const Common& common, bool sampled,
                    const std::vector<std::string>& lines_of_others = {},
                    const Json& others = Json::object()) {
@@ -34,7 +34,7 @@ void print_history(const Scene& scene, const History& history, const Support& su
                {"warnings", warnings},
                {"folder", folder.string()}});
   json.update(others);
-  if (!in_words(json, common)) return;
+  if (!print_json(json, common)) return;
   fmt::print("{}\n", verdict);
   for (const GroundMotion* motion : {&scene.horizontal, &scene.vertical})
     if (!motion->samples.empty() && !motion->made_up) fmt::print("ground: {}\n", motion->source);
@@ -97,9 +97,9 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::motion, scene.name, common.replace);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
   const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
-  if (named.size() > 1 && common.talks())
+  if (named.size() > 1 && common.prints_text())
     fmt::print("engine: {}, the first of {}\n", engine.full_name(),
-               fmt::join(each_of(named, &WorkerEngine::solver), ", "));
+               fmt::join(mapped(named, &WorkerEngine::solver), ", "));
   print_history(scene.scene, history, support, arguments.out, common, true);
   if (arguments.plots) show_report(arguments.out, common);
   return 0;
@@ -117,7 +117,7 @@ int plot_command(const PlotArguments& arguments, const Common& common) {
   print_report(results, common);
   if (!arguments.animate) return 0;
   for (const auto& film : plots::draw_animations(results))
-    if (common.talks()) fmt::print("film: {}\n", one_line(film.string()));
+    if (common.prints_text()) fmt::print("film: {}\n", one_line(film.string()));
   return 0;
 #else
   static_cast<void>(common);

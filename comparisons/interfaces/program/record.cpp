@@ -136,7 +136,7 @@ int record_command(const RecordArguments& arguments, const Common& common) {
     write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
     write_file(arguments.out / "record.json", whole.dump(2) + "\n");
   }
-  if (in_words(json, common)) {
+  if (print_json(json, common)) {
     print_text(record, arguments.base_line);
     if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", one_line(arguments.out.string()));
   }

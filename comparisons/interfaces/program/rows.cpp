@@ -100,7 +100,7 @@ std::size_t longest_name(const std::vector<Suite>& suites) {
 }  // namespace
 
 void print_legend(const std::vector<Suite>& suites, const Common& common) {
-  if (!common.talks()) return;
+  if (!common.prints_text()) return;
   int replicates = 1;
   double bound = 0;
   bool tested = false, ratio = false;
@@ -127,7 +127,7 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
 }
 
 void print_rows(const std::vector<Suite>& suites, const Common& common, CompareOptions& options) {
-  if (!common.talks()) return;
+  if (!common.prints_text()) return;
   const std::size_t width = longest_name(suites);
   options.row = [&common, width](const RunMetrics& row) {
     clear_progress(common);

@@ -74,14 +74,14 @@ std::function<void(std::size_t, std::size_t, std::size_t)> sweep_progress(const 
 
 /// Runs done, what they come to, and where the results are.
 void print_sweep(const SweepResult& result, const std::filesystem::path& folder, const Common& common) {
-  if (!in_words({{"runs", result.runs},
-                 {"done", result.done},
-                 {"computed", result.computed},
-                 {"failed", result.failed},
-                 {"seconds", result.seconds},
-                 {"headline", result.headline},
-                 {"folder", folder.string()}},
-                common))
+  if (!print_json({{"runs", result.runs},
+                   {"done", result.done},
+                   {"computed", result.computed},
+                   {"failed", result.failed},
+                   {"seconds", result.seconds},
+                   {"headline", result.headline},
+                   {"folder", folder.string()}},
+                  common))
     return;
   fmt::print("runs: {}, {} of them now in {:.3g} s\n", result.runs, result.computed, result.seconds);
   for (const std::string& sentence : result.headline) fmt::print("{}\n", sentence);
@@ -116,11 +116,11 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   if (interruption != 0) std::raise(interruption);
   print_sweep(result, arguments.out, common);
   show_report(arguments.out, common);
-  return end_of_runs(result.failed, result.runs, "runs.csv", result.reason);
+  return exit_code(result.failed, result.runs, "runs.csv", result.reason);
 }
 
 int fit_command(const FitArguments& arguments, const Common& common) {
-  const std::vector<FitParameter> parameters = each_of(arguments.vary, fit_parameter);
+  const std::vector<FitParameter> parameters = mapped(arguments.vary, fit_parameter);
   const SceneDocument document = read_document(input_file(arguments.scene, {"scenes"}), common.overrides);
   if (!document.measured) throw missing_key(document.root, "measured", "given, a table of what was measured");
   MotionLibrary library;
@@ -130,7 +130,7 @@ int fit_command(const FitArguments& arguments, const Common& common) {
   warn_of_sizes(scene, common);
   const Fit found = fit(document, measured, parameters);
   write_fit(scene.title, measured, found, arguments.out, common.command);
-  if (in_words(fit_json(scene.title, measured, found, common.command), common)) {
+  if (print_json(fit_json(scene.title, measured, found, common.command), common)) {
     std::string changes;
     for (const FittedParameter& one : found.parameters) {
       fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
@@ -149,7 +149,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
   const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
   const ResultsFolder folder(arguments.out, Results::canon);
-  if (common.talks())
+  if (common.prints_text())
     fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
                "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
   const auto show = progress(common);
@@ -165,7 +165,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
         row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
         if (!follows_law(row.answers.back())) ++off;
         clear_progress(common);
-        if (common.talks()) print(row, row.answers.back());
+        if (common.prints_text()) print(row, row.answers.back());
       }
     }
   }
@@ -174,7 +174,7 @@ int canon_command(const CanonArguments& arguments, const Common& common) {
   write_file(arguments.out / "canon.json", json);
   if (common.json) fmt::print("{}", json);
   show_report(arguments.out, common);
-  if (common.talks())
+  if (common.prints_text())
     fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
   return off == 0 ? 0 : 1;
 }

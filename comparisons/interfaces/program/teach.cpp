@@ -22,7 +22,7 @@ int list_lessons(const Common& common) {
 
 /// {"lesson": "DIR/lesson.html", …}, or a line for each.
 void print_files(const Json& paths, const Common& common) {
-  if (!in_words(paths, common)) return;
+  if (!print_json(paths, common)) return;
   for (const auto& [name, file] : paths.items()) fmt::print("{}: {}\n", name, file.get<std::string>());
 }
 

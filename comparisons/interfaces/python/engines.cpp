@@ -21,14 +21,14 @@ namespace {
 using namespace py::literals;
 
 py::dict setting_dict(const Setting& setting) {
-  return py::dict("name"_a = setting.name, "default"_a = setting.standard, "tuned"_a = setting.tuned,
+  return py::dict("name"_a = setting.name, "default"_a = setting.default_value, "tuned"_a = setting.tuned,
                   "least"_a = setting.least, "most"_a = setting.most, "whole"_a = setting.whole,
                   "choices"_a = setting.choices, "unit"_a = setting.unit);
 }
 
 py::dict engine_dict(const WorkerEngine& engine) {
   return py::dict("name"_a = engine.name, "solver"_a = engine.solver, "version"_a = engine.version,
-                  "licence"_a = engine.licence, "settings"_a = each_of(engine.settings, setting_dict));
+                  "licence"_a = engine.licence, "settings"_a = mapped(engine.settings, setting_dict));
 }
 
 /// Without the interpreter's lock, as an engine may answer from another thread of it.
@@ -61,7 +61,7 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
   check_step(dt, scene->scene.duration);
   WorkerRun made;
   beside_interpreter([&](const std::function<bool()>& stopped) {
-    const Limits limits{.time = time_limit, .unwanted = &stopped};
+    const Limits limits{.time = time_limit, .cancelled = &stopped};
     made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, true);
     if (made.status == "done") made.run.history.patterns = sampled_patterns(scene->scene, made.run.history);
   });
@@ -69,7 +69,7 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
     return py::make_tuple(py::none(), 0, py::none(), made.status + ": " + made.reason);
   const std::size_t warnings = made.run.warnings;
   const py::object record = bodies ? to_dict(made.run.bodies) : py::none();
-  Support support;
+  SupportLoss support;
   if (made.run.bodies) support = support_of(made.run.bodies->penetration, made.run.bodies->unsupported_since);
   return py::make_tuple(std::make_shared<HeldMotion>(HeldMotion{scene, std::move(made.run.history), support}),
                         warnings, record, py::none());
@@ -103,7 +103,7 @@ std::vector<py::dict> canon(const std::string& engine_name, const std::string& s
         }
       },
       progress);
-  return each_of(list, [](const CanonAnswer& answer) {
+  return mapped(list, [](const CanonAnswer& answer) {
     std::vector<double> amounts(canon_steps.size(), std::nan("")), steps_off = amounts;
     for (std::size_t i = 0; i < answer.deviations.size(); ++i) {
       amounts[i] = answer.deviations[i].amount();
@@ -165,7 +165,7 @@ std::string compare_all(const std::vector<Input>& inputs, const std::filesystem:
 }  // namespace
 
 void add_engines(py::module_& core) {
-  core.def("engines", [] { return each_of(engines(), engine_dict); });
+  core.def("engines", [] { return mapped(engines(), engine_dict); });
   core.def("simulate", &simulate_one);
   core.def("canon", &canon);
   py::class_<CompareChoice>(core, "CompareChoice")

@@ -76,11 +76,11 @@ std::pair<py::array_t<double>, py::array_t<double>> spectrum(
   std::vector<Response> responses;
   {
     const py::gil_scoped_release free;
-    responses = periods ? each_of(*periods, [&](double period) { return response(motion, period, damping); })
+    responses = periods ? mapped(*periods, [&](double period) { return response(motion, period, damping); })
                         : response_spectrum(motion, damping);
   }
-  return {copied(each_of(responses, &Response::period)),
-          copied(each_of(responses, &Response::pseudo_acceleration))};
+  return {copied(mapped(responses, &Response::period)),
+          copied(mapped(responses, &Response::pseudo_acceleration))};
 }
 
 std::pair<double, double> base_line(const GroundMotion& motion) {

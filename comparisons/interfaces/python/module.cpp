@@ -56,7 +56,7 @@ py::list rows(std::initializer_list<const KeyTable*> tables) {
   for (const KeyTable* table : tables)
     for (const InputKey& key : table->keys)
       list.append(py::dict("table"_a = table->header, "key"_a = key.name, "unit"_a = key.unit,
-                           "range"_a = key.range, "default"_a = key.standard, "meaning"_a = key.meaning,
+                           "range"_a = key.range, "default"_a = key.default_value, "meaning"_a = key.meaning,
                            "example"_a = key.example));
   return list;
 }

@@ -24,7 +24,7 @@ using ScenePointer = std::shared_ptr<const GivenScene>;
 struct HeldMotion {
   ScenePointer scene;
   History history;
-  Support support = {};  ///< of an engine's run that told its bodies
+  SupportLoss support = {};  ///< of an engine's run that told its bodies
 };
 
 /// To be asked again and again by work without the interpreter's lock: true once a signal's handler has

@@ -88,16 +88,16 @@ py::dict events(const HeldMotion& motion) {
   const History& history = motion.history;
   const std::vector<Event>& list = history.events;
   py::dict columns;
-  columns["time"] = copied(each_of(list, &Event::time));
-  columns["kind"] = each_of(list, [](const Event& event) { return name(event.kind); });
-  columns["interface"] = copied(each_of(list, &Event::interface));
-  columns["from"] = each_of(list, [](const Event& event) { return name(event.from); });
-  columns["to"] = each_of(list, [](const Event& event) { return name(event.to); });
+  columns["time"] = copied(mapped(list, &Event::time));
+  columns["kind"] = mapped(list, [](const Event& event) { return name(event.kind); });
+  columns["interface"] = copied(mapped(list, &Event::interface));
+  columns["from"] = mapped(list, [](const Event& event) { return name(event.from); });
+  columns["to"] = mapped(list, [](const Event& event) { return name(event.to); });
   columns["angles"] = states(history, &Event::angles);
   columns["before"] = states(history, &Event::before);
   columns["after"] = states(history, &Event::after);
-  columns["consistency"] = each_of(list, [](const Event& event) { return name(event.consistency); });
-  columns["approach"] = copied(each_of(list, [&](const Event& event) {
+  columns["consistency"] = mapped(list, [](const Event& event) { return name(event.consistency); });
+  columns["approach"] = copied(mapped(list, [&](const Event& event) {
     const auto interface = static_cast<std::size_t>(event.interface - 1);
     return is_impact(event.kind)
                ? approach_speed(event, interface_width(motion.scene->scene.blocks, interface))
@@ -107,7 +107,7 @@ py::dict events(const HeldMotion& motion) {
 }
 
 std::vector<std::string> patterns(const HeldMotion& motion) {
-  return each_of(motion.history.patterns, [](const Pattern& pattern) { return name(pattern); });
+  return mapped(motion.history.patterns, [](const Pattern& pattern) { return name(pattern); });
 }
 
 /// What interfaces carry at each sample; None where samples have no patterns.
@@ -148,7 +148,7 @@ bool is_of(const History& history, std::size_t blocks) {
 
 /// Times and interfaces of what the numbers could not tell.
 std::vector<py::tuple> doubts(const std::vector<BasicGraze<double>>& list) {
-  return each_of(
+  return mapped(
       list, [](const auto& doubt) { return py::make_tuple(doubt.time, name(doubt.kind), doubt.interface); });
 }
 

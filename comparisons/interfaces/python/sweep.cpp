@@ -24,7 +24,7 @@ class SweepTable {
     for (const OutcomeColumn& column : columns) add_outcome(column);
     for (const Axis& axis : ensemble.axes)
       axes_.append(py::make_tuple(
-          each_of(axis.variations, [&](std::size_t v) { return ensemble.variations[v].name(); }),
+          mapped(axis.variations, [&](std::size_t v) { return ensemble.variations[v].name(); }),
           axis.length));
     axes_.append(py::make_tuple(py::list(), ensemble.samples));
   }
@@ -66,7 +66,7 @@ class SweepTable {
     add<std::int8_t>(column.name, [of = *mode](const RunResult& result) {
       return result.outcome ? static_cast<int>(result.outcome->*of) : -1;
     });
-    words_[py::str(column.name)] = each_of(motion_modes, [](MotionMode one) { return name(one); });
+    words_[py::str(column.name)] = mapped(motion_modes, [](MotionMode one) { return name(one); });
   }
 
   /// The values that runs have of one variation: numbers, or texts by their number in a list.

@@ -236,7 +236,7 @@ std::string cut_short(const Scene& scene) {
 }
 
 /// How it ends, how far it comes, and what for.
-std::string outcome_of(const Scene& scene, const History& history, const Support& support) {
+std::string outcome_of(const Scene& scene, const History& history, const SupportLoss& support) {
   if (const auto end = toppling_of(scene, history))
     return fmt::format("{} at {:.4g} s{}", end_words(history, end->block), end->time,
                        freedom(scene, history));
@@ -286,12 +286,12 @@ double angle_at(const History& history, std::size_t block, double time) {
   return from + fraction * (history.angles_at(i)[block] - from);
 }
 
-Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since) {
+SupportLoss support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since) {
   const auto tenth = static_cast<std::ptrdiff_t>((penetration.size() + 9) / 10);
   return {*std::min_element(penetration.end() - tenth, penetration.end()), fallen_block(unsupported_since)};
 }
 
-std::string motion_verdict(const Scene& scene, const History& history, const Support& support) {
+std::string motion_verdict(const Scene& scene, const History& history, const SupportLoss& support) {
   const std::string doubt = doubt_of(scene, history);
   std::string outcome = outcome_of(scene, history, support);
   if (doubt.empty()) return outcome;

@@ -10,7 +10,7 @@ namespace rockstack {
 double angle_at(const History& history, std::size_t block, double time);
 
 /// How blocks end on what they stand on, as an engine's bodies tell.
-struct Support {
+struct SupportLoss {
   double sinking = 0;       ///< how deep one has sunk in, m
   std::string fallen = {};  ///< "block 2 at 1.5 s" of the first that fell off what it stood on, or nothing
 };
@@ -18,7 +18,7 @@ struct Support {
 /// From the depth of the deepest overlap at each sample, m, of which the least over the last tenth is how far
 /// a block has sunk in, whatever impacts pressed it in for a moment; and from since when each block has had
 /// nothing below it, s (infinite where it has).
-Support support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since);
+SupportLoss support_of(const std::vector<double>& penetration, const std::vector<double>& unsupported_since);
 
 /// Why a motion need not be the one that follows, after "it is": other motions obey as well, an impulse stops
 /// it, or, of a history that was solved with SolveOptions::validity under laws of pivots, blocks would part
@@ -30,6 +30,6 @@ std::string doubt_of(const Scene& scene, const History& history);
 /// with SolveOptions::validity, the friction that it needs. Motion within a thousandth of the slenderness
 /// angles and without events counts as rest. Blocks that have sunk in or fallen off are told. Precondition:
 /// samples.
-std::string motion_verdict(const Scene& scene, const History& history, const Support& support = {});
+std::string motion_verdict(const Scene& scene, const History& history, const SupportLoss& support = {});
 
 }  // namespace rockstack

@@ -9,7 +9,7 @@ namespace {
 std::vector<Contact> contacts(const std::vector<double>& times, const std::vector<double>& angles,
                               double least_time) {
   const std::size_t count = angles.size();
-  std::vector<Contact> list = each_of(angles, [](double angle) {
+  std::vector<Contact> list = mapped(angles, [](double angle) {
     return std::abs(angle) <= open_angle ? Contact::closed : contact_of(angle < 0 ? -1 : 1);
   });
   for (std::size_t begin = 0, end = 0; begin < count; begin = end + 1) {

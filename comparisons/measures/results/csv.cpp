@@ -87,7 +87,7 @@ std::size_t CsvLine::index(const std::string& name) const {
 }
 
 CsvLine::Indices CsvLine::indices(const std::vector<std::string>& names) const {
-  return each_of(names, [&](const std::string& name) { return index(name); });
+  return mapped(names, [&](const std::string& name) { return index(name); });
 }
 
 double CsvLine::value(std::size_t index) const {

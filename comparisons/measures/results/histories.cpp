@@ -68,7 +68,7 @@ std::string reactions_csv(const Scene& scene, const History& history) {
 }
 
 std::vector<std::string> kinds_of_histories() {
-  return each_of(history_tables, [](const HistoryTable& table) { return std::string(table.name); });
+  return mapped(history_tables, [](const HistoryTable& table) { return std::string(table.name); });
 }
 
 std::map<std::string, std::string> histories_csv(const Scene& scene, const History& history,

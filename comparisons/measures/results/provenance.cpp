@@ -43,7 +43,7 @@ Json scene_json(const Scene& scene) {
   };
   return {{"title", scene.title},
           {"blocks", scene.blocks.size()},
-          {"stack", each_of(scene.blocks, block_json)},
+          {"stack", mapped(scene.blocks, block_json)},
           {"gravity", scene.gravity},
           {"duration", scene.duration},
           {"ground", ground},

@@ -74,7 +74,7 @@ std::vector<DistributionDistance> distances(const std::vector<MotionTally>& exac
                                             const std::vector<MotionTally>& other) {
   std::vector<DistributionDistance> list;
   const auto add = [&](const std::string& quantity, const auto& value) {
-    const auto first = each_of(exact, value), second = each_of(other, value);
+    const auto first = mapped(exact, value), second = mapped(other, value);
     list.push_back({"", "", quantity, first.size(), second.size(), mean(first), mean(second),
                     kolmogorov_smirnov(first, second)});
   };

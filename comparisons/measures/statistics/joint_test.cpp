@@ -84,7 +84,7 @@ std::vector<double> joint_chances(const std::vector<ReplicatedNumber>& numbers, 
   do greatest.push_back(std::ranges::max(rises_of(scores, chosen)));
   while (std::ranges::prev_permutation(chosen).found);
   std::ranges::sort(greatest);
-  return each_of(rises, [&](double rise) {
+  return mapped(rises, [&](double rise) {
     const auto least = std::ranges::lower_bound(greatest, rise * (1 - rounding));
     const double share = static_cast<double>(greatest.end() - least) / static_cast<double>(greatest.size());
     return std::max(share, least_joint_chance(first, scores.size() - first));

@@ -169,7 +169,7 @@ std::vector<bool> sets_that_can_change(const std::vector<std::vector<int>>& sets
 
 int replicates_that_show_changes(const std::vector<std::size_t>& rows_of_sets, double level) {
   for (int n = 2;; ++n) {
-    const auto sets = each_of(rows_of_sets, [n](std::size_t rows) { return std::vector(rows, n); });
+    const auto sets = mapped(rows_of_sets, [n](std::size_t rows) { return std::vector(rows, n); });
     const std::vector<bool> shown = sets_that_can_change(sets, level);
     if (std::ranges::find(shown, false) == shown.end()) return n;
   }

@@ -40,7 +40,7 @@ Ranks ranks_of(const Stratum& stratum) {
     const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), value);
     return static_cast<std::size_t>(low - sorted.begin() + high - sorted.begin()) + 1;
   };
-  Ranks ranks{each_of(sorted, rank), stratum.second.size()};
+  Ranks ranks{mapped(sorted, rank), stratum.second.size()};
   for (const double value : stratum.second) ranks.sum += rank(value);
   return ranks;
 }
@@ -159,7 +159,7 @@ AdjustedTests adjust(const std::vector<TestChance>& tests, double level) {
 
 std::vector<bool> could_show(std::vector<TestChance> tests, double level) {
   for (TestChance& test : tests) test.p_value = test.least_p_value;
-  return each_of(adjust(tests, level).p_values, [&](double chance) -> bool { return chance <= level; });
+  return mapped(adjust(tests, level).p_values, [&](double chance) -> bool { return chance <= level; });
 }
 
 KolmogorovSmirnov kolmogorov_smirnov(std::vector<double> first, std::vector<double> second) {

@@ -186,7 +186,7 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
     ends.beyond = ends.beyond || (whole && row.horizon.value_or(scene.duration) < scene.duration);
   }
   if (steps.empty()) return "";
-  std::vector<double> reported = each_of(steps, [](const auto& step) { return step.first; });
+  std::vector<double> reported = mapped(steps, [](const auto& step) { return step.first; });
   if (reported.size() > 3) reported = {reported.front(), reported[reported.size() / 2], reported.back()};
   const auto told = [&](double dt) { return quantity_text(dt, "s") + " " + leaving(steps.at(dt)); };
   const double tolerance = scenes.front().tolerance;
@@ -195,7 +195,7 @@ std::string agreement_sentence(const std::vector<ReplicatedRow>& rows,
   return fmt::format(
       "Engines leave the exact motion at a time step of {}{}; to leave it is to be off by more than {} or {:g} % of the least block "
       "height{}.",
-      text_of_each(reported, told, "; at "), horizons(rows, scenes), quantity_text(tolerance, "rad"),
+      joined_texts(reported, told, "; at "), horizons(rows, scenes), quantity_text(tolerance, "rad"),
       100 * tolerance, of_replicates ? ", in the median of replicates" : "");
 }
 
@@ -209,7 +209,7 @@ std::string nearest_sentence(const std::vector<ReplicatedRow>& all, const std::v
   for (const First& one : firsts) moving += one.scenes.size();
   const auto told = [&](const First& first) { return part(first, evidence(rows)); };
   const std::string text =
-      moving > most_named ? over_all(rows, ranking, firsts, moving) : text_of_each(firsts, told, "; ");
+      moving > most_named ? over_all(rows, ranking, firsts, moving) : joined_texts(firsts, told, "; ");
   const bool one_by_one = moving > 1 && moving <= most_named;
   return capitalised(over_steps(rows) + text) +
          furthest(ranking, one_by_one ? fmt::format("over these {} scenes ", moving) : "") + ".";

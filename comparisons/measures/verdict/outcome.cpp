@@ -144,7 +144,7 @@ std::string counted_events(const std::vector<const ReplicatedRow*>& rows,
     return fmt::format("with {}, {}", joined_up_to(most_sets, {names.begin(), names.end()}),
                        fmt::format(fmt::runtime(words.several), quantity_text(most[kind], words.unit, 2)));
   };
-  return capitalised(text_of_each(sets, told, "; ")) + ".";
+  return capitalised(joined_texts(sets, told, "; ")) + ".";
 }
 
 /// Until when how many of a row's runs agree.
@@ -175,7 +175,7 @@ std::vector<RowEvent> events_of(const std::vector<RunMetrics>& runs, const Judge
       sizes[kind].push_back(size);
       if (kind == Happening::falls || kind == Happening::ends) falls.try_emplace(kind, fall_of(run));
     }
-  return each_of(sizes, [&](const auto& one) {
+  return mapped(sizes, [&](const auto& one) {
     const auto& [kind, list] = one;
     const auto [low, high] = std::ranges::minmax(list);
     const KindWords& words = words_of(kind);
@@ -200,7 +200,7 @@ std::string event_sentence(const std::vector<ReplicatedRow>& rows, std::size_t m
     return fmt::format("with {} in {} at {} {}{}", set_name(*row), row->scene, quantity_text(*row->dt, "s"),
                        subject, gravest.text);
   };
-  return capitalised(text_of_each(list, told, "; ")) + ".";
+  return capitalised(joined_texts(list, told, "; ")) + ".";
 }
 
 std::string with_verb(const std::string& block_and_time, const std::string& verb) {
@@ -241,7 +241,7 @@ std::string outcome(const std::vector<RunMetrics>& runs, const JudgedScene& scen
   if (nominal.status != RunStatus::done) return name(nominal.status) + ": " + nominal.reason;
   if (!nominal.error) return "";
   const std::vector<RowEvent> events = events_of(runs, scene);
-  const std::string told = text_of_each(
+  const std::string told = joined_texts(
       events, [](const RowEvent& event) { return event.text; }, "; ");
   if (!at_rest(nominal)) {
     const double off = nominal.largest_position_difference.value_or(0);

@@ -238,14 +238,14 @@ ComparisonVerdict verdict_of(const ComparisonEvidence& evidence, const std::vect
   const auto sentences = [&](const JudgedScene& scene) {
     return sentences_of(evidence, scene, scenes.size() == 1);
   };
-  return {headline_of(evidence, scenes), each_of(scenes, sentences), rank_all(evidence.rows)};
+  return {headline_of(evidence, scenes), mapped(scenes, sentences), rank_all(evidence.rows)};
 }
 
 ComparisonVerdict verdict_from(const Json& json) {
   const auto sentences = [](const Json& scene) {
     return scene.at("sentences").get<std::vector<std::string>>();
   };
-  return {json.at("headline"), each_of(json.at("scenes"), sentences), json.at("ranking")};
+  return {json.at("headline"), mapped(json.at("scenes"), sentences), json.at("ranking")};
 }
 
 Json verdict_json(const ComparisonVerdict& verdict, const std::vector<JudgedScene>& scenes) {

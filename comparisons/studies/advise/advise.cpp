@@ -121,7 +121,7 @@ std::vector<DistributionDistance> whole_scene(const Job& job, const Scene& scene
   return exact.empty() ? std::vector<DistributionDistance>{} : distances(exact, other);
 }
 
-Json untried_json(const Untried& one) {
+Json untried_json(const SkippedTrial& one) {
   return {{"engine", one.engine->name}, {"solver", one.engine->solver}, {"below", one.below}};
 }
 
@@ -285,7 +285,8 @@ std::vector<std::string> advice_sentences(const AdviceRequest& request, const Ad
   if (advice.predictable_time < duration)
     sentences.push_back(
         fmt::format("This holds until {:.4g} s, the horizon of predictability.", advice.predictable_time));
-  const auto untried = each_of(advice.untried, [](const Untried& one) { return one.engine->full_name(); });
+  const auto untried =
+      mapped(advice.untried, [](const SkippedTrial& one) { return one.engine->full_name(); });
   if (!untried.empty())
     sentences.push_back(
         fmt::format("In {:g} s the search has not come to smaller steps of {}; --within gives it more.",
@@ -302,9 +303,9 @@ Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Ad
             {"duration", scene.scene.duration},
             {"predictable_time", advice.predictable_time},
             {"pick", nullptr},
-            {"untried", each_of(advice.untried, untried_json)},
+            {"untried", mapped(advice.untried, untried_json)},
             {"beyond", advice.beyond},
-            {"trials", each_of(advice.trials, trial_json)}};
+            {"trials", mapped(advice.trials, trial_json)}};
   if (advice.pick >= 0) json["pick"] = json["trials"][static_cast<std::size_t>(advice.pick)];
   json["environment"] = environment(request.engines);
   json["command"] = command;

@@ -37,7 +37,7 @@ struct Trial {
 };
 
 /// A solver whose finer steps were not tried: they would have taken longer than was left.
-struct Untried {
+struct SkippedTrial {
   const WorkerEngine* engine = nullptr;
   double below = 0;  ///< the finest step that was tried, s
 };
@@ -46,7 +46,7 @@ struct Untried {
 struct Advice {
   std::vector<Trial> trials;
   int pick = -1;  ///< of trials; −1: none passes
-  std::vector<Untried> untried;
+  std::vector<SkippedTrial> untried;
   /// Until when histories can be compared at all, s (job.hpp). Trials end there.
   double predictable_time = 0;
   /// Distances of the pick's replicates over the whole scene, where it lasts longer than it can be predicted

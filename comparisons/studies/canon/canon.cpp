@@ -57,7 +57,7 @@ double slowest_turn(const Scene& scene) {
 std::vector<CanonErrors> errors_at_all_steps(const Suite& suite, const NamedScene& scene,
                                              const EngineSeries& series) {
   const auto runs = static_cast<std::size_t>(suite.replicates.runs);
-  std::vector<CanonErrors> errors = each_of(canon_steps, [&](double step) {
+  std::vector<CanonErrors> errors = mapped(canon_steps, [&](double step) {
     return CanonErrors{step, std::vector<std::vector<Deviation>>(runs)};
   });
   std::vector<std::size_t> all(errors.size() * runs);
@@ -77,7 +77,7 @@ std::vector<CanonErrors> errors_at_all_steps(const Suite& suite, const NamedScen
 
 /// Deviation of the replicate in the middle, by a quantity.
 Deviation middle_of(const CanonErrors& errors, std::size_t quantity) {
-  auto replicates = each_of(errors.replicates, [&](const auto& each) { return each.at(quantity); });
+  auto replicates = mapped(errors.replicates, [&](const auto& each) { return each.at(quantity); });
   const auto middle = replicates.begin() + static_cast<std::ptrdiff_t>((replicates.size() - 1) / 2);
   std::ranges::nth_element(replicates, middle, {}, &Deviation::time);
   return *middle;
@@ -226,16 +226,16 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
                 {"solver", row.engine->solver},
                 {"version", row.engine->version},
                 {"settings", row.settings},
-                {"answers", each_of(row.answers, answer_json)}};
+                {"answers", mapped(row.answers, answer_json)}};
   };
   const Json json{{"title", suite.title},
                   {"command", command},
                   {"steps", canon_steps},
                   {"agreement", canon_agreement},
                   {"replicates", suite.replicates.runs},
-                  {"scenes", each_of(suite.scenes, scene_of)},
-                  {"rows", each_of(rows, row_of)},
-                  {"environment", environment(each_of(rows, &CanonRow::engine))}};
+                  {"scenes", mapped(suite.scenes, scene_of)},
+                  {"rows", mapped(rows, row_of)},
+                  {"environment", environment(mapped(rows, &CanonRow::engine))}};
   return json.dump(2) + "\n";
 }
 

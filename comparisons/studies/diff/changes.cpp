@@ -110,9 +110,9 @@ bool same_processor(const RecordedResults& old_results, const RecordedResults& n
 
 }  // namespace
 
-Turn RowChange::worst() const {
-  return quantities.empty() ? Turn::none
-                            : std::ranges::max_element(quantities, {}, &QuantityChange::turn)->turn;
+Trend RowChange::worst() const {
+  return quantities.empty() ? Trend::none
+                            : std::ranges::max_element(quantities, {}, &QuantityChange::trend)->trend;
 }
 
 bool RowChange::could_show() const {
@@ -120,7 +120,7 @@ bool RowChange::could_show() const {
 }
 
 bool ResultsChange::worse() const {
-  const auto is_worse = [](const RowChange& row) { return row.worst() == Turn::worse; };
+  const auto is_worse = [](const RowChange& row) { return row.worst() == Trend::worse; };
   return std::ranges::any_of(rows, is_worse) || std::ranges::any_of(sets, is_worse);
 }
 
@@ -149,7 +149,7 @@ ResultsChange hold_against(const RecordedResults& old_results, const RecordedRes
   const bool timed = same_processor(old_results, new_results);
   const SetPairs sets = sets_of(pairs.pairs);
   ResultsChange result{
-      .rows = each_of(pairs.pairs, [&](const RowPair& pair) { return row_change(pair, options, timed); }),
+      .rows = mapped(pairs.pairs, [&](const RowPair& pair) { return row_change(pair, options, timed); }),
       .sets = set_changes(sets),
       .only_old = std::move(pairs.only_old),
       .only_new = std::move(pairs.only_new),

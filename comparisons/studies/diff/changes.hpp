@@ -76,10 +76,10 @@ struct ReportedQuantity {
 const std::vector<ReportedQuantity>& reported_quantities();
 
 /// What has become of a number.
-enum class Turn { none, better, other, worse };
+enum class Trend { none, better, other, worse };
 
 /// "", "better", "changed", "worse".
-std::string name(Turn turn);
+std::string name(Trend trend);
 
 /// A number over replicates: the values of ranks ⌈n/4⌉, ⌈n/2⌉ and ⌈3n/4⌉; of a time over repeats its least,
 /// median and greatest.
@@ -98,7 +98,7 @@ struct QuantityChange {
   std::optional<MannWhitney> test = {};         ///< where both have several values
   std::optional<double> adjusted_p_value = {};  ///< of it among all tests
   bool could_show = false;                      ///< whether its test could show a change at the level
-  Turn turn = Turn::none;
+  Trend trend = Trend::none;
 };
 
 struct ChangeOptions {
@@ -148,7 +148,7 @@ struct RowChange {
   bool replicated = false;  ///< whether both have replicates
   std::vector<QuantityChange> quantities;
 
-  Turn worst() const;
+  Trend worst() const;
   bool could_show() const;  ///< whether a test of its quantities could show a change
 };
 

@@ -33,15 +33,15 @@ ReplicatedNumber number_of(const ReportedQuantity& quantity, const RowPair& pair
 
 std::vector<double> p_values_of(const ChangeTest& test) {
   if (test.together == nullptr) return {test.numbers.front()->test->p_value};
-  return joint_chances(each_of(test.numbers,
-                               [&](const QuantityChange* change) {
-                                 return number_of(quantity_named(change->quantity), *test.together);
-                               }),
+  return joint_chances(mapped(test.numbers,
+                              [&](const QuantityChange* change) {
+                                return number_of(quantity_named(change->quantity), *test.together);
+                              }),
                        test.together->old_run->replicates.size());
 }
 
 std::vector<TestChance> least_chances(const std::vector<ChangeTest>& tests) {
-  return each_of(tests, [](const ChangeTest& test) {
+  return mapped(tests, [](const ChangeTest& test) {
     return TestChance{test.least_p_value, test.least_p_value};
   });
 }
@@ -128,7 +128,7 @@ void leave_to_rows(ResultsChange& result) {
       for (const RowChange& row : result.rows)
         if (set_of(row) == set_of(set))
           for (const QuantityChange& own : row.quantities)
-            if (own.quantity == change.quantity && own.turn == change.turn) change.turn = Turn::none;
+            if (own.quantity == change.quantity && own.trend == change.trend) change.trend = Trend::none;
 }
 
 /// The set's number that a row's is part of; none where the row stands alone.
@@ -144,7 +144,7 @@ const QuantityChange* number_of_set(const ResultsChange& result, const RowChange
 /// Whether a number looks worse, and no test has said so.
 bool is_in_doubt(const ResultsChange& result, const RowChange& row, const QuantityChange& change) {
   const QuantityChange* const set = number_of_set(result, row, change);
-  if (change.turn != Turn::none || (set != nullptr && set->turn == Turn::worse)) return false;
+  if (change.trend != Trend::none || (set != nullptr && set->trend == Trend::worse)) return false;
   return looks_worse(change, set != nullptr && set->could_show, result.level);
 }
 
@@ -155,7 +155,7 @@ bool is_decided(const RowChange& row, const ChangeOptions& options) {
     return change.test && change.test->least_p_value == 1 &&
            change.old_values.lower == change.new_values.upper;
   };
-  return !row.old_row.steps || row.bits == "same" || row.worst() != Turn::none || row.could_show() ||
+  return !row.old_row.steps || row.bits == "same" || row.worst() != Trend::none || row.could_show() ||
          (row.replicated ? std::ranges::all_of(row.quantities, never_varies) : options.single.has_value());
 }
 
@@ -173,7 +173,7 @@ int replicates_that_would_do(const ResultsChange& result, std::size_t in_doubt) 
   int needed = 0;
   if (!result.undecided.empty())
     needed =
-        replicates_that_show_changes(each_of(rows, [](const auto& one) { return one.second; }), result.level);
+        replicates_that_show_changes(mapped(rows, [](const auto& one) { return one.second; }), result.level);
   if (in_doubt == 0) return needed;
   const int own = replicates_that_decide(result.tests, result.level);
   return std::max({needed, own, static_cast<int>(in_doubt) + 1});

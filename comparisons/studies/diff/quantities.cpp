@@ -59,9 +59,9 @@ ValueSpread spread_of(const std::vector<double>& values) {
           values.size(),          std::ranges::min(values), std::ranges::max(values)};
 }
 
-Turn turn_of(Better better, bool grown) {
-  if (better == Better::neither) return Turn::other;
-  return grown == (better == Better::more) ? Turn::better : Turn::worse;
+Trend trend_of(Better better, bool grown) {
+  if (better == Better::neither) return Trend::other;
+  return grown == (better == Better::more) ? Trend::better : Trend::worse;
 }
 
 constexpr double rounding = 1e-12;  // in any unit: rad, m, s, shares
@@ -76,10 +76,10 @@ bool apart(const ValueSpread& one, const ValueSpread& other) {
 }
 
 /// What a factor says of two numbers.
-Turn turn_by(const std::optional<double>& factor, Better better, double before, double now) {
-  if (!factor) return Turn::none;
-  if (now > *factor * before + rounding) return turn_of(better, true);
-  return before > *factor * now + rounding ? turn_of(better, false) : Turn::none;
+Trend trend_by(const std::optional<double>& factor, Better better, double before, double now) {
+  if (!factor) return Trend::none;
+  if (now > *factor * before + rounding) return trend_of(better, true);
+  return before > *factor * now + rounding ? trend_of(better, false) : Trend::none;
 }
 
 ValueSpread step_time(const RunMetrics& row) {
@@ -92,13 +92,13 @@ ValueSpread step_time(const RunMetrics& row) {
 }  // namespace
 
 const std::vector<ReportedQuantity>& reported_quantities() {
-  static const std::vector<ReportedQuantity> list = each_of(paragraphs(quantities_txt), quantity_of);
+  static const std::vector<ReportedQuantity> list = mapped(paragraphs(quantities_txt), quantity_of);
   return list;
 }
 
-std::string name(Turn turn) {
+std::string name(Trend trend) {
   constexpr std::array<const char*, 4> names{"", "better", "changed", "worse"};
-  return names.at(static_cast<std::size_t>(turn));
+  return names.at(static_cast<std::size_t>(trend));
 }
 
 std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const RowPair& pair,
@@ -108,12 +108,12 @@ std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const 
   if (before.empty() || now.empty()) return {};
   QuantityChange change{quantity.name, quantity.better, quantity.foremost, spread_of(before), spread_of(now)};
   const auto turned = [&](const std::optional<double>& factor) {
-    return turn_by(factor, quantity.better, change.old_values.median, change.new_values.median);
+    return trend_by(factor, quantity.better, change.old_values.median, change.new_values.median);
   };
   if (before.size() > 1 && now.size() > 1)
     change.test = mann_whitney(before, now);
   else
-    change.turn = turned(quantity.name == "failed" ? 1.0 : options.single);
+    change.trend = turned(quantity.name == "failed" ? 1.0 : options.single);
   return change;
 }
 
@@ -141,32 +141,32 @@ std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptio
   const bool overlap = change.old_values.upper >= change.new_values.lower &&
                        change.new_values.upper >= change.old_values.lower;
   if (!overlap)
-    change.turn = turn_by(options.cost, change.better, change.old_values.median, change.new_values.median);
+    change.trend = trend_by(options.cost, change.better, change.old_values.median, change.new_values.median);
   return change;
 }
 
 void judge(double level, QuantityChange& change) {
   if (!change.test || change.adjusted_p_value.value_or(1) > level) return;
   if (apart(change.old_values, change.new_values))
-    change.turn = turn_of(change.better, change.test->superiority > 0.5);
+    change.trend = trend_of(change.better, change.test->superiority > 0.5);
 }
 
 bool looks_worse(const QuantityChange& change, bool judged_by_set, double level) {
   if (!change.test || !apart(change.old_values, change.new_values)) return false;
   constexpr double grave = 5;  // medians of errors that are ten times as large are hardly ever less apart
   const double superiority = change.test->superiority;
-  if (turn_of(change.better, superiority > 0.5) != Turn::worse) return false;
+  if (trend_of(change.better, superiority > 0.5) != Trend::worse) return false;
   const bool in_all = superiority == 0 || superiority == 1;
   const bool mostly = change.better == Better::more ? change.new_values.median < change.old_values.least
                                                     : change.new_values.median > change.old_values.greatest;
   const bool several_times =
-      turn_by(grave, change.better, change.old_values.median, change.new_values.median) == Turn::worse;
+      trend_by(grave, change.better, change.old_values.median, change.new_values.median) == Trend::worse;
   if (judged_by_set) return (in_all || mostly) && several_times;
   return in_all || (several_times && (mostly || (!change.could_show && change.test->p_value <= level)));
 }
 
 bool fails_more_often(const QuantityChange& change) {
-  if (!change.test || change.turn != Turn::none || change.test->superiority <= 0.5) return false;
+  if (!change.test || change.trend != Trend::none || change.test->superiority <= 0.5) return false;
   return change.quantity == "failed" || (change.quantity == "other_verdict" && !change.could_show);
 }
 

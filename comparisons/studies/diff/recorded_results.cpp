@@ -51,7 +51,7 @@ std::map<Key, const RecordedRun*> rows_by_key(const Rows& rows, const Across& ac
 }
 
 Rows all_rows(const RecordedResults& results) {
-  return each_of(results.runs, [](const RecordedRun& run) { return &run; });
+  return mapped(results.runs, [](const RecordedRun& run) { return &run; });
 }
 
 /// The scenes of one name that differ, each with what differs first.

@@ -27,7 +27,7 @@ Json spread_json(const ValueSpread& spread) {
 
 Json change_json(const QuantityChange& change) {
   Json json{{"quantity", change.quantity},
-            {"turn", name(change.turn)},
+            {"turn", name(change.trend)},
             {"old", spread_json(change.old_values)},
             {"new", spread_json(change.new_values)}};
   if (change.test) {
@@ -50,7 +50,7 @@ Json row_json(const RowChange& row) {
           {"new_status", name(row.new_row.status)},
           {"bits", row.bits},
           {"turn", name(row.worst())},
-          {"quantities", each_of(row.quantities, change_json)}};
+          {"quantities", mapped(row.quantities, change_json)}};
 }
 
 /// What leaves a result undecided, in words.
@@ -83,7 +83,7 @@ std::string ResultsChange::headline() const {
   std::vector<std::string> sets;
   for (const auto& [row, change] : turned_numbers(*this)) {
     const std::string name = set_name(row->new_row);
-    if (change->turn == Turn::worse && std::ranges::find(sets, name) == sets.end()) sets.push_back(name);
+    if (change->trend == Trend::worse && std::ranges::find(sets, name) == sets.end()) sets.push_back(name);
   }
   return fmt::format("Worse: {}{}.", joined_up_to(3, sets), open.empty() ? "" : "; " + unknown);
 }
@@ -102,8 +102,8 @@ Json changes_json(const ResultsChange& result) {
             {"only_new", result.only_new},
             {"other_questions", result.other_questions},
             {"other_environment", result.other_environment},
-            {"rows", each_of(result.rows, row_json)},
-            {"sets", each_of(result.sets, row_json)}};
+            {"rows", mapped(result.rows, row_json)},
+            {"sets", mapped(result.sets, row_json)}};
   for (const ReportedQuantity& quantity : reported_quantities())
     json["definitions"][quantity.name] = quantity.definition;
   return json;
@@ -118,7 +118,7 @@ std::string changes_csv(const ResultsChange& result) {
     for (const QuantityChange& change : row->quantities) {
       const RunMetrics &before = row->old_row, &now = row->new_row;
       csv.add(before.scene, before.engine, before.solver, before.dt, before.settings, now.settings,
-              before.run, now.run, row->bits, change.quantity, name(change.turn));
+              before.run, now.run, row->bits, change.quantity, name(change.trend));
       for (const ValueSpread& spread : {change.old_values, change.new_values})
         csv.add(spread.lower, spread.median, spread.upper, spread.values);
       if (change.test)
@@ -140,9 +140,9 @@ std::vector<TurnedNumber> turned_numbers(const ResultsChange& result) {
   std::vector<TurnedNumber> turned;
   for (const RowChange* row : sets_and_rows(result))
     for (const QuantityChange& change : row->quantities)
-      if (change.turn != Turn::none) turned.push_back({row, &change});
+      if (change.trend != Trend::none) turned.push_back({row, &change});
   std::ranges::stable_sort(turned, std::greater{}, [](const TurnedNumber& number) {
-    return std::tuple(number.change->turn, std::abs(std::log(std::abs(number.ratio()))));
+    return std::tuple(number.change->trend, std::abs(std::log(std::abs(number.ratio()))));
   });
   return turned;
 }

@@ -86,7 +86,7 @@ Json fit_json(const std::string& title, const Measurement& measured, const Fit& 
           {"readings", fit.readings},
           {"residual", fit.residual},
           {"correlation", fit.correlation},
-          {"parameters", each_of(fit.parameters, parameter_json)},
+          {"parameters", mapped(fit.parameters, parameter_json)},
           {"meaning", meaning(fit, measured)},
           {"environment", environment({})},
           {"command", command}};

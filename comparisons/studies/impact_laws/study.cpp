@@ -116,7 +116,7 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
                                      {"consistent", name(found.consistent)},
                                      {"count", found.count},
                                      {"clearness", found.clearness}});
-  json["cases"] = each_of(results.cases, case_json);
+  json["cases"] = mapped(results.cases, case_json);
   json["engines"] = Json::array();
   for (const EngineSeries& series : study.engines.series)
     json["engines"].push_back({{"engine", series.engine->name},
@@ -124,7 +124,7 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
                                {"settings", series.settings},
                                {"parameters", series.parameters}});
   json["left_out"] = study.engines.left_out;
-  json["environment"] = environment(each_of(study.engines.series, &EngineSeries::engine));
+  json["environment"] = environment(mapped(study.engines.series, &EngineSeries::engine));
   json["command"] = command;
   return json;
 }

@@ -35,7 +35,7 @@ std::string title(const Lesson& lesson) {
 const Lesson& find_lesson(const std::string& name) {
   const auto found = std::ranges::find(lessons(), name, &Lesson::name);
   if (found != lessons().end()) return *found;
-  const std::vector<std::string> names = each_of(lessons(), &Lesson::name);
+  const std::vector<std::string> names = mapped(lessons(), &Lesson::name);
   throw InputError(
       fmt::format("teach {}: must be one of {}{}", name, fmt::join(names, ", "), did_you_mean(name, names)));
 }

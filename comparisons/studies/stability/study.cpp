@@ -218,7 +218,7 @@ StabilityStudy read_stability_study(const std::filesystem::path& file,
   study.suite.title = text(required(root, "title", "a text"));
   std::vector<std::string> changes;
   if (const Node* set = find(root, "set"))
-    changes = each_of(entries(*set, "an array of key=value texts"), text);
+    changes = mapped(entries(*set, "an array of key=value texts"), text);
   changes.insert(changes.end(), overrides.begin(), overrides.end());
   const Node& axis = required(root, "axis", "a table of name, values and set, or name and parameter");
   study.axis = read_axis(axis);

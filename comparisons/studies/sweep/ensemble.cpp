@@ -170,7 +170,7 @@ Variation read_variation(const Node& table, const std::filesystem::path& folder)
   const Node& key = required(table, "key", "a key of the scene");
   variation.keys = key.kind == Node::Kind::text
                        ? std::vector{key.text}
-                       : each_of(entries(key, "a key of the scene, or an array of such keys"), text);
+                       : mapped(entries(key, "a key of the scene, or an array of such keys"), text);
   // Whatever the value of these, the exact motion is the same.
   const auto is_label = [](const std::string& one) { return one == "title" || one == "engine.depth"; };
   if (find(table, "group") == nullptr && std::ranges::all_of(variation.keys, is_label))

@@ -45,7 +45,7 @@ Run run_in(const CsvLine& line, const SummaryKeys& keys) {
 /// one of a bin, each bin with as many runs as any other.
 std::map<double, double> levels_of(const std::vector<Run>& runs, std::size_t most) {
   constexpr std::size_t bins = 20;
-  std::vector<double> all = each_of(runs, &Run::intensity);
+  std::vector<double> all = mapped(runs, &Run::intensity);
   std::ranges::sort(all);
   std::map<double, double> levels;
   for (const double intensity : all) levels.emplace(intensity, intensity);
@@ -67,7 +67,7 @@ std::vector<Level> tallied(const std::vector<Run>& runs, const std::map<double, 
     ++(run.failed ? level.failed : level.runs);
     if (run.toppled) ++level.toppled;
   }
-  return each_of(tallies, [](const auto& one) { return one.second; });
+  return mapped(tallies, [](const auto& one) { return one.second; });
 }
 
 /// The curve is fitted to all intensities as they are, whatever the levels of the table.

@@ -66,7 +66,7 @@ Json description(const Ensemble& ensemble, const std::vector<std::string>& headl
             {"samples", ensemble.samples},
             {"seed", ensemble.seed},
             {"scene", page_scene(ensemble.base.root)},
-            {"vary", each_of(ensemble.variations, json_of)}};
+            {"vary", mapped(ensemble.variations, json_of)}};
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
   json["summary"] = {{"intensity", ensemble.summary.intensity},
                      {"period", ensemble.summary.period},
@@ -95,7 +95,7 @@ std::vector<std::string> write_results(const Ensemble& ensemble, const Journal& 
 }  // namespace
 
 void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
-               const std::function<void(const RunResult&)>& take, const std::function<bool()>* unwanted) {
+               const std::function<void(const RunResult&)>& take, const std::function<bool()>* cancelled) {
   struct Run {
     std::size_t number;
     std::vector<Value> values;
@@ -123,7 +123,7 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
     return std::nullopt;
   };
   SolveOptions options = run_options(ensemble.tolerance);
-  options.cancelled = unwanted;
+  options.cancelled = cancelled;
   options.validity = ensemble.demands;
   solve_batch(next_scene, options, [&](const Solved& solved) {
     const Run run = std::move(under_way.extract(solved.number).mapped());

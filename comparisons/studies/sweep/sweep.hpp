@@ -15,11 +15,11 @@ struct RunResult {
 };
 
 /// Makes the runs `first` up to and without `last`, several side by side; `take` gets what becomes of each,
-/// not in order. May be called from several threads at once. What `take` throws goes through. `unwanted` as
+/// not in order. May be called from several threads at once. What `take` throws goes through. `cancelled` as
 /// of SolveOptions: a run that it ends has no outcome.
 void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
                const std::function<void(const RunResult&)>& take,
-               const std::function<bool()>* unwanted = nullptr);
+               const std::function<bool()>* cancelled = nullptr);
 
 /// Writes the summaries that an ensemble asks for, from DIR/runs.csv alone. Runs that failed are counted and
 /// left out.

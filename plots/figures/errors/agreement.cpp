@@ -109,9 +109,9 @@ double largest_of(const Run& run) {
 }
 
 /// Axis of all scenes, almost two decades below the tolerance at least, so that no number stands at the end.
-Reach size_axis(const Comparison& comparison) {
+Extent size_axis(const Comparison& comparison) {
   constexpr double decades_below = 1e-4, room = 1.5;
-  Reach axis{comparison.tolerance / 80, comparison.tolerance * 10};
+  Extent axis{comparison.tolerance / 80, comparison.tolerance * 10};
   for (const Run& run : comparison.runs)
     if (is_shown(run) && run.done() && run.error) {
       axis.add(room * largest_of(run));
@@ -135,7 +135,7 @@ TimeAxis axis_of(const Comparison& comparison, const ComparedScene& scene) {
 /// Scenes side by side, from one to another: until when, and under that by how much.
 void add_scenes(Sheet& sheet, const Comparison& comparison, const CommonAxes& frame, std::size_t from,
                 std::size_t to) {
-  const Reach sizes = size_axis(comparison);
+  const Extent sizes = size_axis(comparison);
   const bool few = to - from <= beside_a_player;  // more columns leave no room for what their scenes are
   std::vector<RowColumn> times, largest;
   for (std::size_t s = from; s < to; ++s) {

@@ -61,7 +61,7 @@ Curve fitted_curve(const ErrorLine& line) {
 }
 
 std::function<std::string(double, double)> axes_of(const std::vector<ErrorLine>& lines) {
-  Reach across, up;
+  Extent across, up;
   for (const ErrorLine& line : lines)
     for (const std::vector<double>& error : line.errors) {
       across.add(error[0]);

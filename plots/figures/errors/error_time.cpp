@@ -49,7 +49,7 @@ double exact_cost(const std::vector<Run>& exact) {
 }
 
 Numbers numbers_of(const CostLine& line) {
-  return each_of(line.costs, [](const Cost& cost) {
+  return mapped(line.costs, [](const Cost& cost) {
     return std::vector{cost.time, cost.error, cost.lower, cost.upper};
   });
 }
@@ -74,7 +74,7 @@ bool are_comparable(const ComparedScene& scene, const Run& run) {
 }
 
 struct Frame {
-  Reach across, up;
+  Extent across, up;
 };
 
 Frame frame_of(const std::vector<CostLine>& lines, double exact) {
@@ -91,18 +91,18 @@ Frame frame_of(const std::vector<CostLine>& lines, double exact) {
 }
 
 /// What a method of an order would gain by smaller steps, from the fastest run on.
-struct Slope {
+struct OrderGuide {
   std::string words;
   Cost from, to;
 };
 
 /// Guides of orders one and two; none where no solver has several runs, or errors differ too little to tell
 /// them.
-std::vector<Slope> slopes_of(const std::vector<CostLine>& lines, const Frame& frame) {
+std::vector<OrderGuide> slopes_of(const std::vector<CostLine>& lines, const Frame& frame) {
   constexpr double enough = 30;
   const bool single = std::ranges::none_of(lines, [](const CostLine& line) { return line.costs.size() > 1; });
   const auto& [across, up] = frame;
-  std::vector<Slope> slopes;
+  std::vector<OrderGuide> slopes;
   if (single || up.high < enough * up.low) return slopes;
   for (const int order : {1, 2}) {
     const double from = across.low * std::pow(across.high / across.low, 0.04 + 0.05 * (order - 1));
@@ -114,9 +114,9 @@ std::vector<Slope> slopes_of(const std::vector<CostLine>& lines, const Frame& fr
   return slopes;
 }
 
-std::string slope_guides(const std::vector<Slope>& slopes, bool named) {
+std::string slope_guides(const std::vector<OrderGuide>& slopes, bool named) {
   std::string text;
-  for (const Slope& slope : slopes) {
+  for (const OrderGuide& slope : slopes) {
     const std::string to = plain(slope.to.time) + ", " + plain(slope.to.error);
     text += fmt::format("set arrow from {}, {} to {} nohead lw 1.5 dt (2,5) lc rgb '#707070' back\n",
                         plain(slope.from.time), plain(slope.from.error), to);
@@ -127,16 +127,16 @@ std::string slope_guides(const std::vector<Slope>& slopes, bool named) {
 }
 
 /// The time steps beside their marks: where there is no room, the other runs with that step lie beside it.
-std::string labels(const std::vector<CostLine>& lines, const std::vector<Slope>& slopes, const Frame& frame,
-                   double width, double height) {
+std::string labels(const std::vector<CostLine>& lines, const std::vector<OrderGuide>& slopes,
+                   const Frame& frame, double width, double height) {
   const auto mark = [&](const Cost& cost, const std::string& words, const std::string& colour) {
     return LabelledMark{frame.across.place(cost.time, width), frame.up.place(cost.error, height), words,
                         colour};
   };
   LabelledPanel panel{width, height, {}};
-  for (const Slope& slope : slopes) panel.words.push_back(mark(slope.to, slope.words, ""));
+  for (const OrderGuide& slope : slopes) panel.words.push_back(mark(slope.to, slope.words, ""));
   for (const CostLine& line : lines)
-    panel.lines.push_back(each_of(
+    panel.lines.push_back(mapped(
         line.costs, [&](const Cost& cost) { return mark(cost, cost.label, style_of(line.run).colour); }));
   return placed_labels(panel);
 }
@@ -234,7 +234,7 @@ Drawing error_time(const SceneSubject& subject) {
   for (std::size_t i = 0; i < lines.size(); ++i)
     sheet.data(number_block(fmt::format("line_{}", i), numbers_of(lines[i])) +
                number_block(fmt::format("pieces_{}", i), pieces(lines[i], comparable)));
-  const std::vector<Slope> slopes = slopes_of(lines, frame);
+  const std::vector<OrderGuide> slopes = slopes_of(lines, frame);
   const std::string guides = slope_guides(slopes, !many);
   const auto axes = logarithmic_axes(frame.across, frame.up);
   const double height = subject.height(520, 520);

@@ -65,7 +65,7 @@ Drawing split_parts(const SceneSubject& subject) {
   for (const double dt : chosen_steps(runs))
     columns.push_back({"step " + duration_text(dt), bars(sheet, lines, dt, columns.size())});
   add_rows(sheet,
-           {each_of(lines, [](const StepLine& line) { return line_label(line); }), least_term, 1.5 * largest,
+           {mapped(lines, [](const StepLine& line) { return line_label(line); }), least_term, 1.5 * largest,
             "x", 34},
            columns);
   sheet.note("RMS of each part over all samples and blocks (rad); as histories the three add up");

@@ -22,7 +22,7 @@ void add_run(Plots& plots, const Run& run, double row, double end) {
 
 std::string answer(double exact, const std::vector<Run>& runs) {
   const auto [least, most] =
-      std::ranges::minmax(each_of(runs, [](const Run& run) { return *run.peak_over_slenderness; }));
+      std::ranges::minmax(mapped(runs, [](const Run& run) { return *run.peak_over_slenderness; }));
   return fmt::format("Exact {}, engines {} to {} of the slenderness angle, in the median of replicates",
                      number_text(exact, 2), number_text(least, 2), number_text(most, 2));
 }
@@ -58,7 +58,7 @@ Drawing peaks(const SceneSubject& subject) {
         if (run.dt == dt) add_run(plots, run, static_cast<double>(i), end);
     columns.push_back({"step " + duration_text(dt), plots.list(), "", "", end});
   }
-  add_rows(sheet, {each_of(lines, [](const StepLine& line) { return line_label(line); })}, columns);
+  add_rows(sheet, {mapped(lines, [](const StepLine& line) { return line_label(line); })}, columns);
   sheet.note("largest angle of a block over its slenderness angle, in the whole scene");
   if (all > lines.size()) sheet.note(fmt::format("the first {} of {} rows", lines.size(), all));
   return sheet.finish();

@@ -35,7 +35,7 @@ std::vector<Sample> samples_of(const std::vector<Run>& runs, int block) {
 }
 
 /// The share of values at or below, from one end of the panel to the other, as gnuplot's steps.
-Curve shares(const std::vector<double>& values, const Reach& reach) {
+Curve shares(const std::vector<double>& values, const Extent& reach) {
   Curve curve{{reach.low}, {0}};
   for (std::size_t i = 0; i < values.size(); ++i)
     curve.add(values[i], static_cast<double>(i + 1) / static_cast<double>(values.size()));
@@ -103,7 +103,7 @@ Series series_of(const Sample& sample, const std::string& block, std::size_t ord
 void add_quantity(Sheet& sheet, const Quantity& quantity, const std::vector<Run>& runs) {
   const std::vector<Sample> samples = samples_of(runs, quantity.block);
   if (samples.empty()) return;
-  Reach reach;
+  Extent reach;
   for (const Sample& sample : samples)
     for (const double value : {sample.values.front(), sample.values.back()}) reach.add(value);
   reach = reach.wider(reach.high > reach.low ? 0.04 * (reach.high - reach.low) : 0.5);

@@ -11,7 +11,7 @@ namespace rockstack::plots {
 namespace {
 
 /// The whole range of the errors of a run's replicates, by the names of the runs that have some.
-using Ranges = std::map<std::string, Reach>;
+using Ranges = std::map<std::string, Extent>;
 
 Ranges read_ranges(const fs::path& file) {
   Ranges ranges;
@@ -57,18 +57,18 @@ std::vector<RankedSeries> ranked(const Comparison& comparison, const std::string
   return rows;
 }
 
-Reach range_of(const Run& run, const Ranges& ranges) {
+Extent range_of(const Run& run, const Ranges& ranges) {
   const auto found = ranges.find(run.run);
-  return found == ranges.end() ? Reach{*run.error, *run.error} : found->second;
+  return found == ranges.end() ? Extent{*run.error, *run.error} : found->second;
 }
 
 /// With room about it on a logarithmic axis, a twenty-fifth of its decades or more.
-Reach with_log_room(const Reach& reach) {
+Extent with_log_room(const Extent& reach) {
   return reach.wider_times(std::max(1.5, std::pow(reach.high / reach.low, 0.04)));
 }
 
-Reach reach_of(const std::vector<Run>& runs, const Ranges& ranges) {
-  Reach reach;
+Extent reach_of(const std::vector<Run>& runs, const Ranges& ranges) {
+  Extent reach;
   for (const Run& run : runs) {
     const auto [least, greatest] = range_of(run, ranges);
     reach.low = std::min(reach.low, std::max(least, *run.error / 100));
@@ -104,9 +104,9 @@ std::string answer(const std::vector<Run>& runs, const std::vector<double>& step
 }
 
 /// What the axis shows. Answers below it, and those that are none at all, stand on its left edge.
-Reach reach_of(const std::vector<Score>& list) {
+Extent reach_of(const std::vector<Score>& list) {
   constexpr double decades = 1e8;
-  Reach reach{std::numeric_limits<double>::infinity(), 0};
+  Extent reach{std::numeric_limits<double>::infinity(), 0};
   for (const Score& score : list)
     for (const double value : score.values) {
       reach.high = std::max(reach.high, value);
@@ -127,7 +127,7 @@ Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question
                                          ? first_of_all(subject.comparison)
                                          : fmt::format("{}: {:.2g} in the median of {} scenes",
                                                        line_label(first), list.front().median, scenes));
-  const Reach reach = reach_of(list);
+  const Extent reach = reach_of(list);
   RowPanel panel{{}, reach.low, reach.high};
   Plots plots(sheet, "row");
   for (const Score& score : list) {
@@ -137,7 +137,7 @@ Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question
     panel.words.push_back(line_label(run) +
                           (answered < scenes ? fmt::format(" ({} of {})", answered, scenes) : ""));
     const auto mark = [&](double value) { return std::vector{std::max(value, reach.low), row}; };
-    plots.add(each_of(score.values, mark),
+    plots.add(mapped(score.values, mark),
               {fmt::format("using 1:2 with points pt 2 ps 0.7 lc rgb '{}'", style_of(run).colour)});
     plots.add({mark(score.median)}, {"using 1:2 " + mark_style(run, 1.6)});
   }
@@ -168,8 +168,8 @@ Drawing ranking(const SceneSubject& subject) {
         if (run.dt == dt) add_run(plots, run, i, ranges);
     columns.push_back({"step " + duration_text(dt), plots.list()});
   }
-  const Reach reach = reach_of(runs, ranges);
-  add_rows(sheet, {each_of(rows, &RankedSeries::label), reach.low, reach.high}, columns);
+  const Extent reach = reach_of(runs, ranges);
+  add_rows(sheet, {mapped(rows, &RankedSeries::label), reach.low, reach.high}, columns);
   sheet.note(
       "RMS differences up to the horizon: of angles (rad), or of centres as a share of the least block height");
   sheet.note(ranges.empty()

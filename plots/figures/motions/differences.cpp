@@ -33,8 +33,8 @@ Departure read_departure(const Run& run, int blocks, double end, std::size_t bin
 }
 
 /// Powers of ten around the tolerance, the largest difference and what each curve mostly is.
-Reach range_of(const std::vector<Departure>& departures, double tolerance) {
-  Reach reach{tolerance / 100, tolerance * 10};
+Extent range_of(const std::vector<Departure>& departures, double tolerance) {
+  Extent reach{tolerance / 100, tolerance * 10};
   for (const Departure& departure : departures)
     for (const Curve& curve : departure.sizes) {
       if (curve.values.empty()) continue;
@@ -53,13 +53,13 @@ constexpr double room_for_marks = 1.012;
 void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Departure>& departures,
                 const TimeAxis& axis, bool together) {
   const double tolerance = subject.comparison.tolerance;
-  const Reach range = range_of(departures, tolerance);
+  const Extent range = range_of(departures, tolerance);
   const std::size_t panels = departures.front().sizes.size();
   const double usual = panel_height(static_cast<int>(panels)),
                height = subject.height(usual, (static_cast<double>(panels) + 1.1) * usual);
-  const std::vector<Run> runs = each_of(departures, &Departure::run);
+  const std::vector<Run> runs = mapped(departures, &Departure::run);
   for (std::size_t k = 0; k < panels; ++k) {
-    const auto sizes = each_of(departures, [&](const Departure& one) { return one.sizes[k]; });
+    const auto sizes = mapped(departures, [&](const Departure& one) { return one.sizes[k]; });
     const std::string words = together ? (subject.on_slide ? "|Δθ| (rad)" : "largest |Δθ| (rad)")
                                        : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
     const auto axes = [&](double, double up) {
@@ -85,7 +85,7 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
     const double row = rows - static_cast<double>(names.size());
     const auto mark = [&](double time) { return std::vector{std::min(time, axis.end), row}; };
     plots.add(
-        each_of(one.agreement_times, mark),
+        mapped(one.agreement_times, mark),
         {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'", style_of(one.run).colour)});
     const double agrees = value_of(one.run.agreement_time);
     plots.add({mark(agrees)}, {"using 1:2 " + mark_style(one.run, 1.6)});
@@ -129,7 +129,7 @@ Drawing differences(const SceneSubject& subject) {
   const ComparedScene& scene = subject.scene;
   const double tolerance = subject.comparison.tolerance;
   if (subject.shown().engines.empty()) return subject.nothing("No engine run of this scene to compare.");
-  const Shown shown = subject.shown({"difference.csv"});
+  const RunSelection shown = subject.shown({"difference.csv"});
   const std::vector<Run>& runs = shown.engines;
   if (runs.empty()) return subject.nothing("No exact run of this scene to compare with.");
   constexpr int most_blocks = 4;  // with a panel each
@@ -140,7 +140,7 @@ Drawing differences(const SceneSubject& subject) {
   Legend legend = legend_of(runs, curve_style);
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
-  const std::vector<Departure> departures = each_of(runs, [&](const Run& run) {
+  const std::vector<Departure> departures = mapped(runs, [&](const Run& run) {
     return read_departure(run, scene.blocks(), room_for_marks * axis.end, bins_for(curves), together);
   });
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));

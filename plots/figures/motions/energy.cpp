@@ -13,7 +13,7 @@ struct Energies {
 };
 
 /// The times of the exact impacts before an end, s, none nearer to the last than a part of the whole.
-std::vector<double> stretches(const Shown& shown, double end) {
+std::vector<double> stretches(const RunSelection& shown, double end) {
   std::vector<double> times;
   if (!shown.exact.empty())
     for (const Event& event : history_of(shown.exact.front())->events)
@@ -45,7 +45,7 @@ Curve medians(const std::vector<double>& times, const std::vector<double>& value
   return levels;
 }
 
-Energies read_energies(const Run& run, const Shown& shown, double end, std::size_t bins) {
+Energies read_energies(const Run& run, const RunSelection& shown, double end, std::size_t bins) {
   const auto file = energies_of(run);
   std::vector<double> apart;
   for (std::size_t i = 0; i < file->times.size(); ++i)
@@ -56,7 +56,7 @@ Energies read_energies(const Run& run, const Shown& shown, double end, std::size
 }
 
 std::string range_of(const std::vector<Curve>& curves, double height) {
-  Reach reach{0, 0};
+  Extent reach{0, 0};
   for (const Curve& curve : curves)
     for (const double value : curve.values) reach.add(value);
   reach = reach.wider(std::max(0.06 * (reach.high - reach.low), 1e-9));
@@ -64,7 +64,7 @@ std::string range_of(const std::vector<Curve>& curves, double height) {
 }
 
 std::string answer(const std::vector<Energies>& all) {
-  Reach largest;
+  Extent largest;
   for (const Energies& one : all) largest.add(one.apart.largest());
   const auto text = [](double value) { return fmt::format("{:.3g}", value); };
   return fmt::format("Largest difference between impacts: {} J, by engine",
@@ -74,7 +74,7 @@ std::string answer(const std::vector<Energies>& all) {
 }  // namespace
 
 Drawing energy(const SceneSubject& subject) {
-  const Shown shown = subject.shown({"energy.csv"});
+  const RunSelection shown = subject.shown({"energy.csv"});
   if (shown.engines.empty()) return subject.nothing("No engine run of this scene tells its energy.");
   const bool many = are_many(shown.engines);
   const std::string in_grey = fmt::format("with lines lw 1 lc rgb '{}'", context_colour);
@@ -82,7 +82,7 @@ Drawing energy(const SceneSubject& subject) {
   legend.insert(legend.begin(), {exact_style, "exact"});
   if (many) legend.emplace_back(in_grey, "engines");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
-  const std::vector<Energies> all = each_of(shown.engines, [&](const Run& run) {
+  const std::vector<Energies> all = mapped(shown.engines, [&](const Run& run) {
     return read_energies(run, shown, axis.end, bins_for(3 * shown.engines.size()));
   });
   Sheet sheet = subject.sheet(legend, answer(all));
@@ -103,7 +103,7 @@ Drawing energy(const SceneSubject& subject) {
               across + range_of(levels, tall) + without_horizontal_labels +
                   fmt::format("set ylabel 'energy{} (J)' offset 0\n", subject.on_slide ? "" : " above rest"),
               plots);
-  const std::vector<Curve> differences = each_of(all, &Energies::apart);
+  const std::vector<Curve> differences = mapped(all, &Energies::apart);
   const auto axes = [&](double, double height) { return across + range_of(differences, height); };
   const char* apart = subject.on_slide ? "apart (J)" : "engine − exact (J)";
   SeriesPanel panel{"time (s)", "engine − exact, median (J)", apart, true, axes, low, 20};

@@ -83,7 +83,7 @@ double largest_angle(const Run& run, double end) {
 /// engines go.
 std::string largest_angles(const std::vector<Run>& runs, bool each, double end) {
   std::vector<std::string> texts;
-  Reach engines;
+  Extent engines;
   for (const Run& run : runs) {
     const double angle = largest_angle(run, end);
     if (each || run.exact() || runs.size() == 1)
@@ -101,7 +101,7 @@ std::string largest_angles(const std::vector<Run>& runs, bool each, double end) 
 std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, int blocks, int block,
                              double end) {
   const std::size_t bins = bins_for(drawn * static_cast<std::size_t>(blocks));
-  return each_of(runs, [&](const Run& run) {
+  return mapped(runs, [&](const Run& run) {
     const auto history = history_of(run);
     return thin({history->times, column_of(*history, &History::angles, block)}, end, bins);
   });
@@ -109,7 +109,7 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, in
 
 std::string axes_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, const TimeAxis& axis,
                     double height) {
-  const Reach extent = extent_of(runs, curves, 0.5, 1e-6);
+  const Extent extent = extent_of(runs, curves, 0.5, 1e-6);
   return time_range(axis) + linear_range("y", extent.low, extent.high, height) + grid_lines;
 }
 

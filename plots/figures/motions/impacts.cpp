@@ -89,7 +89,7 @@ void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) 
   for (const Verdicts& one : all) {
     for (const auto& numbers_at : {std::pair{&one.missed, row}, {&one.extra, row - runs}}) {
       const auto mark = [&](double number) { return std::vector{number, numbers_at.second}; };
-      const Numbers marks = each_of(*numbers_at.first, mark);
+      const Numbers marks = mapped(*numbers_at.first, mark);
       if (!marks.empty()) plots.add(marks, {"using 1:2 " + mark_style(one.run, 1.1)});
     }
     --row;
@@ -107,13 +107,13 @@ void add_unmatched(Sheet& sheet, const std::vector<Verdicts>& all, double last) 
 
 double median_size(const Verdicts& verdicts) {
   if (verdicts.lateness.empty()) return std::numeric_limits<double>::infinity();
-  return median(each_of(verdicts.lateness, [](double late) { return std::abs(late); }));
+  return median(mapped(verdicts.lateness, [](double late) { return std::abs(late); }));
 }
 
 /// From the engine that has least to the one that has most.
 template <class Value, class Text>
 std::string span_of(const std::vector<Verdicts>& all, const Value& value, const Text& text) {
-  Reach reach;
+  Extent reach;
   for (const Verdicts& one : all)
     if (!one.run.is_variant() && std::isfinite(value(one))) reach.add(value(one));
   return reach.low > reach.high ? "none" : span_text(text(reach.low), text(reach.high));
@@ -143,7 +143,7 @@ std::string answer(const std::vector<Verdicts>& all) {
 /// What there is to say where no impact is matched. Precondition: there are runs.
 std::string without_matches(const std::vector<Verdicts>& all) {
   const auto most = [&](std::vector<double> Verdicts::*list) {
-    return std::ranges::max(each_of(all, [&](const Verdicts& one) { return (one.*list).size(); }));
+    return std::ranges::max(mapped(all, [&](const Verdicts& one) { return (one.*list).size(); }));
   };
   const std::size_t missed = most(&Verdicts::missed), extra = most(&Verdicts::extra);
   if (missed + extra == 0) return "No impacts, neither in the exact motion nor in an engine.";
@@ -211,7 +211,7 @@ std::string numbers(double last) {
 Drawing impact_times(const SceneSubject& subject) {
   const std::vector<Run> runs = subject.shown({"impacts.csv"}).engines;
   if (runs.empty()) return subject.nothing("No engine run with impacts to compare.");
-  const std::vector<Verdicts> all = each_of(runs, verdicts_on);
+  const std::vector<Verdicts> all = mapped(runs, verdicts_on);
   if (std::ranges::all_of(all, [](const Verdicts& one) { return one.numbers.empty(); }))
     return subject.nothing(without_matches(all));
   Sheet sheet = subject.sheet(mark_legend(runs, 1.6), answer(all));
@@ -228,7 +228,7 @@ Drawing impact_times(const SceneSubject& subject) {
 }
 
 Drawing impact_energy(const SceneSubject& subject) {
-  std::vector<Losses> all = each_of(subject.shown({"energy.csv", "impacts.csv"}).engines, [](const Run& run) {
+  std::vector<Losses> all = mapped(subject.shown({"energy.csv", "impacts.csv"}).engines, [](const Run& run) {
     return Losses{run, impact_losses(run)};
   });
   std::erase_if(all, [](const Losses& one) { return one.impacts.empty(); });
@@ -248,7 +248,7 @@ Drawing impact_energy(const SceneSubject& subject) {
   std::vector<Series> series;
   std::string data = data_block("exact", exact);
   double widest = 1e-3;
-  Reach medians;
+  Extent medians;
   for (const Losses& one : all) {
     const Excess excess = excess_of(one, aside(series.size(), all.size()));
     const std::string name = fmt::format("excess_{}", series.size());
@@ -258,7 +258,7 @@ Drawing impact_energy(const SceneSubject& subject) {
     series.push_back(mark_series(one.run, name, 1.6));
   }
   const auto percent = [](double value) { return fmt::format("{:.2g}", value); };
-  Sheet sheet = subject.sheet(mark_legend(each_of(all, &Losses::run), 1.6),
+  Sheet sheet = subject.sheet(mark_legend(mapped(all, &Losses::run), 1.6),
                               fmt::format("Off by {} % at an engine's median",
                                           span_text(percent(medians.low), percent(medians.high))));
   sheet.data(data);

@@ -95,7 +95,7 @@ std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<
   return fmt::format(
              "set yrange [{}:-0.6]\nset ytics ({}) noenhanced font ',11'\nset xrange [0:{}]\n"
              "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\n",
-             plain(static_cast<double>(patterns.size()) - 0.4), word_tics(each_of(patterns, shortened)),
+             plain(static_cast<double>(patterns.size()) - 0.4), word_tics(mapped(patterns, shortened)),
              plain(end)) +
          linear_tics("x", 0, end, width);
 }
@@ -104,7 +104,7 @@ std::string panel_settings(const std::vector<Occupancy>& all, const std::vector<
 
 Drawing occupancy(const SceneSubject& subject) {
   const std::vector<Run> runs = subject.shown({"patterns.csv"}).engines;
-  const std::vector<Occupancy> all = each_of(runs, read_occupancy);
+  const std::vector<Occupancy> all = mapped(runs, read_occupancy);
   if (all.empty()) return subject.nothing("No engine run of this scene tells its patterns.");
   const std::vector<std::string> patterns = patterns_of(all);
   Legend legend = mark_legend(runs, 1.5);

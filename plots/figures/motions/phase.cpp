@@ -22,9 +22,9 @@ Curve read_orbit(const Run& run, int block, double end, double tolerance) {
 
 /// Edges with room, of the exact orbits where there are some, of either kind of equations: an engine's block
 /// that falls must not shrink the rest.
-Reach reach_of(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
-               std::vector<double> Curve::*along) {
-  Reach reach{0, 0};
+Extent reach_of(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
+                std::vector<double> Curve::*along) {
+  Extent reach{0, 0};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs.front().exact() && !runs[i].exact() && !runs[i].has_other_equations()) continue;
     for (const double value : orbits[i].*along) reach.add(value);
@@ -34,7 +34,7 @@ Reach reach_of(const std::vector<Run>& runs, const std::vector<Curve>& orbits,
 
 void add_block(Sheet& sheet, const std::vector<Run>& runs, int block, double height,
                const std::vector<Curve>& orbits) {
-  const Reach across = reach_of(runs, orbits, &Curve::times), up = reach_of(runs, orbits, &Curve::values);
+  const Extent across = reach_of(runs, orbits, &Curve::times), up = reach_of(runs, orbits, &Curve::values);
   const auto axes = [&](double width, double tall) {
     return linear_range("x", across.low, across.high, width) + linear_range("y", up.low, up.high, tall) +
            grid_lines;
@@ -50,7 +50,7 @@ void add_block(Sheet& sheet, const std::vector<Run>& runs, int block, double hei
 
 Drawing phase(const SceneSubject& subject) {
   const ComparedScene& scene = subject.scene;
-  const Shown shown = subject.shown();
+  const RunSelection shown = subject.shown();
   const std::vector<Run> runs = all_runs(shown);
   if (runs.empty()) return subject.nothing("No run of this scene was done.");
   const auto curves = static_cast<double>(shown.engines.size() + 1) * scene.blocks();
@@ -65,7 +65,7 @@ Drawing phase(const SceneSubject& subject) {
   const double end = time_axis(scene, runs).end;
   for (int k = 0; k < scene.blocks(); ++k)
     add_block(sheet, runs, k, height,
-              each_of(runs, [&](const Run& run) { return read_orbit(run, k, end, tolerance); }));
+              mapped(runs, [&](const Run& run) { return read_orbit(run, k, end, tolerance); }));
   return sheet.finish();
 }
 

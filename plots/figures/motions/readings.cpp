@@ -37,9 +37,9 @@ Drawing readings(const SceneSubject& subject) {
       const auto columns = read_columns(run.folder / "readings.csv", {"time", quantity + number});
       return Curve{columns[0], columns[1]};
     };
-    const std::vector<Curve> curves = each_of(
+    const std::vector<Curve> curves = mapped(
         runs, [&](const Run& run) { return thin(read(run, "motion_"), axis.end, bins_for(runs.size())); });
-    Reach extent = extent_of(runs, curves, 1, 1e-6);
+    Extent extent = extent_of(runs, curves, 1, 1e-6);
     const Curve seen = read(runs.front(), "measured_");
     Numbers marks;
     for (std::size_t i = 0; i < seen.size() && seen.times[i] <= axis.end; ++i) {

@@ -52,7 +52,7 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
                height = subject.height(usual, usual * static_cast<double>(quantities.size()));
   for (std::size_t p = 0; p < quantities.size(); ++p) {
     const SlipPanel& quantity = quantities[p];
-    const Reach extent = extent_of(runs, quantity.curves, 1, least_drawn * quantity.scale);
+    const Extent extent = extent_of(runs, quantity.curves, 1, least_drawn * quantity.scale);
     const auto axes = [&](double, double up) {
       return time_range(axis) + linear_range("y", extent.low, extent.high, up) + grid_lines;
     };
@@ -89,7 +89,7 @@ std::string flights_of(const Run& run, int blocks, double end) {
   const std::string more =
       times.size() > reported ? fmt::format(" and {} more", times.size() - reported) : "";
   times.resize(std::min(reported, times.size()));
-  return "apart, where the exact slip is that of parting: " + text_of_each(times, std::identity(), ", ") +
+  return "apart, where the exact slip is that of parting: " + joined_texts(times, std::identity(), ", ") +
          more;
 }
 

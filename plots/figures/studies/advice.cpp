@@ -43,7 +43,7 @@ std::vector<bool> told_of(const TrialLines& lines) {
   const auto holds = [](const auto& line) { return std::ranges::any_of(line, &TrialMark::passes); };
   const bool any = std::ranges::any_of(lines, holds);
   const double least = nearest(std::ranges::min(lines, {}, nearest));
-  return each_of(lines, [&](const std::vector<TrialMark>& line) {
+  return mapped(lines, [&](const std::vector<TrialMark>& line) {
     return any ? holds(line) : nearest(line) <= 2 * least;
   });
 }
@@ -65,7 +65,7 @@ Drawings advice(const FolderSubject& subject) {
   const std::string title = json.at("title");
   if (lines.empty()) return {{"", empty_sheet(title, "No trial was done.")}};
   const double error = json.at("error");
-  Reach across, up{error, error};
+  Extent across, up{error, error};
   for (const auto& line : lines)
     for (const TrialMark& mark : line) across.add(mark.time), up.add(mark.error);
   across = across.wider_times(2), up = up.wider_times(2);
@@ -85,14 +85,14 @@ Drawings advice(const FolderSubject& subject) {
     const auto& line = lines[i];
     const Run& run = line.front().run;
     const std::string colour = told[i] ? style_of(run).colour : "#808080";
-    labelled.lines.push_back(each_of(line, [&](const TrialMark& mark) {
+    labelled.lines.push_back(mapped(line, [&](const TrialMark& mark) {
       return LabelledMark{across.place(mark.time, width), up.place(mark.error, tall),
                           duration_text(value_of(mark.run.dt)), colour};
     }));
-    trials.add(each_of(line,
-                       [](const TrialMark& mark) {
-                         return std::vector{mark.time, mark.error};
-                       }),
+    trials.add(mapped(line,
+                      [](const TrialMark& mark) {
+                        return std::vector{mark.time, mark.error};
+                      }),
                {fmt::format("using 1:2 with lines lw 1.5 lc rgb '{}'", paler(colour, 0.6)),
                 "using 1:2 " + (told[i] ? mark_style(run, 1.5) : other_style)});
   }

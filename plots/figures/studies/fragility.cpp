@@ -92,7 +92,7 @@ std::vector<RunGroup> groups_of(const fs::path& folder, const std::vector<Level>
   std::map<double, RunGroup> groups;
   for (std::size_t i = 0; i < columns[0].size(); ++i)
     groups[columns[0][i]].push_back({columns[1][i], 1, columns[2][i] > 0 ? std::size_t{1} : std::size_t{0}});
-  return each_of(groups, [](const auto& group) { return group.second; });
+  return mapped(groups, [](const auto& group) { return group.second; });
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ std::string settings_of(const std::vector<LawCell>& cells) {
   return fmt::format(
              "set tics out nomirror scale 0.6\nset palette defined ({})\nset cbrange [0:100]\nunset colorbox\n"
              "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb '{}' fs solid noborder\n",
-             text_of_each(shades, shade, ", "), no_impact) +
+             joined_texts(shades, shade, ", "), no_impact) +
          axis_of("x", edges(cells, &LawCell::aspect_ratio_from, &LawCell::aspect_ratio_to)) +
          axis_of("y", edges(cells, &LawCell::mass_ratio_from, &LawCell::mass_ratio_to));
 }
@@ -121,7 +121,7 @@ std::vector<Marks> marks_of(const std::vector<LawRun>& runs) {
 
 /// Where values lie but for those far away, which must not press the rest together: on a logarithmic axis all
 /// within one and a half times the middle half's extent beyond it (Tukey 1977), with room.
-Reach reach_of(const std::vector<double>& values) {
+Extent reach_of(const std::vector<double>& values) {
   const double lower = quantile(values, 0.25), upper = quantile(values, 0.75);
   const double beyond = std::pow(upper / lower, 1.5);
   constexpr double room = 1.6;
@@ -130,7 +130,7 @@ Reach reach_of(const std::vector<double>& values) {
 }
 
 struct LawFrame {
-  Reach across, up;
+  Extent across, up;
 
   /// A mark, or of one that lies beyond the frame, the nearest place on its edge.
   std::vector<double> inside(const std::vector<double>& mark) const {
@@ -224,7 +224,7 @@ Drawings law_engines(const FolderSubject& subject) {
   Sheet sheet = subject.figure.sheet(title, legend, answer(results));
   std::ptrdiff_t beyond = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Numbers marks = each_of(list[i].at, [&](const auto& mark) { return frame.inside(mark); });
+    const Numbers marks = mapped(list[i].at, [&](const auto& mark) { return frame.inside(mark); });
     sheet.data(number_block(fmt::format("marks_{}", i), marks));
     beyond += std::ranges::count_if(list[i].at, [&](const auto& mark) { return frame.inside(mark) != mark; });
   }

@@ -26,7 +26,7 @@ double place_of(double value, const Places& places) {
 
 /// Labels in a unit that many times smaller.
 std::string tics(const Places& places, double times) {
-  return word_tics(each_of(places, [&](double value) { return fmt::format("{:.4g}", times * value); }));
+  return word_tics(mapped(places, [&](double value) { return fmt::format("{:.4g}", times * value); }));
 }
 
 /// What is drawn of one solver: its cells, and the largest stable step at each value.

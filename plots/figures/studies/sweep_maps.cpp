@@ -117,7 +117,7 @@ Drawings overturning(const FolderSubject& subject) {
   const fs::path file = subject.folder / "overturning.csv";
   const auto places = read_columns(file, {"frequency", "intensity"});
   const auto counts =
-      read_columns(file, each_of(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
+      read_columns(file, mapped(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
   const CellMap map = cell_map("kind", counted_cells(places, counts), outcomes);
   Sheet sheet =

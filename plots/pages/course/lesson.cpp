@@ -26,7 +26,7 @@ std::string lesson_table(const Json& json) {
   const auto columns = json.at("columns").get<std::vector<std::string>>();
   std::vector<int> significant;
   for (std::size_t i = 0; i < columns.size(); ++i) significant.push_back(digits_of(json.at("rows"), i));
-  return table(columns, text_of_each(json.at("rows"), [&](const Json& row) {
+  return table(columns, joined_texts(json.at("rows"), [&](const Json& row) {
                  std::string cells;
                  for (std::size_t i = 0; i < columns.size(); ++i)
                    cells += table_cell(columns[i], row.at(i), "", significant[i]);
@@ -36,7 +36,7 @@ std::string lesson_table(const Json& json) {
 
 std::string choices_of(const Json& part, const std::string& name) {
   int place = 0;
-  return text_of_each(part.at("choices"), [&](const Json& choice) {
+  return joined_texts(part.at("choices"), [&](const Json& choice) {
     return fmt::format(
         "<label class=\"choice\"><input type=\"radio\" name=\"predict-{}\" value=\"{}\"> {}</label>\n", name,
         place++, choice.get<std::string>());
@@ -85,7 +85,7 @@ void add_parts(const fs::path& results, const Comparison& comparison, const Json
         values[place] = scene_figure(results, comparison, i, *figure);
       } else if (slides.find("{{" + place + "}}") != std::string::npos) {
         const fs::path stem = fs::path("slides") / figure_stem("", scene, *figure).filename();
-        draw(std::get<OfScene>(figure->of).draw({*figure, comparison, scene, true}),
+        draw(std::get<SceneFigure>(figure->of).draw({*figure, comparison, scene, true}),
              results / "figures" / stem);
         values[place] = drawn_figure(results, stem, figure->name + "-", figure->title + ": " + scene.title);
       }
@@ -108,7 +108,7 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
 
 std::string list_of(const Json& texts) {
   const auto item = [](const Json& text) { return element("li", text.get<std::string>()) + "\n"; };
-  return element("ul", text_of_each(texts, item));
+  return element("ul", joined_texts(texts, item));
 }
 
 /// To what the words mean, and to the course and the lessons beside this one, where they are.
@@ -131,7 +131,7 @@ std::string titles_after(const Json& lesson) {
                                          : words;
   };
   const Json& before = lesson.at("after");
-  return before.empty() ? "" : " · after " + text_of_each(before, title, ", ");
+  return before.empty() ? "" : " · after " + joined_texts(before, title, ", ");
 }
 
 /// What a lesson's page and its slides share.

@@ -154,14 +154,14 @@ TEST_P(Batch, GivesTheBitsOfBlocksThatRockUnderARecord) {
     scene.duration = scene.horizontal.end() * (draw.coin() ? 1 : draw.between(0.4, 1.2));
     scenes.push_back(scene);
   }
-  const std::function<bool()> unwanted = [] { return false; };
+  const std::function<bool()> cancelled = [] { return false; };
   for (const double tolerance : {0.0, 1e-6})
     for (const bool kept : {true, false})
       expect_the_bits_of_each_alone(scenes, {.events = EventsKept::summed,
                                              .validity = kept,
                                              .peaks = true,
                                              .tolerance = tolerance,
-                                             .cancelled = kept ? &unwanted : nullptr});
+                                             .cancelled = kept ? &cancelled : nullptr});
 }
 
 // Impacts on a closed interface, after which the laws may choose other patterns.
@@ -225,8 +225,8 @@ TEST_P(Batch, OfAMotionThatCannotGoOnItTellsWhatIsKnown) {
 }
 
 TEST_P(Batch, EndsWhatIsUnwanted) {
-  const std::function<bool()> unwanted = [] { return true; };
-  for (const std::string& text : together(mixed_scenes(500, 12), {.cancelled = &unwanted}, GetParam()))
+  const std::function<bool()> cancelled = [] { return true; };
+  for (const std::string& text : together(mixed_scenes(500, 12), {.cancelled = &cancelled}, GetParam()))
     EXPECT_EQ(text, Stopped().what());
 }
 

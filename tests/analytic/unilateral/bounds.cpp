@@ -83,8 +83,8 @@ TEST(Bounds, ALikelyModeThatObeysIsTheOneOfComplementarity) {
     const StuckStack made = random.stuck(random.in(0.2, 2));
     FreeVector<> free(3 * made.stack.size());
     for (Eigen::Index e = 0; e < free.size(); ++e) free[e] = random.in(-1, 1);
-    const ContactQuestion<> question{made.stack, made.bodies, free, ContactLevel::impacts};
-    const TouchingContacts<double> contacts(question, made.joints);
+    const ContactProblem<> problem{made.stack, made.bodies, free, ContactLevel::impacts};
+    const TouchingContacts<double> contacts(problem, made.joints);
     const Joints<double> mode = likely_mode(contacts, made.joints);
     if (!surely_obeys(contacts, mode, {})) continue;
     ++likely;

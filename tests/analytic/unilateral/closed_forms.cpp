@@ -49,11 +49,11 @@ TEST(UnilateralClosedForms, SlideRockFromRestHasItsAccelerations) {
   place(stack, joints, bodies);
   FreeVector<> free(3);
   free << -g, -g, 0;
-  const ContactQuestion<> question{stack, bodies, free, ContactLevel::accelerations};
-  const auto mode = find_mode(question, joints);
+  const ContactProblem<> problem{stack, bodies, free, ContactLevel::accelerations};
+  const auto mode = find_mode(problem, joints);
   ASSERT_TRUE(mode);
   EXPECT_EQ(name(*mode), "L<");
-  const ModeResponse<> response = respond(question, *mode);
+  const ModeResponse<> response = respond(problem, *mode);
   const double turning = 3 * g * (friction * h - b) / (4 * b * b + h * h - 3 * friction * b * h);
   EXPECT_NEAR(-response.motion[2], turning, round_off * g);
   EXPECT_NEAR(response.forces[0].normal, scene.blocks[0].mass * (g + b * turning),
@@ -76,10 +76,10 @@ TEST(UnilateralClosedForms, ARockingImpactKeepsItsShareOfTheVelocity) {
       place(stack, joints, bodies);
       const FreeVector<> before = vector_of(bodies.rate);
       joints[0].touch = Contact::closed;
-      const ContactQuestion<> question{stack, bodies, before, ContactLevel::velocities};
-      const auto mode = find_mode(question, joints);
+      const ContactProblem<> problem{stack, bodies, before, ContactLevel::velocities};
+      const auto mode = find_mode(problem, joints);
       ASSERT_TRUE(mode);
-      const FreeVector<> after = respond(question, *mode).motion;
+      const FreeVector<> after = respond(problem, *mode).motion;
       const double sliding = (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r);
       if (r * r + 3 * friction * r <= 2) continue;
       EXPECT_NEAR(-after[2], friction >= sticks ? 1 - 1.5 / (1 + r * r) : sliding, round_off)

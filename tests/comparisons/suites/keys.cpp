@@ -121,9 +121,9 @@ int expect_defaults_are_those_read(const KeyFile& file, const KeyTable& table, D
   const auto read = [&](const KeyFile& one) { return describe(folder.write("input.toml", one.text())); };
   int defaults = 0;
   for (const InputKey& key : table.keys) {
-    const bool empty_list = std::string_view(key.standard) == "[]";  // which `set` refuses
-    if (empty_list || !parse_toml_value(key.standard, Node{})) continue;
-    EXPECT_EQ(read(KeyFile(file).set(table, key.name, key.standard)), read(file)) << key.name;
+    const bool empty_list = std::string_view(key.default_value) == "[]";  // which `set` refuses
+    if (empty_list || !parse_toml_value(key.default_value, Node{})) continue;
+    EXPECT_EQ(read(KeyFile(file).set(table, key.name, key.default_value)), read(file)) << key.name;
     ++defaults;
   }
   return defaults;

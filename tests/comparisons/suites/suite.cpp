@@ -178,9 +178,10 @@ TEST(Suites, ResultsThatAreAskedForAreRead) {
   const TemporaryFolder folder;
   folder.write("block.toml", block_text);
   const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
-  const Wanted all = read_suite(folder.write("suite.toml", head), {}).wanted;
+  const ResultSelection all = read_suite(folder.write("suite.toml", head), {}).wanted;
   EXPECT_TRUE(all.angles && all.impacts && all.patterns && all.bodies && all.histories);
-  const Wanted some = read_suite(folder.write("suite.toml", head + "results = [\"impacts\"]\n"), {}).wanted;
+  const ResultSelection some =
+      read_suite(folder.write("suite.toml", head + "results = [\"impacts\"]\n"), {}).wanted;
   EXPECT_TRUE(some.impacts && !some.angles && !some.patterns && !some.bodies && !some.histories);
   EXPECT_TRUE(suite_error(head + "results = [\"looks\"]\n").starts_with("suite.toml:3: results"));
 }

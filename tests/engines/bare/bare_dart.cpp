@@ -97,8 +97,8 @@ dart::dynamics::SkeletonPtr skeleton_of(const std::string& name, const Block& bl
 int main() {
   Question question;
   if (!read(std::cin, question)) return 2;
-  const auto set = [&](const char* name, double standard) {
-    return question.set.count(name) != 0 ? question.set.at(name) : standard;
+  const auto set = [&](const char* name, double default_value) {
+    return question.set.count(name) != 0 ? question.set.at(name) : default_value;
   };
   const double friction = question.number.at("friction"), gravity = question.number.at("gravity");
   const auto world = dart::simulation::World::create();

@@ -39,9 +39,9 @@ struct Question {
   std::map<std::string, double> set;
   std::vector<std::pair<double, double>> shaking;
 
-  double setting(const std::string& name, double standard) const {
+  double setting(const std::string& name, double default_value) const {
     const auto found = set.find(name);
-    return found == set.end() ? standard : found->second;
+    return found == set.end() ? default_value : found->second;
   }
 };
 

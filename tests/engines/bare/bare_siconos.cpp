@@ -125,8 +125,8 @@ int main() {
   if (!read(std::cin, question)) return 2;
   const double dt = question.number.at("dt"), steps = question.number.at("steps");
   if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
-  const auto set = [&](const char* name, double standard) {
-    return question.set.count(name) != 0 ? question.set.at(name) : standard;
+  const auto set = [&](const char* name, double default_value) {
+    return question.set.count(name) != 0 ? question.set.at(name) : default_value;
   };
   const auto nsds = std::make_shared<NonSmoothDynamicalSystem>(0, (steps + 2) * dt);
   std::vector<std::shared_ptr<LagrangianLinearTIDS>> bodies;

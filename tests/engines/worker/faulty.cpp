@@ -128,7 +128,7 @@ std::vector<Engine> make_faulty() {
                         .solver = name,
                         .version = "1",
                         .licence = "none",
-                        .settings = {{.name = "strength", .standard = 1, .tuned = 2, .most = 3}}},
+                        .settings = {{.name = "strength", .default_value = 1, .tuned = 2, .most = 3}}},
                        [fault = fault](const Setup& setup, const Parameters&) {
                          return std::make_unique<FaultySimulation>(fault, setup);
                        }});

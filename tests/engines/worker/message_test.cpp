@@ -43,22 +43,27 @@ Reply full_reply() {
 }
 
 Reply full_description() {
-  const EngineDescription engine{
-      .name = "ode",
-      .solver = "step",
-      .version = "0.16",
-      .licence = "BSD-3-Clause",
-      .capabilities =
-          {.largest_friction = 10, .single_precision = true, .planar = true, .lead = 0, .tuned_lead = 1},
-      .warm_up = 4000,
-      .settings = {
-          {.name = "erp",
-           .unit = "m/s",
-           .choices = {"soft", "hard"},
-           .standard = 0.1,
-           .tuned = 0.2,
-           .most = HUGE_VAL},
-          {.name = "cfm", .standard = 1, .tuned = 2, .most = 3, .role = SettingRole::restitution_threshold}}};
+  const EngineDescription engine{.name = "ode",
+                                 .solver = "step",
+                                 .version = "0.16",
+                                 .licence = "BSD-3-Clause",
+                                 .capabilities = {.largest_friction = 10,
+                                                  .single_precision = true,
+                                                  .planar = true,
+                                                  .lead = 0,
+                                                  .tuned_lead = 1},
+                                 .warm_up = 4000,
+                                 .settings = {{.name = "erp",
+                                               .unit = "m/s",
+                                               .choices = {"soft", "hard"},
+                                               .default_value = 0.1,
+                                               .tuned = 0.2,
+                                               .most = HUGE_VAL},
+                                              {.name = "cfm",
+                                               .default_value = 1,
+                                               .tuned = 2,
+                                               .most = 3,
+                                               .role = SettingRole::restitution_threshold}}};
   return {{engine, engine}, {}};
 }
 

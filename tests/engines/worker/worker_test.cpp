@@ -141,9 +141,9 @@ TEST(Workers, WhatTheyWaitForABusyMachineIsNotOfTheirTime) {
 
 TEST(Workers, RunThatNobodyWantsAnyMoreIsStopped) {
   int asked = 0;
-  const std::function<bool()> unwanted = [&] { return ++asked == 3; };
+  const std::function<bool()> cancelled = [&] { return ++asked == 3; };
   Limits limits;
-  limits.unwanted = &unwanted;
+  limits.cancelled = &cancelled;
   EXPECT_EQ(run("loop", limits).status, "stopped");
   EXPECT_EQ(asked, 3);
 }
@@ -161,9 +161,9 @@ TEST(Workers, QuestionThatNoWorkerCanHoldIsNotMade) {
 
 // Where processors are scarce it is killed before it has a session of its own.
 TEST(Workers, RunThatNobodyWantsFromTheStartIsStopped) {
-  const std::function<bool()> unwanted = [] { return true; };
+  const std::function<bool()> cancelled = [] { return true; };
   Limits limits;
-  limits.unwanted = &unwanted;
+  limits.cancelled = &cancelled;
   std::vector<std::thread> threads;
   for (int i = 0; i < 16; ++i)
     threads.emplace_back([&] {

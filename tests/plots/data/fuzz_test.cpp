@@ -21,7 +21,7 @@ void read_all(const fs::path& folder) {
   const Comparison comparison = read_comparison(folder);
   for (const ComparedScene& scene : comparison.scenes) {
     for (const StepLine& line : step_lines(comparison, scene.name)) line_label(line);
-    const Shown shown = shown_runs(comparison, scene.name);
+    const RunSelection shown = shown_runs(comparison, scene.name);
     for (const std::vector<Run>& runs : {shown.exact, shown.engines})
       for (const Run& run : runs) {
         EXPECT_EQ(run.folder.parent_path(), folder / "runs");

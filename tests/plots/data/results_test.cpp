@@ -70,7 +70,7 @@ TEST(Results, RunsOfSeveralStepsAndIterationsAreALineEachSet) {
 TEST(Results, ShowsTheSmallestStepOfEachSolverAndTunedBeforeDefault) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, tuned_and_default());
-  const Shown shown = shown_runs(read_comparison(folder), "sample");
+  const RunSelection shown = shown_runs(read_comparison(folder), "sample");
   ASSERT_EQ(shown.exact.size(), 1u);
   ASSERT_EQ(shown.engines.size(), 2u);
   EXPECT_EQ(run_label(shown.engines[0]), "bullet nncg, tuned, 1 ms");

@@ -57,10 +57,10 @@ double spread_of(const std::vector<double>& values) {
   return *high - *low;
 }
 
-TEST(Shown, CurvesHaveTheExtentOfTheirHistories) {
+TEST(RunSelection, CurvesHaveTheExtentOfTheirHistories) {
   const Shot taken = shot({.blocks = 1, .results = {"histories"}}, "histories");
   const double slope = std::abs(testing::left_axis(taken.picture, 0, taken.picture.height).slope);
-  const Shown shown = shown_runs(taken.comparison, "sample");
+  const RunSelection shown = shown_runs(taken.comparison, "sample");
   const double pixel = 1.5 * slope;
   EXPECT_NEAR(extent_of(taken.picture, "rgb(154,154,154)") * slope,
               spread_of(history_of(shown.exact.front())->angles), pixel);
@@ -72,7 +72,7 @@ TEST(Shown, CurvesHaveTheExtentOfTheirHistories) {
 }
 
 // All rest from 0.1 s on in a scene of 5 s: an axis of 0.108 s, with a sample each millisecond.
-TEST(Shown, CurvesOfPartOfTheTimeHaveAllOfItsSamples) {
+TEST(RunSelection, CurvesOfPartOfTheTimeHaveAllOfItsSamples) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(
       folder, {.steps = {1e-3}, .rests_from = 0.1, .tested = true, .readings = 1e-3, .slides = true});
@@ -94,7 +94,7 @@ TEST(Shown, CurvesOfPartOfTheTimeHaveAllOfItsSamples) {
 }
 
 // Twelve impacts are told of, the last at 6 s, and the axis ends at 5 s with the exact curve.
-TEST(Shown, ImpactsAfterTheAxisHaveNoTick) {
+TEST(RunSelection, ImpactsAfterTheAxisHaveNoTick) {
   const Shot taken = shot({.blocks = 1, .impacts = 12, .results = {"histories"}}, "histories");
   const auto rightmost = [&](const std::string& colour) {
     double most = 0;
@@ -108,13 +108,13 @@ TEST(Shown, ImpactsAfterTheAxisHaveNoTick) {
 }
 
 // No line of a single step is dashed.
-TEST(Shown, OneStepHasNoWordOfACoarserOne) {
+TEST(RunSelection, OneStepHasNoWordOfACoarserOne) {
   const testing::Sample one{.blocks = 1, .steps = {1e-2}, .results = {"histories"}};
   EXPECT_FALSE(shot(one, "histories").picture.says("coarsest"));
   EXPECT_TRUE(shot({.blocks = 1, .results = {"histories"}}, "histories").picture.says("coarsest"));
 }
 
-TEST(Shown, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
+TEST(RunSelection, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
   const Shot taken = shot({.blocks = 1, .impacts = 9}, "impact-times");
   const plots::Run engine = shown_runs(taken.comparison, "sample").engines.front();
   const auto impacts = impacts_of(engine);
@@ -124,14 +124,14 @@ TEST(Shown, EachImpactIsAMarkAndSoIsWhatIsMissedOrAdded) {
 }
 
 // The run that is drawn has 8; that is one draw of five, whose median the row has.
-TEST(Shown, ImpactsAreCountedInTheMedianOfReplicates) {
+TEST(RunSelection, ImpactsAreCountedInTheMedianOfReplicates) {
   const Shot taken = shot({.blocks = 1, .impacts = 9, .draws = 5}, "impact-times");
   EXPECT_TRUE(taken.picture.says("By engine: 9 impacts matched, in the median"));
   EXPECT_TRUE(taken.picture.says("counts are medians of replicates"));
 }
 
 // A row a solver and set, a column a time step: marks of one run stand at its rank and nowhere else.
-TEST(Shown, RowsAreRankedFromAbove) {
+TEST(RunSelection, RowsAreRankedFromAbove) {
   const Shot taken = shot({.blocks = 1,
                            .engines = {{"ode", "step", "default", 3e-3}, {"bullet", "nncg", "tuned", 1e-3}},
                            .steps = {1e-2, 1e-3},
@@ -150,7 +150,7 @@ TEST(Shown, RowsAreRankedFromAbove) {
 }
 
 // In the file they stand in the other order.
-TEST(Shown, AgreementHasTheSetsAsTheVerdictRanksThemAndItsScenesHaveNamesAndTitles) {
+TEST(RunSelection, AgreementHasTheSetsAsTheVerdictRanksThemAndItsScenesHaveNamesAndTitles) {
   const fs::path folder = testing::fresh_folder();
   testing::write_sample(folder,
                         {.blocks = 1,
@@ -172,7 +172,7 @@ TEST(Shown, AgreementHasTheSetsAsTheVerdictRanksThemAndItsScenesHaveNamesAndTitl
 }
 
 // The exact rotation is half of the slenderness angle, engines' are so much larger as they are late.
-TEST(Shown, NormalizedRotationsStandBesideTheExactOne) {
+TEST(RunSelection, NormalizedRotationsStandBesideTheExactOne) {
   const Shot taken = shot({.blocks = 1, .steps = {1e-2}, .results = {"angles"}}, "peaks");
   const plots::Run& run = taken.comparison.runs[1];
   const std::vector<testing::ShownMark> marks = taken.picture.marks_of(colour_of(run));
@@ -192,7 +192,7 @@ TEST(Shown, NormalizedRotationsStandBesideTheExactOne) {
   EXPECT_EQ(testing::collisions(taken.picture), std::vector<std::string>());
 }
 
-TEST(Shown, DifferencesPassTheToleranceWhereTheFileDoes) {
+TEST(RunSelection, DifferencesPassTheToleranceWhereTheFileDoes) {
   const Shot taken = shot({.blocks = 1, .results = {"histories"}}, "differences");
   const plots::Run engine = shown_runs(taken.comparison, "sample").engines.front();
   EXPECT_TRUE(taken.picture.says("tolerance"));
@@ -214,7 +214,7 @@ double length_of(const Picture& picture, const std::string& colour) {
 }
 
 // Those of rows that agree to the end reach the edge, which is 8 % behind the end of the motion.
-TEST(Shown, LinesOfAgreementEndWhereRowsStopToAgree) {
+TEST(RunSelection, LinesOfAgreementEndWhereRowsStopToAgree) {
   constexpr double coarse = 1, whole = 5, rests_from = 2;  // s
   for (const bool rests : {false, true}) {
     const fs::path folder = testing::fresh_folder();
@@ -240,7 +240,7 @@ TEST(Shown, LinesOfAgreementEndWhereRowsStopToAgree) {
   }
 }
 
-TEST(Shown, FiguresOverTimeExplainWhatLiesBeyondTheHorizon) {
+TEST(RunSelection, FiguresOverTimeExplainWhatLiesBeyondTheHorizon) {
   for (const double horizon : {2.0, 5.0}) {
     const fs::path folder = testing::fresh_folder();
     testing::write_sample(folder, {.blocks = 1, .predictable_time = horizon, .shaken = true});

@@ -32,7 +32,7 @@ Table four_cases(Scene scene) {
       scene.initial.velocities = {rate};
       const SlidingCorner corner = sliding_corner(scene);
       const auto forces =
-          each_of(corner.forces(), [&](double force) { return force == 0 ? "0" : fixed(force / weight, 4); });
+          mapped(corner.forces(), [&](double force) { return force == 0 ? "0" : fixed(force / weight, 4); });
       const History exact = exact_answer(lasting(scene, reading));
       const std::string start = start_of(exact);
       table.rows.push_back(

@@ -38,7 +38,7 @@ constexpr KeyTable part_keys{
 std::vector<std::string> texts(const Node& table, const char* key) {
   const Node* node = find(table, key);
   if (node == nullptr || node->children.empty()) return {};
-  return each_of(entries(*node, "an array of texts"), text);
+  return mapped(entries(*node, "an array of texts"), text);
 }
 
 std::string text_or_none(const Node& table, const char* key) {
@@ -86,19 +86,19 @@ Problem read_problem(const Node& table) {
       .scene = text_or_none(table, "scene"),
       .changes = texts(table, "set"),
       .against = texts(table, "against"),
-      .draw = each_of(draw == nullptr ? std::vector<Node>() : draw->children, read_drawn_range),
-      .parts = each_of(entries(required(table, "parts", "what is asked"), "an array of tables"), read_part)};
+      .draw = mapped(draw == nullptr ? std::vector<Node>() : draw->children, read_drawn_range),
+      .parts = mapped(entries(required(table, "parts", "what is asked"), "an array of tables"), read_part)};
 }
 
 std::vector<Problem> read_problems(const Node& root, const char* key) {
-  return each_of(entries(required(root, key, "an array of tables"), "an array of tables"), read_problem);
+  return mapped(entries(required(root, key, "an array of tables"), "an array of tables"), read_problem);
 }
 
 namespace fs = std::filesystem;
 using Places = std::map<std::string, std::string>;
 
 std::vector<std::string> all_filled_in(const std::vector<std::string>& texts, const Places& places) {
-  return each_of(texts, [&](const std::string& text) { return filled_in(text, places); });
+  return mapped(texts, [&](const std::string& text) { return filled_in(text, places); });
 }
 
 std::size_t right_choice(const Part& part, double value) {
@@ -144,7 +144,7 @@ Json summary(const Lesson& lesson, const CourseEntry& course) {
           {"minutes", course.minutes},
           {"pattern", course.pattern},
           {"aims", course.aims},
-          {"after", each_of(course.after, named)}};
+          {"after", mapped(course.after, named)}};
 }
 
 Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_course) {
@@ -156,7 +156,7 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
                           {"next", place + 1 < lessons().size() ? lessons()[place + 1].name : ""}};
   json["references"] = course.references;
   json["predictions"] =
-      each_of(course.predictions, [&](const Problem& one) { return answered(one, values.measured); });
+      mapped(course.predictions, [&](const Problem& one) { return answered(one, values.measured); });
   json["text"] = file_text(file_of(lesson.name, "text.html"));
   json["slides"] = file_text(file_of(lesson.name, "slides.html"));
   json["numbers"] = values.numbers;
@@ -229,7 +229,7 @@ std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder,
 
 std::string course_json() {
   const auto list =
-      each_of(lessons(), [](const Lesson& lesson) { return summary(lesson, read_course(lesson.name)); });
+      mapped(lessons(), [](const Lesson& lesson) { return summary(lesson, read_course(lesson.name)); });
   return Json{{"lessons", list}}.dump(2) + "\n";
 }
 

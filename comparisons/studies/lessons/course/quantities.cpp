@@ -129,7 +129,7 @@ double quantity(const std::string& name, const Asked& asked) {
 }
 
 std::vector<std::string> quantity_names() {
-  return each_of(all_quantities, [](const auto& one) { return one.first; });
+  return mapped(all_quantities, [](const auto& one) { return one.first; });
 }
 
 }  // namespace rockstack

@@ -33,7 +33,7 @@ Scene block_of(Scene scene, const Measured& one, double ratio) {
 }
 
 std::vector<double> impact_times(const Scene& scene) {
-  return each_of(impacts_of(solve(scene)), &Event::time);
+  return mapped(impacts_of(solve(scene)), &Event::time);
 }
 
 Table shapes() {

@@ -19,7 +19,7 @@ bool is_table(const InputKey& key) {
 KeyFile::KeyFile(std::vector<const KeyTable*> tables) : tables_(std::move(tables)) {
   for (const KeyTable* table : tables_) {
     for (const InputKey& key : table->keys) {
-      if (std::string_view(key.standard) == required_key && !is_table(key))
+      if (std::string_view(key.default_value) == required_key && !is_table(key))
         values_[table][key.name] = key.example;
     }
   }
@@ -27,10 +27,10 @@ KeyFile::KeyFile(std::vector<const KeyTable*> tables) : tables_(std::move(tables
 
 KeyFile& KeyFile::set(const KeyTable& table, const std::string& name, const std::string& value) {
   for (const InputKey& key : table.keys) {
-    const std::string_view standard = key.standard;
-    if (key.name != name || !standard.starts_with("instead of ")) continue;
+    const std::string_view default_value = key.default_value;
+    if (key.name != name || !default_value.starts_with("instead of ")) continue;
     for (const InputKey& other : table.keys) {
-      if (standard.find(other.name) != std::string_view::npos) leave_out(table, other.name);
+      if (default_value.find(other.name) != std::string_view::npos) leave_out(table, other.name);
     }
   }
   values_[&table][name] = value;

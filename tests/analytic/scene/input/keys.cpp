@@ -64,10 +64,10 @@ TEST(SceneKeys, MakeAWholeScene) {
     for (const KeyTable* table :
          {&scene_keys, &block_keys, &initial_keys, &ground_keys, &contact_keys, motion, &surface_keys}) {
       for (const InputKey& key : table->keys) {
-        const std::string_view standard = key.standard;
+        const std::string_view default_value = key.default_value;
         // Friction is stated once.
         if (table == &surface_keys && std::string_view(key.name) == "friction") continue;
-        if (*key.example != '\0' && !standard.starts_with("instead of "))
+        if (*key.example != '\0' && !default_value.starts_with("instead of "))
           file.set(*table, key.name, key.example);
       }
     }
@@ -83,9 +83,9 @@ TEST(SceneKeys, DefaultsAreThoseOfTheReader) {
     ASSERT_EQ(read_keys(file.text(), &plain), "");
     for (const KeyTable* table : {&scene_keys, &ground_keys, &contact_keys, motion, &surface_keys}) {
       for (const InputKey& key : table->keys) {
-        if (!parse_toml_value(key.standard, Node{})) continue;
+        if (!parse_toml_value(key.default_value, Node{})) continue;
         Scene given;
-        EXPECT_EQ(read_keys(KeyFile(file).set(*table, key.name, key.standard).text(), &given), "");
+        EXPECT_EQ(read_keys(KeyFile(file).set(*table, key.name, key.default_value).text(), &given), "");
         EXPECT_EQ(numbers_of(given), numbers_of(plain)) << key.name;
         ++defaults;
       }

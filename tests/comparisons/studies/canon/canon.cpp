@@ -191,7 +191,7 @@ History as_of_engine(const Scene& scene, double dt, const History& motion) {
                                  .y = motion.centres[i + 1],
                                  .velocity_x = motion.centre_velocities[i],
                                  .velocity_y = motion.centre_velocities[i + 1]});
-  return account_of(scene, set_up(scene, dt, {}), std::move(trajectory), true).history;
+  return engine_run_of(scene, set_up(scene, dt, {}), std::move(trajectory), true).history;
 }
 
 /// What is judged of a scene where `engine` gives the motion at each step's times.

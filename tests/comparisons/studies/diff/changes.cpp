@@ -63,7 +63,7 @@ std::vector<std::string> told(const ResultsChange& result) {
   std::vector<std::string> lines;
   for (const TurnedNumber& number : turned_numbers(result))
     lines.push_back(number.row->new_row.run + " " + number.change->quantity + " " +
-                    name(number.change->turn));
+                    name(number.change->trend));
   return lines;
 }
 
