@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "analytic/unilateral/contact/contact_model.hpp"
 #include "analytic/unilateral/contact/linear_system.hpp"
 
@@ -19,67 +22,84 @@ Real largest(const ShortNumbers<Real>& numbers) {
   return size;
 }
 
-/// w − Az − e z₀ = q with columns w, z, z₀, q: Lemke's.
+/// w − Az − e z₀ = q, of Lemke's method, with a column for each variable that is not in the basis, those of
+/// the basis being unit vectors. Variables are numbered w, z, z₀.
 template <class Real>
 struct Tableau {
   std::size_t size;
-  NumberTable<Real> table;
-  ShortVector<std::size_t, 20> basis;  ///< the column of each row
+  NumberTable<Real> table;                ///< the right side is its last column
+  ShortVector<std::size_t, 20> basis;     ///< the variable of each row
+  ShortVector<std::size_t, 20> outside;   ///< the variable of each column
+  ShortVector<std::size_t, 40> place_of;  ///< the row or the column of each variable
 
   Tableau(const NumberTable<Real>& matrix, const ShortNumbers<Real>& vector,
           const ShortNumbers<Real>& covering)
-      : size(vector.size()), table(size, columns()), basis(size) {
+      : size(vector.size()), table(size, size + 2), basis(size), outside(size + 1), place_of(2 * size + 1) {
     for (std::size_t i = 0; i < size; ++i) {
-      basis[i] = i;
-      for (std::size_t j = 0; j < size; ++j) {
-        table(i, j) = i == j ? 1 : 0;
-        table(i, size + j) = -matrix(i, j);
-      }
-      table(i, artificial()) = -covering[i];
+      basis[i] = place_of[i] = i;
+      outside[i] = size + i;
+      place_of[size + i] = i;
+      for (std::size_t j = 0; j < size; ++j) table(i, j) = -matrix(i, j);
+      table(i, size) = -covering[i];
       table(i, right_side()) = vector[i];
     }
+    outside[size] = artificial();
+    place_of[artificial()] = size;
   }
 
-  std::size_t columns() const { return 2 * size + 2; }
   std::size_t artificial() const { return 2 * size; }
-  std::size_t right_side() const { return 2 * size + 1; }
+  std::size_t right_side() const { return size + 1; }
+  bool is_basic(std::size_t variable) const {
+    return place_of[variable] < size && basis[place_of[variable]] == variable;
+  }
 
-  void pivot(std::size_t row, std::size_t column) {
-    const Real divisor = table(row, column);
+  /// Takes the variable of a column into the basis in the place of that of a row.
+  void exchange(std::size_t row, std::size_t column) {
     Real* own = table.row(row);
-    for (std::size_t j = 0; j < columns(); ++j) own[j] /= divisor;
+    const Real divisor = std::exchange(own[column], Real(1));
+    for (std::size_t j = 0; j < size + 2; ++j) own[j] /= divisor;
     for (std::size_t i = 0; i < size; ++i) {
-      const Real factor = table(i, column);
-      if (i == row || factor == 0) continue;
       Real* other = table.row(i);
-      for (std::size_t j = 0; j < columns(); ++j) other[j] -= factor * own[j];
+      if (i == row || other[column] == 0) continue;
+      const Real factor = std::exchange(other[column], Real(0));
+      for (std::size_t j = 0; j < size + 2; ++j) other[j] -= factor * own[j];
     }
-    basis[row] = column;
+    std::swap(basis[row], outside[column]);
+    place_of[basis[row]] = row;
+    place_of[outside[column]] = column;
   }
 
   /// True where row i leaves before row j: the lexicographic order of right side and inverse basis.
   bool leaves_before(std::size_t i, std::size_t j, std::size_t column) const {
-    const Real rounding = tolerance<Real>(1e-13);
-    for (std::size_t entry = 0; entry <= size; ++entry) {
-      const bool first_of_all = entry == 0;
-      const std::size_t at = first_of_all ? right_side() : entry - 1;
-      const Real first = table(i, at) / table(i, column);
-      const Real second = table(j, at) / table(j, column);
-      if (abs(first - second) > rounding * (abs(first) + abs(second) + Real(first_of_all ? 1e-3 : 1)))
-        return first < second;
-      if (first_of_all && basis[i] == artificial()) return true;
-      if (first_of_all && basis[j] == artificial()) return false;
+    const auto is_less = [&](const Real& first, const Real& second,
+                             const Real& least) -> std::optional<bool> {
+      if (!(abs(first - second) > tolerance<Real>(1e-13) * (abs(first) + abs(second) + least)))
+        return std::nullopt;
+      return first < second;
+    };
+    const Real of_i = table(i, column), of_j = table(j, column);
+    if (const auto less = is_less(table(i, right_side()) / of_i, table(j, right_side()) / of_j, Real(1e-3)))
+      return *less;
+    if (basis[i] == artificial()) return true;
+    if (basis[j] == artificial()) return false;
+    for (std::size_t slack = 0; slack < size; ++slack) {
+      const std::size_t place = place_of[slack];
+      const bool basic = is_basic(slack);
+      const Real at_i = basic ? Real(place == i) : table(i, place);
+      const Real at_j = basic ? Real(place == j) : table(j, place);
+      if (const auto less = is_less(at_i / of_i, at_j / of_j, Real(1))) return *less;
     }
     return false;
   }
+
   ComplementarySolution<Real> solution() const {
     ComplementarySolution<Real> result{ShortNumbers<Real>(size, 0), ShortNumbers<Real>(size, 0)};
     for (std::size_t i = 0; i < size; ++i) {
-      const std::size_t column = basis[i];
-      if (column < size)
-        result.w[column] = table(i, right_side());
-      else if (column < 2 * size)
-        result.z[column - size] = table(i, right_side());
+      const std::size_t variable = basis[i];
+      if (variable < size)
+        result.w[variable] = table(i, right_side());
+      else if (variable < 2 * size)
+        result.z[variable - size] = table(i, right_side());
     }
     return result;
   }
@@ -101,13 +121,14 @@ std::optional<ComplementarySolution<Real>> lemke(const NumberTable<Real>& matrix
   std::size_t entering = tableau.artificial();
   for (std::size_t pivots = 0; pivots < 64 * (size + 4); ++pivots) {
     const std::size_t leaving = tableau.basis[row];
-    tableau.pivot(row, entering);
+    tableau.exchange(row, tableau.place_of[entering]);
     if (leaving == tableau.artificial() || artificial <= tolerance<Real>(1e-13)) return tableau.solution();
     entering = leaving < size ? leaving + size : leaving - size;
+    const std::size_t column = tableau.place_of[entering];
     row = size;
     for (std::size_t i = 0; i < size; ++i) {
-      if (tableau.table(i, entering) <= tolerance<Real>(1e-11)) continue;
-      if (row == size || tableau.leaves_before(i, row, entering)) row = i;
+      if (tableau.table(i, column) <= tolerance<Real>(1e-11)) continue;
+      if (row == size || tableau.leaves_before(i, row, column)) row = i;
     }
     if (row == size) return std::nullopt;
   }

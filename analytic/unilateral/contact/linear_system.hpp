@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "analytic/unilateral/contact/short_vector.hpp"
 
@@ -79,6 +80,8 @@ class LinearSystem {
       for (std::size_t i = column + 1; i < size; ++i) {
         Real* row = rows + i * size;
         const Real factor = row[column] /= upper[column];
+        if constexpr (std::is_same_v<Size, std::size_t>)
+          if (factor == 0) continue;  // chains leave most of a large system empty
         for (std::size_t j = column + 1; j < size; ++j) row[j] -= factor * upper[j];
       }
     }

@@ -52,13 +52,12 @@ class ShortVector {
   }
   /// New entries are those of the type without a value.
   void resize(std::size_t size) {
-    reserve(size);
+    if (size > room_) reserve(std::max(size, 2 * room_));
     size_ = size;
   }
 
  private:
   void reserve(std::size_t room) {
-    if (room <= room_) return;
     T* larger = new T[room];
     std::move(begin(), end(), larger);
     release();

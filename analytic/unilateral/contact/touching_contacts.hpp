@@ -81,11 +81,8 @@ class TouchingContacts {
   TouchingContacts(const ContactProblem<Real>& problem, const Joints<Real>& joints) : problem_(problem) {
     for (int k = 0; k < problem.stack.size(); ++k)
       if (joints[k].touches()) add(k, joints[k]);
-    const std::size_t size = rows_.size();
-    effects_ = NumberTable<Real>(size, size);
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        effects_(i, j) = effects_(j, i) = problem.stack.effect(rows_[i], rows_[j]);
+    effects_ = NumberTable<Real>(rows_.size(), rows_.size());
+    for (std::size_t c = 0; c < interfaces_.size(); ++c) add_effects(c);
   }
 
   const ContactProblem<Real>& problem() const { return problem_; }
@@ -143,6 +140,15 @@ class TouchingContacts {
     interfaces_.push_back(contact);
     const Real rounding = rounding_of(k, kinematics);
     while (rounding_.size() < rows_.size()) rounding_.push_back(rounding);
+  }
+  /// What forces of a contact and of those before it do to each other: nothing but where they share a block.
+  void add_effects(std::size_t c) {
+    const bool shares = c > 0 && interfaces_[c - 1].interface + 1 == interfaces_[c].interface;
+    const std::size_t first = interfaces_[shares ? c - 1 : c].gap;
+    const std::size_t end = c + 1 < interfaces_.size() ? interfaces_[c + 1].gap : rows_.size();
+    for (std::size_t i = interfaces_[c].gap; i < end; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        effects_(i, j) = effects_(j, i) = j < first ? Real(0) : problem_.stack.effect(rows_[i], rows_[j]);
   }
   template <class Row>
   void add_row(const Eigen::MatrixBase<Row>& row, const Real& bias) {
