@@ -1,5 +1,5 @@
 // What all workers of this folder share: a question of rockstack comes in, the engine runs, its answer goes out
-// (../README.md has the form of messages).
+// (../worker/README.md has the form of messages).
 //
 // An engine is an object. `name`, `module` (the package) and `licence` say what it is; `note` follows the package's version;
 // `capabilities` and `solvers` are those of the description: each solver has its list of settings. `load()` gives the library,

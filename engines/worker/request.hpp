@@ -43,8 +43,8 @@ struct Reply {
   std::optional<RunReply> run;
 };
 
-// Between structs and bytes; engines/README.md has every field. Reading throws std::runtime_error for bytes
-// that are not a whole message, naming the field that is wrong.
+// Between structs and bytes; engines/worker/README.md has every field. Reading throws std::runtime_error for
+// bytes that are not a whole message, naming the field that is wrong.
 // A run's may be long: `cancelled` is asked now and then. @throws Stopped where it says so.
 std::string to_bytes(const RunRequest& run, Form form, const std::function<bool()>* cancelled);
 std::string to_bytes(const Request& request, Form form);

@@ -17,7 +17,7 @@ struct WorkerEngine : EngineDescription {
 };
 
 /// All engines of a worker program, in its order. @throws std::runtime_error naming the program where it does
-/// not answer within `answering_time` s, or not as engines/README.md asks for.
+/// not answer within `answering_time` s, or not as engines/worker/README.md asks for.
 std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, double answering_time = 30);
 
 /// What became of a run in a worker.

@@ -1,4 +1,4 @@
-"""An engine of your own in a few lines, as a worker program by the seam of engines/README.md."""
+"""An engine of your own in a few lines, as a worker program by the form of engines/worker/README.md."""
 from __future__ import annotations
 
 import json
