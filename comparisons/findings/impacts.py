@@ -107,7 +107,7 @@ def at_steps(scene, step):
 
 
 def bounce_law():
-    """what a corner keeps of its speed across the ground where friction ends its slide within the impact, at a coefficient of restitution of 0.8: the block of the table above, −2 m/s along the ground; exactly by Newton's and by Poisson's law, read at those steps, and in engines; median, and least to largest, of 5 replicates."""
+    """what a corner keeps of its speed across the ground where friction ends its slide within the impact: one block of 1 m × 0.5 m that falls by 0.2 m, −2 m/s along the ground, e = 0.8; exactly by Newton's and Poisson's law, and in engines; median, and least to largest, of 5 replicates."""
     steps = (1e-2, 1e-3, 1e-4)
     yield "solver", "set", "10 ms", "1 ms", "0.1 ms"
     scene = dropped(*SLIDES_BACK)
