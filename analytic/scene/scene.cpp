@@ -1,15 +1,9 @@
 #include "analytic/scene/scene.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 namespace rockstack {
-
-const char* name(Law law) {
-  static constexpr std::array names{"paper", "consistent", "unilateral", "compliant"};
-  return names[static_cast<std::size_t>(law)];
-}
 
 Block make_block(double width, double height, double density) {
   const double mass = density * width * height;

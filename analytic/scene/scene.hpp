@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "analytic/scene/ground/ground_motion.hpp"
@@ -49,8 +50,11 @@ enum class Law {
   compliant,   ///< the same, with springs, dashpots and sliders at corners, see analytic/unilateral/springs/
 };
 
-/// As scene files have it.
-const char* name(Law law);
+/// As scene files have them.
+inline constexpr std::array law_names{"paper", "consistent", "unilateral", "compliant"};
+inline const char* name(Law law) {
+  return law_names[static_cast<std::size_t>(law)];
+}
 
 /// What a coefficient of restitution e multiplies at contact points.
 enum class RestitutionLaw {
@@ -64,6 +68,12 @@ enum class Equations {
   linear,  ///< geometry frozen upright: Spanos et al. 2001, Eqs. (19)–(28), where weight has a constant lever
   small_angle,  ///< the usual linearisation, Housner 1963: see small_angle_stack() in kinematics.hpp
 };
+
+/// As scene files have them.
+inline constexpr std::array equation_names{"nonlinear", "linear", "small-angle"};
+inline const char* name(Equations equations) {
+  return equation_names[static_cast<std::size_t>(equations)];
+}
 
 /// The state at t = 0. Relative angles that are zero with zero relative velocity mean closed interfaces.
 struct InitialState {

@@ -1,10 +1,10 @@
 #include <limits>
 #include <numbers>
 
+#include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/pattern.hpp"
 #include "analytic/scene/solve_options.hpp"
-#include "analytic/scene/spring_checks.hpp"
 
 namespace rockstack {
 namespace {
@@ -57,7 +57,6 @@ void validate_gaps(const Scene& scene) {
   const InitialState& initial = scene.initial;
   for (std::size_t k = 0; k < initial.gaps.size(); ++k) {
     const std::string key = entry_key("initial.gaps", k);
-    require_between(key, initial.gaps[k], 0);
     if (initial.gaps[k] > 0 && scene.law == Law::compliant && initial.preloaded)
       throw FieldError(key, initial.gaps[k],
                        "0, or beside initial.springs = \"unloaded\": what falls bears on no spring");
@@ -78,17 +77,12 @@ void validate_offsets(const Scene& scene) {
   }
 }
 
-constexpr const char* as_long = "as long as there are blocks, ";
-
 void validate_initial(const Scene& scene) {
-  const auto check = [&](const std::string& key, const std::vector<double>& values) {
-    require_one_each(key, values, scene.blocks.size(), -largest_number, largest_number, as_long);
-  };
+  for (const auto& [key, values] : {std::pair{"initial.angles", &scene.initial.angles},
+                                    {"initial.velocities", &scene.initial.velocities}})
+    if (values->empty()) require_one_each(key, *values, scene.blocks.size(), 0, 0, as_long);
+  require_ranges("initial.", initial_keys, scene.initial, scene.blocks.size());
   validate_gaps(scene);
-  check("initial.angles", scene.initial.angles);
-  check("initial.velocities", scene.initial.velocities);
-  for (const auto& [key, values] : of_free_blocks)
-    if (!(scene.initial.*values).empty()) check(std::string("initial.") + key, scene.initial.*values);
   validate_offsets(scene);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const double limit = toppling_angle(scene, k);
@@ -100,8 +94,8 @@ void validate_initial(const Scene& scene) {
 }
 
 void validate_point_restitution(const Scene& scene) {
+  require_ranges("contact.", contact_keys, scene);
   const double given = scene.point_restitution;
-  require_between("contact.restitution", given, 0, 1);
   if (given == 0 || scene.law == Law::unilateral) return;
   throw FieldError("contact.restitution", given,
                    std::string("0 under law ") + name(scene.law) +
@@ -120,7 +114,7 @@ void validate_law(const Scene& scene) {
     return;
   }
   if (scene.equations != Equations::nonlinear)
-    throw FieldError("equations", scene.equations == Equations::linear ? "linear" : "small-angle",
+    throw FieldError("equations", name(scene.equations),
                      std::string("nonlinear under law ") + name(scene.law));
   if (!scene.restitution.empty())
     throw FieldError("restitution", "[" + number_text(scene.restitution.front()) + ", …]",
@@ -130,13 +124,10 @@ void validate_law(const Scene& scene) {
 }
 
 void validate_pulse(const Pulse& pulse, const std::string& key) {
-  require_between(key + ".amplitude", pulse.amplitude, -largest_number);
-  require_positive(key + ".period", pulse.period);
-  require_between(key + ".start", pulse.start, 0);
+  require_ranges(key + ".", keys_of(pulse.shape), pulse);
   if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou)
     throw FieldError(key + ".cycles", pulse.cycles, "a number > 1, up to 1e+06");
   if (!(pulse.cycles > 0)) throw FieldError(key + ".cycles", pulse.cycles, "a number > 0, or inf");
-  require_between(key + ".phase", pulse.phase, -largest_number);
 }
 
 void validate_duration(const Scene& scene) {
@@ -169,16 +160,13 @@ void validate(const GroundMotion& motion, const std::string& key) {
 }
 
 void validate(const Scene& scene) {
-  require_positive("duration", scene.duration);
-  require_positive("gravity", scene.gravity);
   if (scene.blocks.empty() || scene.blocks.size() > static_cast<std::size_t>(max_blocks))
     throw FieldError("blocks", std::to_string(scene.blocks.size()) + " blocks",
                      "1 to " + std::to_string(max_blocks) + " blocks");
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     validate_block(scene.blocks[k], entry_key("blocks", k));
   validate_off_middle(scene);
-  if (!scene.restitution.empty())
-    require_one_each("restitution", scene.restitution, scene.blocks.size(), 0, 1, as_long);
+  require_ranges("", scene_keys, scene, scene.blocks.size());
   validate_law(scene);
   validate_initial(scene);
   if (!scene.friction.empty())
@@ -189,8 +177,7 @@ void validate(const Scene& scene) {
   validate(scene.horizontal, "ground.horizontal");
   validate(scene.vertical, "ground.vertical");
   validate_duration(scene);
-  require_positive("engine.friction", scene.engine.friction);
-  require_positive("engine.depth", scene.engine.depth);
+  require_ranges("engine.", surface_keys, scene.engine);
 }
 
 void validate(const SolveOptions& options) {

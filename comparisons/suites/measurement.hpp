@@ -24,7 +24,7 @@ struct Measurement {
 };
 
 /// Every key of the table [measured] of a scene file.
-inline constexpr KeyTable measured_keys{
+inline const KeyTable measured_keys{
     "[measured]",
     "what a test of a scene has measured, for `rockstack fit` and `compare`",
     {{"file", "\"test.csv\"", "", "a file of columns beside the scene, with titles", required_key,

@@ -25,9 +25,15 @@ std::uint64_t mebibytes(const Node& node) {
 
 constexpr std::string_view friction_key = "friction=";
 
+/// Names of Variant::Choice; a suite may ask for the first.
+constexpr std::array variant_names{"linear",     "nonlinear", "paper", "consistent",
+                                   "unilateral", "",          "rk4",   "measured"};
+constexpr std::array asked_variants{variant_names[0], variant_names[1], variant_names[2], variant_names[3],
+                                    variant_names[4]};
+
 Variant read_variant(const Node& node) {
   if (node.kind != Node::Kind::text || !node.text.starts_with(friction_key))
-    return {choice<Variant::Choice>(node, {"linear", "nonlinear", "paper", "consistent", "unilateral"})};
+    return {choice<Variant::Choice>(node, asked_variants)};
   const auto friction = number_in(std::string_view(node.text).substr(friction_key.size()));
   if (!friction || !(*friction >= 0 && *friction <= largest_friction))
     throw wrong_value(node, fmt::format("{}MU with a number from 0 to {}", friction_key, largest_friction));
@@ -162,9 +168,7 @@ Scene Variant::apply(Scene scene) const {
 
 std::string Variant::name() const {
   if (choice == Choice::friction) return fmt::format("{}{}", friction_key, friction);
-  constexpr std::array names{"linear",     "nonlinear", "paper", "consistent",
-                             "unilateral", "",          "rk4",   "measured"};
-  return names.at(static_cast<std::size_t>(choice));
+  return variant_names.at(static_cast<std::size_t>(choice));
 }
 
 std::vector<std::string> names_of(const ResultSelection& wanted) {

@@ -6,7 +6,7 @@ namespace rockstack {
 
 // Every key of a suite file. A new one is a line here, and is read where the others of its table are.
 
-inline constexpr KeyTable suite_keys{
+inline const KeyTable suite_keys{
     "",
     "a suite: scenes, each on the exact solver and on engines",
     {{"title", "\"Three drums\"", "", "a text", required_key, "heads tables and the report"},
@@ -34,7 +34,7 @@ inline constexpr KeyTable suite_keys{
      {"perturbations", "", "", "a table [perturbations]", no_default, "distributions where histories part"},
      {"statements", "", "", "a table [statements]", no_default, "scenes held against the paper"}}};
 
-inline constexpr KeyTable engine_keys{
+inline const KeyTable engine_keys{
     "[[engines]]",
     "an engine and how it runs: one series for each parameter set and value",
     {{"name", "\"ode\"", "", "ENGINE or ENGINE:SOLVER, see `rockstack list engines`", required_key,
@@ -47,7 +47,7 @@ inline constexpr KeyTable engine_keys{
      {"parameters", "{ erp = [0.1, 0.2] }", "", "names of the engine's parameters, each a value or an array",
       "{}", "changes of its parameter set, in every combination"}}};
 
-inline constexpr KeyTable replicates_keys{
+inline const KeyTable replicates_keys{
     "[draws]",
     "runs behind each number of an engine, which is their median",
     {{"runs", "5", "", "a whole number from 1 to 10000", required_key,
@@ -58,14 +58,14 @@ inline constexpr KeyTable replicates_keys{
      {"scene", "1e-6", "", "0 to 0.1", "1e-6", "largest relative change of the scene"},
      {"seed", "1", "", "a whole number from 0 to 2⁵³", "1", "of the changes of the scene"}}};
 
-inline constexpr KeyTable perturbations_keys{
+inline const KeyTable perturbations_keys{
     "[perturbations]",
     "many scenes that hardly differ, for distributions",
     {{"runs", "20", "", "a whole number from 2", required_key, "number of scenes"},
      {"size", "1e-6", "", "> 0, up to 0.1", "1e-6", "largest relative change"},
      {"seed", "1", "", "a whole number from 0 to 2⁵³", "1", "of the changes"}}};
 
-inline constexpr KeyTable statements_keys{
+inline const KeyTable statements_keys{
     "[statements]",
     "the paper's two examples among the scenes, each of two blocks",
     {{"free", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 18 to 20"},

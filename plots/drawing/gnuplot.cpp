@@ -46,34 +46,6 @@ std::string complaint(const fs::path& folder) {
   return text.substr(text.size() - std::min<std::size_t>(text.size(), 400));
 }
 
-/// Frames one by one: into one file that loops, and where `film` is set into a picture each.
-std::string script(const Animation& animation, bool film) {
-  const std::string size = fmt::format("size {},{}", animation.width, animation.height);
-  std::string text = fmt::format(
-      "set encoding utf8\nset terminal gif animate delay {} loop 0 {} background '#ffffff' font 'DejaVu Sans,12'\n"
-      "set output 'picture.gif'\n{}",
-      animation.interval / 10, size, animation.settings);
-  for (const std::string& frame : animation.frames) text += frame;
-  text += "unset output\n";
-  if (!film) return text;
-  text += fmt::format("set terminal pngcairo {} background '#ffffff' font 'DejaVu Sans,12' rounded\n", size);
-  for (std::size_t i = 0; i < animation.frames.size(); ++i)
-    text += fmt::format("set output 'frame-{:05}.png'\n", i) + animation.frames[i] + "unset output\n";
-  return text;
-}
-
-/// Turns numbered frames into a film that every browser and slide program plays.
-void make_film(const Animation& animation, const fs::path& folder, const fs::path& stem) {
-  const std::string line = fmt::format(
-      "cd {}; ffmpeg -loglevel error -y -framerate {} -i frame-%05d.png -c:v libx264 -pix_fmt yuv420p -movflags "
-      "+faststart picture.mp4 2>errors >&2",
-      quoted_for_shell(folder.string()), 1000.0 / animation.interval);
-  if (std::system(line.c_str()) != 0)
-    throw std::runtime_error(
-        fmt::format("ffmpeg failed to make {}.mp4: {}", stem.string(), complaint(folder)));
-  write_file(fs::path(stem).concat(".mp4"), contents(folder / "picture.mp4"));
-}
-
 /// Has gnuplot draw into a folder. @throws std::runtime_error where it did not run, or failed.
 void run_gnuplot(const fs::path& folder, const std::string& script, const fs::path& stem, double time_limit) {
   // The shell outlives gnuplot and takes what gnuplot left unread: a pipe that breaks would end this process.
@@ -117,15 +89,6 @@ std::string quoted_for_shell(const std::string& text) {
 
 bool has_program(const std::string& name) {
   return std::system(fmt::format("command -v {} >/dev/null 2>&1", name).c_str()) == 0;
-}
-
-void draw(const Animation& animation, const fs::path& stem) {
-  const Scratch scratch(fs::temp_directory_path(), "rockstack");
-  const bool film = has_program("ffmpeg");
-  run_gnuplot(scratch.folder, script(animation, film), stem, animation.time_limit);
-  if (film) make_film(animation, scratch.folder, stem);
-  fs::create_directories(stem.parent_path());
-  write_file(fs::path(stem).concat(".gif"), contents(scratch.folder / "picture.gif"));
 }
 
 void draw(const Drawing& drawing, const fs::path& stem) {

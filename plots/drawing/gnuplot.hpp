@@ -22,17 +22,7 @@ inline constexpr auto unseen = "#FF010203";
 /// @throws std::runtime_error where gnuplot fails, with its own words, is not installed or hangs.
 void draw(const Drawing& drawing, const std::filesystem::path& stem);
 
-/// A picture that moves: `settings` hold for all frames, each frame is plot commands of its own.
-struct Animation {
-  int width = 1000;   ///< pixels, even
-  int height = 600;   ///< pixels, even
-  int interval = 40;  ///< between frames, ms, a multiple of 10
-  std::string settings;
-  std::vector<std::string> frames;
-  double time_limit = 3600;  ///< of gnuplot, s
-};
-
-/// Whether a program is installed, as ffmpeg, which makes films.
+/// Whether a program is installed, as chromium, which prints pages.
 bool has_program(const std::string& name);
 
 /// A folder for what a program writes, away from results, that goes away with its contents.
@@ -47,9 +37,5 @@ struct Scratch {
 };
 
 std::string quoted_for_shell(const std::string& text);
-
-/// Draws `stem`.gif, and `stem`.mp4 where ffmpeg is there. @throws std::runtime_error as for a Drawing, and
-/// with ffmpeg's own words where it fails.
-void draw(const Animation& animation, const std::filesystem::path& stem);
 
 }  // namespace rockstack::plots

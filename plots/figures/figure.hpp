@@ -103,12 +103,6 @@ void draw_figures(const fs::path& results, const Comparison& comparison);
 /// .pdf.
 void draw_figures(const fs::path& results);
 
-/// Draws the motion of every scene of a results folder that a player could show, as
-/// results/figures/<scene>.motion.gif, and as .mp4 where ffmpeg is there: exact and engines side by side, 25
-/// frames a second. Returns the files.
-/// @throws as draw_figures(), and std::runtime_error where ffmpeg fails.
-std::vector<fs::path> draw_animations(const fs::path& results);
-
 // What figures are drawn with besides the skeletons of plots/drawing.
 
 /// The exact run, where there is one, before those of the engines.

@@ -66,6 +66,11 @@ std::vector<double> numbers(const Node& node) {
   });
 }
 
+std::vector<double> one_each(const Node& array) {
+  if (array.kind == Node::Kind::array) entries(array, "a number for each block");
+  return numbers(array);
+}
+
 const std::string& text(const Node& node) {
   if (node.kind != Node::Kind::text) throw wrong_value(node, "a text in quotes");
   return node.text;

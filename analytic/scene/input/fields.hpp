@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <initializer_list>
 
 #include "analytic/scene/input/document.hpp"
@@ -13,7 +14,7 @@ struct InputKey {
   const char* example = "";  ///< a value that is accepted, as TOML; empty: a table, with keys of its own
   const char* unit = "";     ///< empty: none
   const char* range = "";    ///< which values are accepted
-  const char* default_value = "";  ///< what holds where it is left out: a value as TOML, or words; see below
+  std::string default_value = "";  ///< what holds where it is left out: a value as TOML, or words; see below
   const char* meaning = "";
 };
 
@@ -26,7 +27,7 @@ inline constexpr const char* no_default = "none";
 struct KeyTable {
   const char* header;   ///< as a file has it, e.g. "[[blocks]]"; empty: the top of the file
   const char* meaning;  ///< of the table
-  std::initializer_list<InputKey> keys;
+  std::vector<InputKey> keys;
 };
 
 // Typed access to values of a scene file. All throw InputError with place, key, value and what is allowed.
@@ -52,6 +53,8 @@ const std::vector<Node>& entries(const Node& array, const std::string& allowed);
 
 /// All entries of an array of numbers, each finite.
 std::vector<double> numbers(const Node& node);
+/// An array with a number for each block; whether there are as many, validate() says.
+std::vector<double> one_each(const Node& array);
 
 const std::string& text(const Node& node);
 
@@ -62,6 +65,10 @@ std::ptrdiff_t place_among(const Node& node, const std::vector<const char*>& nam
 template <class Choice>
 Choice choice(const Node& node, std::initializer_list<const char*> names) {
   return static_cast<Choice>(place_among(node, names));
+}
+template <class Choice, std::size_t count>
+Choice choice(const Node& node, const std::array<const char*, count>& names) {
+  return static_cast<Choice>(place_among(node, {names.begin(), names.end()}));
 }
 template <class Choice>
 Choice choice(const Node& node, std::initializer_list<std::pair<const char*, Choice>> choices) {

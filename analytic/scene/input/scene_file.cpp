@@ -35,19 +35,7 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
   Pulse pulse;
   pulse.shape = choice<PulseShape>(
       shape, {"sine", "cosine", "half-sine", "rectangle", "ricker", "mavroeidis-papageorgiou"});
-  if (pulse.shape == PulseShape::mavroeidis_papageorgiou) {
-    require_table(table, near_fault_keys);
-    pulse.cycles = required_number(table, "cycles");
-    pulse.phase = number_or(table, "phase", pulse.phase);
-  } else if (pulse.shape == PulseShape::sine || pulse.shape == PulseShape::cosine) {
-    require_table(table, harmonic_keys);
-    pulse.cycles = number_or(table, "cycles", pulse.cycles);
-  } else {
-    require_table(table, pulse_keys);
-  }
-  pulse.amplitude = required_number(table, "amplitude");
-  pulse.period = required_number(table, "period");
-  pulse.start = number_or(table, "start", pulse.start);
+  read_members(table, keys_of(pulse.shape), pulse);
   GroundMotion motion;
   motion.source = shape.text + " pulse";
   motion.pulse = pulse;
@@ -55,14 +43,9 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
 }
 
 GroundMotion from_synthetic(const Node& table, const Node& seed, MotionLibrary& library) {
-  require_table(table, synthetic_keys);
   SyntheticMotion motion;
   motion.seed = static_cast<std::uint64_t>(whole_number(seed, 0, largest_seed));
-  motion.peak = required_number(table, "peak");
-  motion.duration = number_or(table, "duration", motion.duration);
-  motion.interval = number_or(table, "interval", motion.interval);
-  motion.frequency = number_or(table, "frequency", motion.frequency);
-  motion.damping = number_or(table, "damping", motion.damping);
+  read_members(table, synthetic_keys, motion);
   validate(motion, table.key);
   GroundMotion result = *library.synthetic(motion);
   for (double& sample : result.samples) sample *= motion.peak;
@@ -116,96 +99,51 @@ std::vector<Block> read_blocks(const Node& root) {
   return mapped(array->children, read_block);
 }
 
-/// An array with a number for each block; whether there are as many, validate() says.
-std::vector<double> one_each(const Node& array) {
-  if (array.kind == Node::Kind::array) entries(array, "a number for each block");
-  return numbers(array);
-}
-
 InitialState read_initial(const Node& root, std::size_t size) {
   InitialState initial{std::vector<double>(size), std::vector<double>(size)};
-  const Node* table = find(root, "initial");
-  if (table == nullptr) return initial;
-  require_table(*table, initial_keys);
-  if (const Node* angles = find(*table, "angles")) initial.angles = numbers(*angles);
-  if (const Node* velocities = find(*table, "velocities")) initial.velocities = numbers(*velocities);
-  for (const auto& [key, values] : of_free_blocks)
-    if (const Node* array = find(*table, key)) initial.*values = one_each(*array);
-  if (const Node* springs = find(*table, "springs"))
-    initial.preloaded = !choice<bool>(*springs, {"loaded", "unloaded"});
+  if (const Node* table = find(root, "initial")) read_members(*table, initial_keys, initial);
   return initial;
 }
 
 void read_ground(const SceneDocument& document, MotionLibrary& library, Scene& scene) {
   const Node* ground = find(document.root, "ground");
   if (ground == nullptr) return;
-  require_table(*ground, ground_keys);
-  scene.inclination = number_or(*ground, "inclination", scene.inclination);
+  read_members(*ground, ground_keys, scene);
   for (const auto& [axis, motion] :
        {std::pair("horizontal", &scene.horizontal), {"vertical", &scene.vertical}})
     if (const Node* table = find(*ground, axis))
       *motion = read_ground_motion(*table, document.folder, library);
 }
 
-/// Numbers of interfaces: those given, or the one number for all; none where the key is left out.
-/// Stiffnesses may be infinite, of a rigid interface.
-std::vector<double> read_each(const Node& table, std::string_view key, std::size_t size,
-                              bool stiffness = false) {
-  const Node* node = find(table, key);
-  if (node == nullptr) return {};
-  if (node->kind != Node::Kind::array) return std::vector<double>(size, number(*node));
-  if (!stiffness) return one_each(*node);
-  return mapped(entries(*node, "a number for each block"), number);
-}
-
 void read_contact(const Node& root, Scene& scene) {
   const Node* table = find(root, "contact");
   if (table == nullptr) return;
-  require_table(*table, contact_keys);
-  const std::size_t size = scene.blocks.size();
-  scene.friction = read_each(*table, "friction", size);
-  scene.point_restitution = number_or(*table, "restitution", 0);
-  if (const Node* law = find(*table, "restitution_law")) {
-    scene.restitution_law = choice<RestitutionLaw>(*law, {"newton", "poisson"});
-    if (scene.restitution_law != RestitutionLaw::newton && find(*table, "restitution") == nullptr)
-      throw wrong_value(*law, "left out where contact.restitution is, whose law it is");
-  }
-  scene.springs.stiffness = read_each(*table, "stiffness", size, true);
-  scene.springs.damping = read_each(*table, "damping", size);
-  scene.springs.bed_stiffness = read_each(*table, "bed_stiffness", size, true);
-  scene.springs.bed_damping = read_each(*table, "bed_damping", size);
-  scene.springs.tangential = number_or(*table, "tangential", scene.springs.tangential);
+  read_members(*table, contact_keys, scene);
+  if (scene.restitution_law != RestitutionLaw::newton && find(*table, "restitution") == nullptr)
+    throw wrong_value(required(*table, "restitution_law", ""),
+                      "left out where contact.restitution is, whose law it is");
 }
 
 EngineSurface read_engine(const Node& root) {
   EngineSurface surface;
   const Node* table = find(root, "engine");
   if (table == nullptr) return surface;
-  require_table(*table, surface_keys);
+  read_members(*table, surface_keys, surface);
   const Node* contact = find(root, "contact");
   const Node* friction = find(*table, "friction");
   const Node* of_contacts = contact == nullptr ? nullptr : find(*contact, "friction");
   if (friction != nullptr && of_contacts != nullptr)
     throw wrong_value(*friction, "left out where contact.friction is given (" + of_contacts->place +
                                      "), which engines take too");
-  surface.friction = number_or(*table, "friction", surface.friction);
-  surface.depth = number_or(*table, "depth", surface.depth);
   return surface;
 }
 
 Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   const Node& root = document.root;
-  require_table(root, scene_keys);
   Scene scene;
+  read_members(root, scene_keys, scene);
   const Node* title = find(root, "title");
   scene.title = title == nullptr ? document.title : text(*title);
-  scene.duration = required_number(root, "duration");
-  scene.gravity = number_or(root, "gravity", scene.gravity);
-  if (const Node* law = find(root, "law"))
-    scene.law = choice<Law>(*law, {"paper", "consistent", "unilateral", "compliant"});
-  if (const Node* equations = find(root, "equations"))
-    scene.equations = choice<Equations>(*equations, {"nonlinear", "linear", "small-angle"});
-  if (const Node* restitution = find(root, "restitution")) scene.restitution = one_each(*restitution);
   scene.blocks = read_blocks(root);
   scene.initial = read_initial(root, scene.blocks.size());
   read_ground(document, library, scene);

@@ -1,34 +1,51 @@
 #pragma once
 
-#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/ground/synthetic.hpp"
+#include "analytic/scene/input/key.hpp"
 
 namespace rockstack {
 
-// Every key of a scene file. A new one is a line here, and is read where the others of its table are.
+// Every key of a scene file. One that is a number of a scene is a line here and a member there; others are
+// read where the rest of their table is.
 
-inline constexpr KeyTable scene_keys{
+/// The number of each interface: those given, or the one number for all.
+inline std::vector<double> each_interface(const Node& node, const Scene& scene) {
+  if (node.kind != Node::Kind::array) return std::vector<double>(scene.blocks.size(), number(node));
+  return one_each(node);
+}
+/// Stiffnesses of all interfaces, which may be infinite: those are rigid.
+inline std::vector<double> each_stiffness(const Node& node, const Scene& scene) {
+  if (node.kind != Node::Kind::array) return each_interface(node, scene);
+  return mapped(entries(node, "a number for each block"), number);
+}
+
+inline const KeysOf<Scene> scene_keys{
     "",
     "a scene: a stack of blocks, its ground and how it starts",
     {{"title", "\"Two blocks\"", "", "a text", "the name of the file", "heads tables and figures"},
-     {"duration", "5.0", "s", "> 0, up to 10⁷ √(size/acceleration)", required_key, "of the motion"},
-     {"gravity", "9.81", "m/s²", "> 0", "9.81", "acceleration of gravity, downwards"},
-     {"law", "\"consistent\"", "", "\"consistent\", \"paper\", \"unilateral\" or \"compliant\"",
-      "\"consistent\"",
-      "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, lift "
-      "off and land; or such blocks on springs at their corners"},
-     {"equations", "\"nonlinear\"", "", "\"nonlinear\", \"linear\" or \"small-angle\"", "\"nonlinear\"",
-      "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear ones, "
-      "where sin(α − θ) is α − θ (Housner 1963)"},
+     {"duration", "5.0", "s", KeyRange{"> 0, up to 10⁷ √(size/acceleration)", 1 / largest_number},
+      required_key, "of the motion", &Scene::duration},
+     {"gravity", "9.81", "m/s²", above_zero, "acceleration of gravity, downwards", &Scene::gravity},
+     {{"law", "\"consistent\"", "", "\"consistent\", \"paper\", \"unilateral\" or \"compliant\"",
+       "\"consistent\"",
+       "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, lift "
+       "off and land; or such blocks on springs at their corners"},
+      [](const Node& node, Scene& scene) { scene.law = choice<Law>(node, law_names); }},
+     {{"equations", "\"nonlinear\"", "", "\"nonlinear\", \"linear\" or \"small-angle\"", "\"nonlinear\"",
+       "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear ones, "
+       "where sin(α − θ) is α − θ (Housner 1963)"},
+      [](const Node& node, Scene& scene) { scene.equations = choice<Equations>(node, equation_names); }},
      {"blocks", "", "", "1 to 32 tables [[blocks]]", required_key, "the stack"},
      {"initial", "", "", "a table [initial]", no_default, "how it starts"},
      {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
      {"contact", "", "", "a table [contact]", no_default, "how blocks touch"},
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
-     {"restitution", "[0.9]", "", "a number from 0 to 1 for each block", "that of the law",
+     {"restitution", "[0.9]", "", KeyRange{"a number from 0 to 1 for each block", 0, 1}, "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
-      "after an impact over that before; of the exact solver alone: engines run without"}}};
+      "after an impact over that before; of the exact solver alone: engines run without",
+      &Scene::restitution}}};
 
-inline constexpr KeyTable block_keys{
+inline const KeyTable block_keys{
     "[[blocks]]",
     "a block, from the bottom up",
     {{"width", "1.0", "m", "> 0", required_key, "across the plane of motion, 2b"},
@@ -39,58 +56,76 @@ inline constexpr KeyTable block_keys{
      {"center_of_mass", "[0.0, 0.0]", "m", "inside the block, beside inertia", "[0, 0]",
       "from the block's middle, to the right and up; not for engines, small-angle equations or restitution"}}};
 
-inline constexpr KeyTable initial_keys{
+inline const KeysOf<InitialState> initial_keys{
     "[initial]",
     "the state at t = 0; blocks that lean alike with equal velocities are in contact",
-    {{"angles", "[0.1]", "rad", "a number for each block, below its toppling angle", "all 0",
-      "from the vertical, clockwise positive"},
-     {"velocities", "[0.0]", "rad/s", "a number for each block", "all 0", "clockwise positive"},
-     {"slip_velocities", "[0.0]", "m/s", "a number for each block; law \"unilateral\" or \"compliant\"",
-      "all 0", "along what is below, to the right positive"},
-     {"offsets", "[0.0]", "m", "a number for each block, so that it is over what is below; those laws",
-      "all 0",
+    {{"angles", "[0.1]", "rad", KeyRange{"a number for each block, below its toppling angle"}, "all 0",
+      "from the vertical, clockwise positive", &InitialState::angles},
+     {"velocities", "[0.0]", "rad/s", KeyRange{"a number for each block"}, "all 0", "clockwise positive",
+      &InitialState::velocities},
+     {"slip_velocities", "[0.0]", "m/s",
+      KeyRange{"a number for each block; law \"unilateral\" or \"compliant\""}, "all 0",
+      "along what is below, to the right positive", &InitialState::slip_velocities},
+     {"offsets", "[0.0]", "m",
+      KeyRange{"a number for each block, so that it is over what is below; those laws"}, "all 0",
       "of a block's middle from that of what is below, along the face, to the right positive; of a block that leans, "
-      "before it is turned about the corner that touches"},
-     {"gaps", "[0.0]", "m", "≥ 0 for each block; those laws, with unloaded springs", "all 0",
-      "by which a block is above what is below at the start, to fall"},
-     {"gap_velocities", "[0.0]", "m/s", "a number for each block, 0 where it has no gap", "all 0",
-      "at which a block with a gap rises over what is below; its slip velocity is of its centre too"},
-     {"springs", "\"loaded\"", "", "\"loaded\" or \"unloaded\"; law \"compliant\"", "\"loaded\"",
-      "whether springs carry what rests on them at the start"}}};
+      "before it is turned about the corner that touches",
+      &InitialState::offsets},
+     {"gaps", "[0.0]", "m", KeyRange{"≥ 0 for each block; those laws, with unloaded springs", 0}, "all 0",
+      "by which a block is above what is below at the start, to fall", &InitialState::gaps},
+     {"gap_velocities", "[0.0]", "m/s", KeyRange{"a number for each block, 0 where it has no gap"}, "all 0",
+      "at which a block with a gap rises over what is below; its slip velocity is of its centre too",
+      &InitialState::gap_velocities},
+     {{"springs", "\"loaded\"", "", "\"loaded\" or \"unloaded\"; law \"compliant\"", "\"loaded\"",
+       "whether springs carry what rests on them at the start"},
+      [](const Node& node, InitialState& initial) {
+        initial.preloaded = !choice<bool>(node, {"loaded", "unloaded"});
+      }}}};
 
-inline constexpr KeyTable contact_keys{
+inline const KeysOf<Scene> contact_keys{
     "[contact]",
     "how blocks touch",
-    {{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "that of [engine]",
-      "Coulomb's coefficient of the interface under each block, in laws \"unilateral\" and "
-      "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to"},
-     {"restitution", "0.0", "", "a number from 0 to 1; law \"unilateral\"", "0",
+    {{{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "that of [engine]",
+       "Coulomb's coefficient of the interface under each block, in laws \"unilateral\" and "
+       "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to"},
+      [](const Node& node, Scene& scene) { scene.friction = each_interface(node, scene); }},
+     {"restitution", "0.0", "", KeyRange{"a number from 0 to 1; law \"unilateral\"", 0, 1},
       "coefficient of contact points, which engines take too: what a point that meets a face keeps of "
-      "its speed across it, backwards; of rocking under laws of pivots see restitution outside this table"},
-     {"restitution_law", "\"newton\"", "", "\"newton\" or \"poisson\", beside restitution", "\"newton\"",
-      "what restitution multiplies: speeds of points, or, by Poisson's, impulses of compression, which expansion "
-      "gives back; engines have their own"},
-     {"stiffness", "inf", "N/m", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
-      "of a spring at each corner of the interface under each block, across the face; inf: rigid"},
-     {"damping", "0.0", "N·s/m", "≥ 0, or one for each block; law \"compliant\"", "0",
-      "of the dashpot beside each spring; nothing pulls"},
-     {"bed_stiffness", "inf", "N/m²", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
-      "of a Winkler bed along the interface under each block, per length; inf: none; not beside stiffness"},
-     {"bed_damping", "0.0", "N·s/m²", "≥ 0, or one for each block; law \"compliant\"", "0",
-      "of that bed, per length; no part of it pulls"},
-     {"tangential", "1.0", "", "> 0; law \"compliant\"", "1",
-      "stiffness and damping along the face over those across it, up to friction; a bed has one such spring, "
-      "at its middle, for all of its width"}}};
+      "its speed across it, backwards; of rocking under laws of pivots see restitution outside this table",
+      &Scene::point_restitution},
+     {{"restitution_law", "\"newton\"", "", "\"newton\" or \"poisson\", beside restitution", "\"newton\"",
+       "what restitution multiplies: speeds of points, or, by Poisson's, impulses of compression, which expansion "
+       "gives back; engines have their own"},
+      [](const Node& node, Scene& scene) {
+        scene.restitution_law = choice<RestitutionLaw>(node, {"newton", "poisson"});
+      }},
+     {{"stiffness", "inf", "N/m", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
+       "of a spring at each corner of the interface under each block, across the face; inf: rigid"},
+      [](const Node& node, Scene& scene) { scene.springs.stiffness = each_stiffness(node, scene); }},
+     {{"damping", "0.0", "N·s/m", "≥ 0, or one for each block; law \"compliant\"", "0",
+       "of the dashpot beside each spring; nothing pulls"},
+      [](const Node& node, Scene& scene) { scene.springs.damping = each_interface(node, scene); }},
+     {{"bed_stiffness", "inf", "N/m²", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
+       "of a Winkler bed along the interface under each block, per length; inf: none; not beside stiffness"},
+      [](const Node& node, Scene& scene) { scene.springs.bed_stiffness = each_stiffness(node, scene); }},
+     {{"bed_damping", "0.0", "N·s/m²", "≥ 0, or one for each block; law \"compliant\"", "0",
+       "of that bed, per length; no part of it pulls"},
+      [](const Node& node, Scene& scene) { scene.springs.bed_damping = each_interface(node, scene); }},
+     {{"tangential", "1.0", "", "> 0; law \"compliant\"", "1",
+       "stiffness and damping along the face over those across it, up to friction; a bed has one such spring, "
+       "at its middle, for all of its width"},
+      [](const Node& node, Scene& scene) { scene.springs.tangential = number(node); }}}};
 
-inline constexpr KeyTable ground_keys{
+inline const KeysOf<Scene> ground_keys{
     "[ground]",
     "the ground's acceleration",
     {{"horizontal", "", "", "a table [ground.horizontal]", no_default, "positive to the right"},
      {"vertical", "", "", "a table [ground.vertical]", no_default, "positive up"},
-     {"inclination", "0.0", "rad", "±π/4", "0",
-      "slope of the ground, down to the right; angles and motions are along and across it"}}};
+     {"inclination", "0.0", "rad", by_itself("±π/4"),
+      "slope of the ground, down to the right; angles and motions are along and across it",
+      &Scene::inclination}}};
 
-inline constexpr KeyTable record_keys{
+inline const KeyTable record_keys{
     "[ground.horizontal]",
     "a record; [ground.vertical] likewise, up positive",
     {{"record", "\"motion.csv\"", "",
@@ -103,7 +138,7 @@ inline constexpr KeyTable record_keys{
      {"limits", "\"none\"", "", "\"usual\" or \"none\"", "\"usual\"",
       "of a record: refuses a step below 10 µs or above 0.5 s and a peak above 10 g, or takes them as meant"}}};
 
-inline constexpr KeyTable samples_keys{
+inline const KeyTable samples_keys{
     "[ground.horizontal]",
     "accelerations in the file itself",
     {{"samples", "[0.0, 2.0, -1.0, 0.0]", "m/s²", "at least one number", required_key,
@@ -114,50 +149,62 @@ inline constexpr KeyTable samples_keys{
      {"time_scale", "1.0", "", "> 0", "1",
       "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"}}};
 
-inline constexpr KeyTable pulse_keys{
+inline const KeysOf<Pulse> pulse_keys{
     "[ground.horizontal]",
     "a pulse",
     {{"pulse", "\"half-sine\"", "", "\"half-sine\", \"rectangle\" or \"ricker\"", required_key, "its shape"},
-     {"amplitude", "3.0", "m/s²", "any number", required_key, "largest acceleration"},
-     {"period", "0.5", "s", "> 0", required_key, "of the whole sine; of a rectangle the length"},
-     {"start", "0.0", "s", "≥ 0", "0", "when it begins"}}};
+     {"amplitude", "3.0", "m/s²", any_number, required_key, "largest acceleration", &Pulse::amplitude},
+     {"period", "0.5", "s", above_zero, required_key, "of the whole sine; of a rectangle the length",
+      &Pulse::period},
+     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start}}};
 
-inline constexpr KeyTable harmonic_keys{
+inline const KeysOf<Pulse> harmonic_keys{
     "[ground.horizontal]",
     "one period of a sine or cosine, or several, or for ever",
     {{"pulse", "\"sine\"", "", "\"sine\" or \"cosine\"", required_key, "its shape"},
-     {"amplitude", "3.0", "m/s²", "any number", required_key, "largest acceleration"},
-     {"period", "0.5", "s", "> 0", required_key, "of one cycle"},
-     {"start", "0.0", "s", "≥ 0", "0", "when it begins"},
-     {"cycles", "3.0", "", "> 0, or inf", "1", "periods, whole or not; inf: harmonic motion without end"}}};
+     {"amplitude", "3.0", "m/s²", any_number, required_key, "largest acceleration", &Pulse::amplitude},
+     {"period", "0.5", "s", above_zero, required_key, "of one cycle", &Pulse::period},
+     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start},
+     {"cycles", "3.0", "", by_itself("> 0, or inf"),
+      "periods, whole or not; inf: harmonic motion without end", &Pulse::cycles}}};
 
-inline constexpr KeyTable near_fault_keys{
+inline const KeysOf<Pulse> near_fault_keys{
     "[ground.horizontal]",
     "a near-fault pulse of Mavroeidis & Papageorgiou 2003",
     {{"pulse", "\"mavroeidis-papageorgiou\"", "", "\"mavroeidis-papageorgiou\"", required_key, "its shape"},
-     {"amplitude", "3.0", "m/s²", "any number", required_key, "about the largest acceleration"},
-     {"period", "0.5", "s", "> 0", required_key, "of the carrier"},
-     {"start", "0.0", "s", "≥ 0", "0", "when it begins"},
-     {"cycles", "2.0", "", "> 1, up to 10⁶", required_key, "γ: periods of the carrier under the envelope"},
-     {"phase", "0.0", "rad", "any number", "0", "ν: of the carrier"}}};
+     {"amplitude", "3.0", "m/s²", any_number, required_key, "about the largest acceleration",
+      &Pulse::amplitude},
+     {"period", "0.5", "s", above_zero, required_key, "of the carrier", &Pulse::period},
+     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start},
+     {"cycles", "2.0", "", by_itself("> 1, up to 10⁶"), required_key,
+      "γ: periods of the carrier under the envelope", &Pulse::cycles},
+     {"phase", "0.0", "rad", any_number, "ν: of the carrier", &Pulse::phase}}};
 
-inline constexpr KeyTable synthetic_keys{
+inline const KeysOf<Pulse>& keys_of(PulseShape shape) {
+  return shape == PulseShape::mavroeidis_papageorgiou               ? near_fault_keys
+         : shape == PulseShape::sine || shape == PulseShape::cosine ? harmonic_keys
+                                                                    : pulse_keys;
+}
+
+inline const KeysOf<SyntheticMotion> synthetic_keys{
     "[ground.horizontal]",
     "a made-up earthquake: noise through a ground layer, under an envelope",
     {{"synthetic", "1", "", "a whole number from 0 to 2⁵³", required_key, "seed: each gives another motion"},
-     {"peak", "4.0", "m/s²", "> 0", required_key, "largest acceleration"},
-     {"duration", "20.0", "s", "> 0, up to 1000", "20", "of the shaking"},
-     {"interval", "0.01", "s", "the duration in 16 to 20000 parts", "0.01", "of samples"},
-     {"frequency", "2.5", "Hz", "1/duration to 25, or to half the sampling rate", "2.5",
-      "of the ground layer"},
-     {"damping", "0.6", "", "> 0, up to 1", "0.6", "of the ground layer, as a fraction of critical"}}};
+     {"peak", "4.0", "m/s²", above_zero, required_key, "largest acceleration", &SyntheticMotion::peak},
+     {"duration", "20.0", "s", by_itself("> 0, up to 1000"), "of the shaking", &SyntheticMotion::duration},
+     {"interval", "0.01", "s", by_itself("the duration in 16 to 20000 parts"), "of samples",
+      &SyntheticMotion::interval},
+     {"frequency", "2.5", "Hz", by_itself("1/duration to 25, or to half the sampling rate"),
+      "of the ground layer", &SyntheticMotion::frequency},
+     {"damping", "0.6", "", by_itself("> 0, up to 1"), "of the ground layer, as a fraction of critical",
+      &SyntheticMotion::damping}}};
 
-inline constexpr KeyTable surface_keys{
+inline const KeysOf<EngineSurface> surface_keys{
     "[engine]",
     "what engines need and the exact solver does not",
-    {{"friction", "1000.0", "", "> 0", "1000",
-      "coefficient between any two surfaces; not beside contact.friction"},
-     {"depth", "1.0", "m", "> 0", "1", "of the blocks, out of the plane"}}};
+    {{"friction", "1000.0", "", above_zero,
+      "coefficient between any two surfaces; not beside contact.friction", &EngineSurface::friction},
+     {"depth", "1.0", "m", above_zero, "of the blocks, out of the plane", &EngineSurface::depth}}};
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
 inline constexpr std::initializer_list<const KeyTable*> scene_tables{

@@ -10,7 +10,7 @@
 namespace rockstack::live {
 namespace {
 
-constexpr KeyTable state_keys{
+const KeyTable state_keys{
     "",
     "what a page shows",
     {{"scene", "", "", "a scene", required_key, "with the keys of a scene file"},

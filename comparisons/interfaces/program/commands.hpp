@@ -60,11 +60,7 @@ struct CompareArguments {
 };
 int compare_command(const CompareArguments& arguments, const Common& common);
 
-struct PlotArguments {
-  std::filesystem::path results;
-  bool animate = false;  ///< films of the motions too
-};
-int plot_command(const PlotArguments& arguments, const Common& common);
+int plot_command(const std::filesystem::path& results, const Common& common);
 
 struct AdviseArguments {
   std::string scene;

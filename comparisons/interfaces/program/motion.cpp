@@ -105,19 +105,12 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   return 0;
 }
 
-int plot_command(const PlotArguments& arguments, const Common& common) {
+int plot_command(const std::filesystem::path& results, const Common& common) {
   refuse_overrides(common, "figures are of results that are there");
-  const std::filesystem::path& results = arguments.results;
   const FolderLock lock(results);
 #ifdef ROCKSTACK_WITH_PLOTS
-  if (arguments.animate && !plots::has_runs(results))
-    throw InputError(fmt::format("plot {} --animate: must be a folder of `rockstack compare` or `teach`",
-                                 results.string()));
   plots::show(results);
   print_report(results, common);
-  if (!arguments.animate) return 0;
-  for (const auto& film : plots::draw_animations(results))
-    if (common.prints_text()) fmt::print("film: {}\n", one_line(film.string()));
   return 0;
 #else
   static_cast<void>(common);

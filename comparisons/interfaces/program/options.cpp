@@ -159,10 +159,8 @@ void add_sweep(CLI::App& command, SweepArguments& arguments) {
       command, arguments.out, [&] { return arguments.ensemble; }, ", where a sweep that was stopped goes on");
 }
 
-void add_plot(CLI::App& command, PlotArguments& arguments) {
-  command.add_option("folder", arguments.results, "folder with results")->required();
-  command.add_flag("--animate", arguments.animate,
-                   "write each scene's motion as a GIF too, and as an MP4 where ffmpeg is installed");
+void add_plot(CLI::App& command, std::filesystem::path& results) {
+  command.add_option("folder", results, "folder with results")->required();
 }
 
 void add_record(CLI::App& command, RecordArguments& arguments) {

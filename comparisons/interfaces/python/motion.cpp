@@ -35,11 +35,6 @@ GivenScene changed(const GivenScene& scene, const py::dict& values) {
   return make(std::move(document));
 }
 
-const char* equations_name(const Scene& scene) {
-  static constexpr std::array names{"nonlinear", "linear", "small-angle"};
-  return names[static_cast<std::size_t>(scene.equations)];
-}
-
 template <double (*angle)(const Scene&, int)>
 py::array_t<double> of_blocks(const Scene& scene) {
   std::vector<double> values;
@@ -174,7 +169,7 @@ void add_scene(py::module_& core) {
       .def_property_readonly("duration", of_scene(&Scene::duration))
       .def_property_readonly("gravity", of_scene(&Scene::gravity))
       .def_property_readonly("law", of_scene([](const Scene& scene) { return name(scene.law); }))
-      .def_property_readonly("equations", of_scene(equations_name))
+      .def_property_readonly("equations", of_scene([](const Scene& scene) { return name(scene.equations); }))
       .def_property_readonly("blocks", of_scene([](const Scene& scene) { return scene.blocks.size(); }))
       .def_property_readonly("friction",
                              of_scene([](const Scene& scene) { return copied(friction_of(scene)); }))

@@ -83,7 +83,7 @@ void write_results(const ImpactLawStudy& study, const ImpactLawResults& results,
 
 // The keys of a study of impact laws; its engines are as in a suite.
 
-inline constexpr KeyTable impact_law_keys{
+inline const KeyTable impact_law_keys{
     "",
     "a study of impact laws, which is run as a suite is: how often do they differ?",
     {{"study", "\"impact-laws\"", "", "\"impact-laws\"", required_key, "what the file is"},

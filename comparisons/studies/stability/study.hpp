@@ -84,7 +84,7 @@ std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::
 
 // The keys of a study of stability that a suite has not, or has otherwise: a map of engines over a parameter.
 
-inline constexpr KeyTable stability_keys{
+inline const KeyTable stability_keys{
     "",
     "a study of stability, which is run as a suite is: where do solvers stop being right?",
     {{"study", "\"stability\"", "", "\"stability\"", required_key, "what the file is"},
@@ -99,7 +99,7 @@ inline constexpr KeyTable stability_keys{
      {"engines", "", "", "tables [[engines]], as in a suite", required_key, "rows of the map"},
      {"draws", "", "", "a table [draws], as in a suite", no_default, "runs behind each number"}}};
 
-inline constexpr KeyTable axis_keys{
+inline const KeyTable axis_keys{
     "[axis]",
     "what varies along the map: keys of the scene, or a parameter of the engines",
     {{"name", "\"height (m)\"", "", "a text", required_key, "of the axis"},

@@ -93,7 +93,7 @@ SceneDocument typical_document(const Ensemble& ensemble);
 
 // Every key of an ensemble file. A new one is a line here, and is read where the others of its table are.
 
-inline constexpr KeyTable ensemble_keys{
+inline const KeyTable ensemble_keys{
     "",
     "an ensemble: one scene many times, some of its keys varied",
     {{"title", "\"Fragility\"", "", "a text", required_key, "heads figures"},
@@ -108,7 +108,7 @@ inline constexpr KeyTable ensemble_keys{
      {"vary", "", "", "tables [[vary]]", required_key, "what differs from run to run"},
      {"summary", "", "", "a table [summary]", no_default, "which figures and tables are made"}}};
 
-inline constexpr KeyTable vary_keys{
+inline const KeyTable vary_keys{
     "[[vary]]",
     "values of a key: each table is a direction of the grid, or is drawn",
     {{"key", "\"duration\"", "", "a key of the scene, or an array of keys that get the same value",
@@ -125,7 +125,7 @@ inline constexpr KeyTable vary_keys{
      {"lognormal", "{ median = 1.0, beta = 0.3 }", "the key's", "a table, see below", "instead of values",
       "drawn from a lognormal distribution"}}};
 
-inline constexpr KeyTable range_keys{
+inline const KeyTable range_keys{
     "[vary.range]",
     "numbers at equal distances",
     {{"from", "0.5", "the key's", "any number", required_key, "first value"},
@@ -134,19 +134,19 @@ inline constexpr KeyTable range_keys{
      {"spacing", "\"linear\"", "", "\"linear\" or \"log\"", "\"linear\"",
       "equal differences or equal ratios"}}};
 
-inline constexpr KeyTable normal_keys{
+inline const KeyTable normal_keys{
     "[vary.normal]",
     "a normal distribution",
     {{"mean", "1.0", "the key's", "any number", required_key, "of the values"},
      {"deviation", "0.1", "the key's", "> 0", required_key, "standard deviation"}}};
 
-inline constexpr KeyTable lognormal_keys{
+inline const KeyTable lognormal_keys{
     "[vary.lognormal]",
     "a lognormal distribution",
     {{"median", "1.0", "the key's", "> 0", required_key, "of the values"},
      {"beta", "0.3", "", "> 0", required_key, "standard deviation of the natural logarithm"}}};
 
-inline constexpr KeyTable summary_keys{
+inline const KeyTable summary_keys{
     "[summary]",
     "figures and tables of the whole sweep",
     {{"intensity", "\"duration\"", "", "a key that is varied over numbers", required_key,

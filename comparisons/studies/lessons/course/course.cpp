@@ -15,22 +15,22 @@ namespace {
 
 // Keys of files that nobody but the lessons has; what they mean stands at the members that they fill.
 
-constexpr KeyTable course_keys{"",
-                               "a lesson as part of a course",
-                               {{"place"},
-                                {"minutes"},
-                                {"pattern"},
-                                {"after"},
-                                {"aims"},
-                                {"references"},
-                                {"predictions"},
-                                {"problems"}}};
+const KeyTable course_keys{"",
+                           "a lesson as part of a course",
+                           {{"place"},
+                            {"minutes"},
+                            {"pattern"},
+                            {"after"},
+                            {"aims"},
+                            {"references"},
+                            {"predictions"},
+                            {"problems"}}};
 
-constexpr KeyTable problem_keys{"[[problems]]",
-                                "a question with its scene",
-                                {{"name"}, {"text"}, {"scene"}, {"set"}, {"against"}, {"draw"}, {"parts"}}};
+const KeyTable problem_keys{"[[problems]]",
+                            "a question with its scene",
+                            {{"name"}, {"text"}, {"scene"}, {"set"}, {"against"}, {"draw"}, {"parts"}}};
 
-constexpr KeyTable part_keys{
+const KeyTable part_keys{
     "parts",
     "one thing that is asked",
     {{"ask"}, {"answer"}, {"choices"}, {"bounds"}, {"unit"}, {"digits"}, {"within"}, {"why"}}};
