@@ -189,9 +189,10 @@ double toppling_angle(const Scene& scene, int block);
 /// Checks a motion's numbers; `key` is the motion's own. @throws FieldError.
 void validate(const GroundMotion& motion, const std::string& key);
 
-/// Checks every number of a scene, from a file or not, against its range. The duration is at most 10⁷ √(R/a),
-/// with R the least half diagonal of a block and a the largest acceleration that gravity, ground and
-/// the turning at the start may add up to: blocks that do not come to rest would be followed for ever.
+/// Checks every number of a scene, from a file or not, against the range of its key (input/scene_keys.hpp).
+/// The duration is at most 10⁷ √(R/a), with R the least half diagonal of a block and a the largest
+/// acceleration that gravity, ground and the turning at the start may add up to: blocks that do not come to
+/// rest would be followed for ever.
 /// @throws FieldError whose text is "key = value: must be …".
 void validate(const Scene& scene);
 
