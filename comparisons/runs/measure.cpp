@@ -129,8 +129,8 @@ std::string jump_of(const Scene& scene, const History& history, double horizon) 
   const auto landing = flat_landing(history, horizon);
   if (!landing || horizon >= scene.duration || horizon - *landing > 2 * sample_interval) return "";
   return fmt::format(
-      "that of a block which lands flat, at {:.4g} s: tilted by however little it would turn there, so that "
-      "engines can be compared up to that landing",
+      "that of a block which lands exactly flat, at {:.4g} s: the least tilt would turn it there, so that engines "
+      "can be compared up to that landing",
       *landing);
 }
 

@@ -117,6 +117,11 @@ std::vector<ImpactTime> with_whole_landings(const Scene& scene, const std::vecto
 
 }  // namespace
 
+bool flies(const Scene& scene, const History& history, std::size_t interface, std::size_t sample) {
+  return leaves_pivots(scene.law) &&
+         SampledInterface(scene, history, interface).flies(sample, chatter_speed(scene));
+}
+
 Contact side_of(double velocity, double slowest) {
   return std::abs(velocity) < slowest ? Contact::closed : contact_of(velocity < 0 ? -1 : 1);
 }

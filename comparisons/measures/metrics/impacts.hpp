@@ -56,6 +56,10 @@ std::vector<ImpactTime> reported_impacts(const Scene& scene, const History& hist
 /// side is that of the sample after: engines that find contacts by overlap answer one step late.
 std::vector<ImpactTime> observed_impacts(const Scene& scene, const History& history, double slowest);
 
+/// Whether an interface, from 0, is apart at a sample by more than blocks may hover, and goes up or down; of
+/// laws that leave pivots, and of motions that tell gaps.
+bool flies(const Scene& scene, const History& history, std::size_t interface, std::size_t sample);
+
 /// Time of the last landing of a block on its whole face up to a time, s: tilted by however little before, it
 /// would have turned there.
 std::optional<double> flat_landing(const History& history, double end);

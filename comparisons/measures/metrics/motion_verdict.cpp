@@ -97,14 +97,14 @@ std::string share_text(double share) {
 
 /// How far a block by itself comes, or one with what stands on it where that comes nearer to its balance; on
 /// sloping ground the latter, or nothing where upright blocks would fall.
-std::string leaning(const Scene& scene, const Lean& alone, const Lean& common) {
+std::string leaning(const Scene& scene, const Lean& alone, const Lean& common, double end) {
   if (scene.inclination != 0 && common.ratio == 0) return "";
   if (common.ratio > alone.ratio || scene.inclination != 0)
     return "; " + from_block_up(common.block, scene, "comes", "together come") +
            fmt::format(" to {} of {} balance at {:.4g} s", share_text(common.ratio),
                        common.block + 1 == scene.blocks.size() ? "its" : "their", common.time);
-  return fmt::format("; block {} peaks at {} of its slenderness angle at {:.4g} s", alone.block + 1,
-                     share_text(alone.ratio), alone.time);
+  return fmt::format("; block {} {} {} of its slenderness angle at {:.4g} s", alone.block + 1,
+                     alone.time < end ? "peaks at" : "comes to", share_text(alone.ratio), alone.time);
 }
 
 /// What is still going on in the last sample, so that nothing can be said of standing: "block 1 is in
@@ -250,10 +250,11 @@ std::string outcome_of(const Scene& scene, const History& history, const Support
   if (history.events.empty() && most.ratio < 1e-3 && going_on.empty())
     return (sunk.empty() ? "rests throughout" : "rests, but " + sunk) + cut_short(scene) +
            freedom(scene, history);
-  const std::string lean = falling && falling->past_edge ? ""
-                           : most.ratio < 1e-3 && !history.slips.empty()
-                               ? "; nothing rocks"
-                               : leaning(scene, most, largest_common_lean(scene, history));
+  const std::string lean =
+      falling && falling->past_edge ? ""
+      : most.ratio < 1e-3 && !history.slips.empty()
+          ? "; nothing rocks"
+          : leaning(scene, most, largest_common_lean(scene, history), history.times.back());
   const std::string end = fmt::format("the end, {:.4g} s", history.times.back());
   const bool rocks = !history.patterns.empty() && !is_closed(history.patterns.back());
   const std::string state = !going_on.empty() ? going_on + " at " + end

@@ -1,6 +1,7 @@
 #include "comparisons/measures/metrics/sampled_patterns.hpp"
 
 #include "analytic/scene/lists.hpp"
+#include "comparisons/measures/metrics/impacts.hpp"
 
 namespace rockstack {
 namespace {
@@ -43,7 +44,8 @@ std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history
     const auto block = static_cast<std::size_t>(k);
     for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = relative_at(history.angles_at(i), block);
     const std::vector<Contact> list = contacts(history.times, angles, settling_duration(scene));
-    for (std::size_t i = 0; i < list.size(); ++i) patterns[i][k] = list[i];
+    for (std::size_t i = 0; i < list.size(); ++i)
+      patterns[i][k] = flies(scene, history, block, i) ? Contact::apart : list[i];
   }
   return patterns;
 }

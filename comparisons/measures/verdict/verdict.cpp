@@ -44,6 +44,17 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
   return parts.empty() ? "" : fmt::format(sentence, fmt::format("{}", fmt::join(parts, "; ")));
 }
 
+/// How late the first impact of one scene comes in engines; empty where none can be compared.
+std::string first_impact_sentence(const std::vector<ReplicatedRow>& rows) {
+  const auto exact = std::ranges::find(rows, "exact", &RunMetrics::engine);
+  if (exact == rows.end() || !exact->first_impact_time) return "";
+  const std::string late =
+      by_step(rows, "{}", "s", &RunMetrics::first_impact_time_difference, signed_quantity_text);
+  return late.empty() ? ""
+                      : fmt::format("The first impact, at {}, is off by (+: late) {}.",
+                                    quantity_text(*exact->first_impact_time, "s"), late);
+}
+
 /// Empty where nothing slips otherwise.
 std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
   const bool same = std::ranges::none_of(
@@ -54,20 +65,26 @@ std::string slip_sentence(const std::vector<ReplicatedRow>& rows) {
 void add_sequences(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene,
                    std::vector<std::string>& sentences) {
   std::size_t compared = 0, all = 0;
+  int missed = 0, extra = 0;
   bool whole = true;
   for (const auto& one : rows) {
     if (!is_engine(one) || !one.impacts_missed) continue;
     ++compared;
     whole = whole && one.horizon.value_or(scene.duration) >= scene.duration;
     if (one.impacts_missed == 0 && one.impacts_extra == 0) ++all;
+    missed = std::max(missed, *one.impacts_missed);
+    extra = std::max(extra, one.impacts_extra.value_or(0));
   }
   if (compared > 0)
-    sentences.push_back(fmt::format("Of {} {} the exact sequence of impacts{}, none missed and none extra.",
-                                    counted(compared, "engine row"),
-                                    all == 0   ? "none has"
-                                    : all == 1 ? "1 has"
-                                               : fmt::format("{} have", all),
-                                    whole ? "" : " up to the horizon"));
+    sentences.push_back(fmt::format(
+        "Of {} {} the exact sequence of impacts{}{}.", counted(compared, "engine row"),
+        all == 0   ? "none has"
+        : all == 1 ? "1 has"
+                   : fmt::format("{} have", all),
+        whole ? "" : " up to the horizon",
+        all == compared ? ""
+                        : fmt::format("; {} up to {} and have up to {} extra",
+                                      all == 0 ? "they miss" : "the others miss", missed, extra)));
 }
 
 void add_beyond(const std::vector<ReplicatedRow>& rows, const JudgedScene& scene,
@@ -143,12 +160,7 @@ std::vector<std::string> scene_sentences(const std::vector<ReplicatedRow>& rows,
                                       &RunMetrics::rms_position_difference);
   std::vector<std::string> sentences{
       solved ? exact_sentence(*exact, scene) : "There is no exact motion to compare with.",
-      event_sentence(rows, rows.size()),
-      angles,
-      angles.empty() ? "" : centres,
-      by_step(rows, "The first impact is off by (+: late): {}.", "s",
-              &RunMetrics::first_impact_time_difference, signed_quantity_text),
-      slip_sentence(rows)};
+      event_sentence(rows, rows.size()), angles, angles.empty() ? "" : centres, slip_sentence(rows)};
   add_sequences(rows, scene, sentences);
   add_beyond(rows, scene, sentences);
   for (const auto& one : rows)
@@ -199,7 +211,8 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   sentences.reserve(scenes.size() + 3);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
-  sentences.push_back(together(doubt_sentence(rows), agreement_sentence(rows, scenes)));
+  const std::string agreement = together(doubt_sentence(rows), agreement_sentence(rows, scenes));
+  sentences.push_back(scenes.size() == 1 ? together(agreement, first_impact_sentence(rows)) : agreement);
   sentences.push_back(event_sentence(rows, most_events));
   sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
@@ -213,8 +226,8 @@ std::vector<std::string> sentences_of(const ComparisonEvidence& evidence, const 
   const std::vector<ReplicatedRow> own = rows_of(evidence.rows, scene);
   std::vector<std::string> sentences = scene_sentences(own, scene);
   if (!alone)
-    sentences.insert(sentences.begin() + 1,
-                     {agreement_sentence(own, {scene}), nearest_sentence(own, {scene})});
+    sentences.insert(sentences.begin() + 1, {agreement_sentence(own, {scene}), first_impact_sentence(own),
+                                             nearest_sentence(own, {scene})});
   sentences.push_back(toppling_sentence(evidence.distances, own, scene.name));
   sentences.push_back(convergence_sentence(evidence.fits, scene.name));
   std::erase(sentences, "");

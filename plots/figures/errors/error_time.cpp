@@ -18,20 +18,39 @@ struct CostLine {
   std::vector<Cost> costs = {};
 };
 
-std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene) {
+/// An error of runs, with its quartiles.
+struct Measure {
+  std::optional<double> RunMetrics::*value, RunMetrics::*lower, RunMetrics::*upper;
+  const char* words;  ///< of an axis
+  const char* unit;
+};
+constexpr Measure of_angles{&RunMetrics::rms_angle_difference, &RunMetrics::rms_angle_difference_lower,
+                            &RunMetrics::rms_angle_difference_upper, "RMS angle difference (rad)", "rad"};
+constexpr Measure of_centres{&RunMetrics::error, &RunMetrics::error_lower, &RunMetrics::error_upper,
+                             "RMS distance of centres over the least height", "of the least block height"};
+
+/// Centres where all engines are further off by these than by angles, as of blocks that fly: else angles.
+const Measure& measure_of(const Comparison& comparison, const std::string& scene) {
+  const bool centres = std::ranges::all_of(comparison.runs, [&](const Run& run) {
+    return run.scene != scene || !run.error || *run.error > run.rms_angle_difference.value_or(0);
+  });
+  return centres ? of_centres : of_angles;
+}
+
+std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene,
+                                 const Measure& measure) {
   std::vector<CostLine> lines;
   for (const StepLine& runs : step_lines(comparison, scene)) {
     const bool varies = varies_iterations(runs);
     CostLine line{runs.front(), line_label(runs), varies ? " iterations" : "",
-                  fit_of(comparison, runs, "rms_angle_difference")};
+                  &measure == &of_angles ? fit_of(comparison, runs, "rms_angle_difference") : nullptr};
     for (const Run& run : runs) {
-      const double error = value_of(run.rms_angle_difference);
+      const double error = value_of(run.*measure.value);
       const auto shown = [](double value) { return std::max(value, least_error); };
-      const Cost cost{value_of(run.stepping_time_minimum) / (value_of(run.steps) * value_of(run.dt)),
-                      shown(error),
-                      varies ? std::to_string(iterations_of(run)) : duration_text(value_of(run.dt)),
-                      shown(run.rms_angle_difference_lower.value_or(error)),
-                      shown(run.rms_angle_difference_upper.value_or(error))};
+      const Cost cost{
+          value_of(run.stepping_time_minimum) / (value_of(run.steps) * value_of(run.dt)), shown(error),
+          varies ? std::to_string(iterations_of(run)) : duration_text(value_of(run.dt)),
+          shown((run.*measure.lower).value_or(error)), shown((run.*measure.upper).value_or(error))};
       if (std::isfinite(cost.time) && cost.time > 0 && error > 0 && std::isfinite(error))
         line.costs.push_back(cost);
     }
@@ -162,12 +181,12 @@ std::vector<Series> series_of(const std::vector<CostLine>& lines, bool many) {
   return list;
 }
 
-std::string off_by(double error) {
-  return error > least_error ? fmt::format("off by {:.2g} rad", error)
-                             : fmt::format("off by less than {:g} rad", least_error);
+std::string off_by(double error, const char* unit) {
+  return error > least_error ? fmt::format("off by {:.2g} {}", error, unit)
+                             : fmt::format("off by less than {:g} {}", least_error, unit);
 }
 
-std::string answer(const std::vector<CostLine>& lines, double tolerance) {
+std::string answer(const std::vector<CostLine>& lines, double tolerance, const char* unit) {
   const Cost* best = nullptr;
   const CostLine* of = nullptr;
   double least = 1e300;
@@ -178,9 +197,9 @@ std::string answer(const std::vector<CostLine>& lines, double tolerance) {
         best = &cost, of = &line;
     }
   if (best == nullptr)
-    return fmt::format("No RMS error within {:g} rad, all {} or more", tolerance, off_by(least));
-  return fmt::format("Cheapest with an RMS error within {:g} rad: {} ({}{}), {}, {} a second of motion",
-                     tolerance, of->label, best->label, of->unit, off_by(best->error),
+    return fmt::format("No RMS error within {:g} {}, all {} or more", tolerance, unit, off_by(least, unit));
+  return fmt::format("Cheapest with an RMS error within {:g} {}: {} ({}{}), {}, {} a second of motion",
+                     tolerance, unit, of->label, best->label, of->unit, off_by(best->error, unit),
                      rounded_duration(best->time));
 }
 
@@ -216,7 +235,8 @@ std::string exact_line(double cost, bool named) {
 }  // namespace
 
 Drawing error_time(const SceneSubject& subject) {
-  const std::vector<CostLine> lines = cost_lines(subject.comparison, subject.scene.name);
+  const Measure& measure = measure_of(subject.comparison, subject.scene.name);
+  const std::vector<CostLine> lines = cost_lines(subject.comparison, subject.scene.name, measure);
   if (lines.empty()) return subject.nothing("No engine run of this scene with both an error and a time.");
   const double exact = exact_cost(subject.shown().exact);
   const Frame frame = frame_of(lines, exact);
@@ -228,7 +248,7 @@ Drawing error_time(const SceneSubject& subject) {
     for (const CostLine& line : lines) legend.emplace_back(mark_style(line.run, 1.7), line.label);
   if (!many && !floors(lines).empty())
     legend.emplace_back(fmt::format("with lines {}", floor_style), "model error, from the fit");
-  Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance));
+  Sheet sheet = subject.sheet(legend, answer(lines, subject.comparison.tolerance, measure.unit));
   Numbers all;
   for (const CostLine& line : lines) std::ranges::copy(numbers_of(line), std::back_inserter(all));
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -239,7 +259,7 @@ Drawing error_time(const SceneSubject& subject) {
   const auto axes = logarithmic_axes(frame.across, frame.up);
   const double height = subject.height(520, 520);
   const char* across = many ? "stepping time a second (s)" : "stepping time for one second of motion (s)";
-  SeriesPanel panel{across, "RMS angle difference (rad)", "RMS (rad)", true, axes, height, 0};
+  SeriesPanel panel{across, measure.words, "RMS", true, axes, height, 0};
   panel.under = many ? std::vector{context_marks(sheet, all)} : floors(lines);
   panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, sheet.panel_width(), height);
   panel.many = guides + exact_line(exact, false);

@@ -41,7 +41,8 @@ Drawing peaks(const SceneSubject& subject) {
   std::erase_if(lines, [](const StepLine& line) { return line.empty(); });
   const std::size_t all = lines.size();
   lines.resize(std::min(all, most_rows));
-  if (runs.empty() || exact < least_shown) return subject.nothing("Nothing rocks.");
+  if (runs.empty() || exact < least_shown)
+    return subject.nothing("Nothing rocks in the exact motion, so there are no peaks to compare.");
   double end = std::max(1.0, exact);
   for (const Run& run : runs) end = std::max(end, *run.peak_over_slenderness);
   end = std::min(1.05 * end, std::max(furthest, 1.05 * exact));
@@ -60,6 +61,8 @@ Drawing peaks(const SceneSubject& subject) {
   }
   add_rows(sheet, {mapped(lines, [](const StepLine& line) { return line_label(line); })}, columns);
   sheet.note("largest angle of a block over its slenderness angle, in the whole scene");
+  if (subject.scene.horizon() < subject.scene.duration)
+    sheet.note("beyond the horizon the exact ones, too, are of scenes that differ in the sixth digit");
   if (all > lines.size()) sheet.note(fmt::format("the first {} of {} rows", lines.size(), all));
   return sheet.finish();
 }

@@ -72,10 +72,16 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
   }
 }
 
+/// Until when a run agrees, in the median of its replicates; the horizon of one that never leaves, whose last
+/// sample comes a little before it.
+double agreement_of(const Departure& one, double tolerance, double horizon) {
+  return one.run.largest_angle_difference <= tolerance ? horizon : one.run.agreement_time.value_or(horizon);
+}
+
 /// A row a run: when each replicate first passes the tolerance, and their median, filled; with ≥ where it
 /// does not up to the horizon, beyond which nothing is compared.
 void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, const TimeAxis& axis,
-                    double horizon) {
+                    double tolerance, double horizon) {
   const double row_height = sheet.width() < full_width ? 15 : 22;
   const auto rows = static_cast<double>(departures.size());
   const bool named = departures.size() > most_series;
@@ -87,7 +93,7 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
     plots.add(
         mapped(one.agreement_times, mark),
         {fmt::format("using 1:2 with points pt 2 ps 0.7*mark lw 1 lc rgb '{}'", style_of(one.run).colour)});
-    const double agrees = value_of(one.run.agreement_time);
+    const double agrees = agreement_of(one, tolerance, horizon);
     plots.add({mark(agrees)}, {"using 1:2 " + mark_style(one.run, 1.6)});
     if (agrees >= horizon) plots.add({mark(agrees)}, {"using 1:2:('≥') with labels right offset -1.2,0"});
     names.push_back(line_label(one.run));
@@ -110,8 +116,9 @@ std::string answer(const std::vector<Departure>& departures, const ComparedScene
   double first = scene.horizon(), last = 0;
   for (const Departure& one : departures) {
     if (one.run.is_variant()) continue;
-    first = std::min(first, one.run.agreement_time.value_or(first));
-    last = std::max(last, one.run.agreement_time.value_or(last));
+    const double agrees = agreement_of(one, tolerance, scene.horizon());
+    first = std::min(first, agrees);
+    last = std::max(last, agrees);
   }
   const double horizon = scene.horizon();
   const std::string end = duration_text(horizon) + " that can be compared";
@@ -145,7 +152,7 @@ Drawing differences(const SceneSubject& subject) {
   });
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));
   add_panels(sheet, subject, departures, axis, together);
-  add_agreements(sheet, departures, axis, scene.horizon());
+  add_agreements(sheet, departures, axis, tolerance, scene.horizon());
   return sheet.finish();
 }
 

@@ -137,7 +137,9 @@ std::string answer(const std::vector<Verdicts>& all) {
                      matched == "1" ? "impact" : "impacts", span_of(all, median_size, rounded_duration),
                      count(&RunMetrics::impacts_missed, &Verdicts::missed),
                      count(&RunMetrics::impacts_extra, &Verdicts::extra),
-                     std::ranges::any_of(all, replicated) ? "; counts are medians of replicates" : "");
+                     std::ranges::any_of(all, replicated)
+                         ? "; counts are medians of replicates, marks those of one run"
+                         : "");
 }
 
 /// What there is to say where no impact is matched. Precondition: there are runs.
@@ -236,6 +238,8 @@ Drawing impact_energy(const SceneSubject& subject) {
   for (const Losses& one : all)
     for (const ImpactLoss& loss : one.impacts) largest = std::max(largest, loss.exact);
   if (!(largest > 0)) return subject.nothing("No impact that loses energy and that an engine has too.");
+  if (std::ranges::all_of(all, [](const Losses& one) { return one.impacts.size() == 1; }))
+    return subject.nothing("One impact alone: before and after it is the whole motion.");
   const auto count = [](const Losses& one) { return one.impacts.size(); };
   const auto most = std::ranges::max_element(all, {}, count) - all.begin();
   for (Losses& one : all)

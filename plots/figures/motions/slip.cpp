@@ -89,8 +89,7 @@ std::string flights_of(const Run& run, int blocks, double end) {
   const std::string more =
       times.size() > reported ? fmt::format(" and {} more", times.size() - reported) : "";
   times.resize(std::min(reported, times.size()));
-  return "apart, where the exact slip is that of parting: " + joined_texts(times, std::identity(), ", ") +
-         more;
+  return "held while blocks are apart: " + joined_texts(times, std::identity(), ", ") + more;
 }
 
 /// Phrase on the slip of the whole motion.
