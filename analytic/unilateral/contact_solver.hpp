@@ -180,7 +180,7 @@ class ContactSolver {
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.at, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
-    if (stack_.restitution > 0) fresh_.mark_bounces(touching, impact->mode, time());
+    fresh_.mark_impact(touching, impact->mode, time(), stack_.restitution > 0);
     note(impact->kind, interface, springs_.shown(before), rates, impact->consistency, approach);
     decide(impact->mode, state_.bodies, 0, true);
   }
@@ -192,8 +192,10 @@ class ContactSolver {
     decided_ = true;
     const Joints<Real> touching = state_.joints;
     const FreeVector<Real> free = free_acceleration(time_ahead, bodies);
-    const Joints<Real> joined =
-        time_ahead > 0 ? fresh_.joined(touching, time(), 2 * look_ahead_.time) : touching;
+    const Real window = 2 * look_ahead_.time;
+    const Joints<Real> joined = time_ahead > 0 ? fresh_.joined(stack_, state_.bodies, touching, time(),
+                                                               window, Real(scene_.gravity) * window)
+                                               : touching;
     Joints<Real> joints = joined;
     const ContactProblem<Real> problem{stack_, bodies, free, ContactLevel::accelerations};
     std::optional<TouchingContacts<Real>> contacts(std::in_place, problem, joints);

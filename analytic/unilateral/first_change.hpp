@@ -21,13 +21,15 @@ class RecentChanges {
       fresh.parted = time;
       fresh.parted_from = joined[k];
       fresh.parted_to = after[k].touch;
+      fresh.struck = false;
     }
   }
 
-  /// An impact of `touching`, after which points have bounced.
-  void mark_bounces(const Joints<Real>& touching, const Joints<Real>& after, const Real& time) {
+  /// An impact of `touching`, after which points of a law that bounces may have done so.
+  void mark_impact(const Joints<Real>& touching, const Joints<Real>& after, const Real& time, bool bounces) {
     for (std::size_t k = 0; k < after.size(); ++k) {
-      if (!touching[k].touches() || after[k].touches()) continue;
+      joints_[k].struck = true;
+      if (!bounces || !touching[k].touches() || after[k].touches()) continue;
       joints_[k].bounced = time;
       joints_[k].bounced_from = touching[k];
     }
@@ -50,13 +52,25 @@ class RecentChanges {
     return guard.change == Change::landing && fresh.parted == time && may_be(guard, fresh.parted_from);
   }
 
-  /// Joints as before they parted, where that was at most `window` s ago and they have not met since.
-  Joints<Real> joined(Joints<Real> joints, const Real& time, const Real& window) const {
+  /// Joints as before they parted, where that was at most `window` s ago, without an impact since that has
+  /// parted them faster than `slow`, m/s. What slides faster slides on.
+  Joints<Real> joined(const ContactModel<Real>& stack, const Bodies<Real>& bodies, Joints<Real> joints,
+                      const Real& time, const Real& window, const Real& slow) const {
+    const FreeVector<Real> rates = vector_of(bodies.rate);
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const Fresh& fresh = joints_[k];
       if (fresh.parted < 0 || time - fresh.parted > window || joints[k].touch != fresh.parted_to) continue;
-      joints[k].touch = fresh.parted_from.touch;
-      joints[k].corner_below = fresh.parted_from.corner_below;
+      Joint<Real> back = joints[k];
+      back.touch = fresh.parted_from.touch;
+      back.corner_below = fresh.parted_from.corner_below;
+      if (fresh.parted_to == Contact::apart) {
+        const ContactKinematics<Real> rows = kinematics_of(stack, bodies, static_cast<int>(k), back);
+        if (fresh.struck && abs(rows.gap_row.dot(rates)) > slow) continue;
+        const Real slip = rows.slip_row.dot(rates);
+        back.slip = (slip > slow) - (slip < -slow);
+        if (back.slip != 0) back.offset = offset_of(stack, bodies, static_cast<int>(k), back);
+      }
+      joints[k] = back;
     }
     return joints;
   }
@@ -71,13 +85,14 @@ class RecentChanges {
     Real parted = -1, slid = -1, bounced = -1;  ///< when, s
     Joint<Real> parted_from, bounced_from;      ///< what it was before
     Contact parted_to = Contact::closed;
+    bool struck = false;  ///< since, so that it may part faster than by a decision
   };
   std::vector<Fresh> joints_;
 };
 
-/// Angles below it are flat, rad.
+/// Angles below it are flat, rad: the ends of a face are apart by roundings of places along it then.
 template <class Real>
-inline const Real flat_angle = tolerance<Real>(1e-14);
+inline const Real flat_angle = tolerance<Real>(1e-13);
 
 /// The first changes of a step, at s of its length.
 template <class Real>

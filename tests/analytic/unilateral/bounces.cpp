@@ -244,5 +244,67 @@ TEST(Bounces, WhereNewtonsLawGainsEnergyTheEventTellsSo) {
   EXPECT_GT(told, 0U);
 }
 
+/// Two blocks of 2500 kg/m³ that lean by a hundredth about one corner, which bounce as they land.
+Scene leaning_pair(double upper_height, double friction, double restitution, RestitutionLaw law) {
+  Scene scene =
+      bouncing(released({make_block(1, 0.8, 2500), make_block(0.6, upper_height, 2500)}, {-0.01, -0.01}, 0.4),
+               restitution, friction);
+  scene.restitution_law = law;
+  return scene;
+}
+
+// A corner that has bounced to within rounding of its face is turned back there by another impact, and
+// strikes.
+TEST(Bounces, NothingFallsThroughAFaceToWhichAnotherImpactTurnsItBack) {
+  for (const RestitutionLaw law : {RestitutionLaw::newton, RestitutionLaw::poisson})
+    for (const double restitution : {0.3, 0.4, 0.5})
+      for (const double upper : {0.4, 0.6})
+        for (const double friction : {0.5, 1.0}) {
+          const Scene scene = leaning_pair(upper, friction, restitution, law);
+          const auto history = solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
+          EXPECT_EQ(history.end_time, scene.duration);
+          for (const ContactSample<>& sample : history.samples)
+            for (const double gap : sample.gaps)
+              EXPECT_GT(gap, -1e-9) << restitution << ' ' << upper << ' ' << friction << ' ' << sample.time;
+        }
+}
+
+// What parted a moment ago may return to its joint by a decision, and slides on there: between events
+// velocities change by what accelerations make of the time, here less than 10⁴ m/s² and 10⁴ rad/s².
+TEST(Bounces, DecisionsChangeNoVelocities) {
+  Scene four = bouncing(released({make_block(1.646, 1.025, 2301), make_block(0.523, 0.793, 1714),
+                                  make_block(2.48, 1.349, 1660), make_block(1.276, 1.177, 2034)},
+                                 {0, 0.030533, 0.030533, 0.004364}, 0.001),
+                        0.69, 0);
+  four.restitution_law = RestitutionLaw::poisson;
+  four.friction = {0.633, 0, 1.092, 0};
+  four.initial.velocities = {0, -0.2949, -0.29489, 0.6518};
+  four.initial.offsets = {0.00323, 0.020055, 0.000645, -0.005245};
+  four.initial.slip_velocities = {0, 0.392, 0, -0.11};
+  Scene three = bouncing(
+      released({make_block(1.26, 0.76, 2500), make_block(1.02, 0.44, 2500), make_block(1.18, 0.5, 2500)},
+               {0.027, -0.006, -0.03}, 0.17),
+      0.5, 0);
+  three.friction = {1.14, 0.99, 0.12};
+  three.initial.offsets = {0, 0.039, 0.094};
+  std::size_t compared = 0;
+  for (const Scene& scene : {four, three}) {
+    const ContactHistory<> history = solve_unilateral(scene);
+    for (std::size_t i = 1; i < history.events.size(); ++i) {
+      const ContactEvent<>&last = history.events[i - 1], &next = history.events[i];
+      const double most = 1e-9 + 1e4 * (next.time - last.time);
+      if (most > 1e-3) continue;
+      ++compared;
+      for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+        const Pose<>&before = last.after[k], &after = next.before[k];
+        EXPECT_NEAR(after.angle, before.angle, most) << next.time;
+        EXPECT_NEAR(after.x, before.x, most) << next.time;
+        EXPECT_NEAR(after.y, before.y, most) << next.time;
+      }
+    }
+  }
+  EXPECT_GT(compared, 100U);
+}
+
 }  // namespace
 }  // namespace rockstack
