@@ -263,7 +263,7 @@ TEST(Bounces, NothingFallsThroughAFaceToWhichAnotherImpactTurnsItBack) {
           const Scene scene = leaning_pair(upper, friction, restitution, law);
           const auto history = solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
           EXPECT_EQ(history.end_time, scene.duration);
-          for (const ContactSample<>& sample : history.samples)
+          for (const ContactSample<double>& sample : history.samples)
             for (const double gap : sample.gaps)
               EXPECT_GT(gap, -1e-9) << restitution << ' ' << upper << ' ' << friction << ' ' << sample.time;
         }
