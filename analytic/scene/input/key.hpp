@@ -52,7 +52,9 @@ struct Key {
 
   void read(const Node& node, T& object) const {
     if (number != nullptr) object.*number = rockstack::number(node);
-    if (numbers != nullptr) object.*numbers = one_each(node);
+    // Of a list that is always there, its checks say what length it must have.
+    if (numbers != nullptr)
+      object.*numbers = (object.*numbers).empty() ? one_each(node) : rockstack::numbers(node);
     if (read_other != nullptr) read_other(node, object);
   }
 };
