@@ -52,7 +52,7 @@ struct Key {
 
   void read(const Node& node, T& object) const {
     if (number != nullptr) object.*number = rockstack::number(node);
-    // Of a list that is always there, its checks say what length it must have.
+    // Checks say what length a list that is always there must have.
     if (numbers != nullptr)
       object.*numbers = (object.*numbers).empty() ? one_each(node) : rockstack::numbers(node);
     if (read_other != nullptr) read_other(node, object);
