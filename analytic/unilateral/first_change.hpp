@@ -56,7 +56,6 @@ class RecentChanges {
   /// parted them faster than `slow`, m/s. What slides faster slides on.
   Joints<Real> joined(const ContactModel<Real>& stack, const Bodies<Real>& bodies, Joints<Real> joints,
                       const Real& time, const Real& window, const Real& slow) const {
-    const FreeVector<Real> rates = vector_of(bodies.rate);
     for (std::size_t k = 0; k < joints.size(); ++k) {
       const Fresh& fresh = joints_[k];
       if (fresh.parted < 0 || time - fresh.parted > window || joints[k].touch != fresh.parted_to) continue;
@@ -64,6 +63,7 @@ class RecentChanges {
       back.touch = fresh.parted_from.touch;
       back.corner_below = fresh.parted_from.corner_below;
       if (fresh.parted_to == Contact::apart) {
+        const FreeVector<Real> rates = vector_of(bodies.rate);
         const ContactKinematics<Real> rows = kinematics_of(stack, bodies, static_cast<int>(k), back);
         if (fresh.struck && abs(rows.gap_row.dot(rates)) > slow) continue;
         const Real slip = rows.slip_row.dot(rates);

@@ -86,11 +86,14 @@ template <class T>
 void require_ranges(const std::string& prefix, const KeysOf<T>& keys, const T& object,
                     std::size_t blocks = 0) {
   for (const Key<T>& key : keys.members) {
-    if (key.number != nullptr)
-      require_between(prefix + key.said.name, object.*key.number, key.range.least, key.range.most);
-    if (key.numbers != nullptr && !(object.*key.numbers).empty())
-      require_one_each(prefix + key.said.name, object.*key.numbers, blocks, key.range.least, key.range.most,
-                       as_long);
+    const KeyRange& range = key.range;
+    const auto is_out = [&](double value) { return !(value >= range.least && value <= range.most); };
+    if (key.number != nullptr && is_out(object.*key.number))
+      require_between(prefix + key.said.name, object.*key.number, range.least, range.most);
+    if (key.numbers == nullptr || (object.*key.numbers).empty()) continue;
+    const std::vector<double>& list = object.*key.numbers;
+    if (list.size() != blocks || std::ranges::any_of(list, is_out))
+      require_one_each(prefix + key.said.name, list, blocks, range.least, range.most, as_long);
   }
 }
 
