@@ -146,9 +146,11 @@ class TouchingContacts {
     const bool shares = c > 0 && interfaces_[c - 1].interface + 1 == interfaces_[c].interface;
     const std::size_t first = interfaces_[shares ? c - 1 : c].gap;
     const std::size_t end = c + 1 < interfaces_.size() ? interfaces_[c + 1].gap : rows_.size();
-    for (std::size_t i = interfaces_[c].gap; i < end; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        effects_(i, j) = effects_(j, i) = j < first ? Real(0) : problem_.stack.effect(rows_[i], rows_[j]);
+    for (std::size_t i = interfaces_[c].gap; i < end; ++i) {
+      for (std::size_t j = 0; j < first; ++j) effects_(i, j) = effects_(j, i) = 0;
+      for (std::size_t j = first; j <= i; ++j)
+        effects_(i, j) = effects_(j, i) = problem_.stack.effect(rows_[i], rows_[j]);
+    }
   }
   template <class Row>
   void add_row(const Eigen::MatrixBase<Row>& row, const Real& bias) {
