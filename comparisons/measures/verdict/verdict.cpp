@@ -48,11 +48,14 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
 std::string first_impact_sentence(const std::vector<ReplicatedRow>& rows) {
   const auto exact = std::ranges::find(rows, "exact", &RunMetrics::engine);
   if (exact == rows.end() || !exact->first_impact_time) return "";
-  const std::string late =
-      by_step(rows, "{}", "s", &RunMetrics::first_impact_time_difference, signed_quantity_text);
-  return late.empty() ? ""
-                      : fmt::format("The first impact, at {}, is off by (+: late) {}.",
-                                    quantity_text(*exact->first_impact_time, "s"), late);
+  const auto early_or_late = [](double late, const std::string& unit, int digits) {
+    return quantity_text(std::abs(late), unit, digits) + (late < 0 ? " early" : " late");
+  };
+  const std::string by_steps =
+      by_step(rows, "{}", "s", &RunMetrics::first_impact_time_difference, early_or_late);
+  return by_steps.empty() ? ""
+                          : fmt::format("Engines have the first impact, at {}, by step: {}.",
+                                        quantity_text(*exact->first_impact_time, "s"), by_steps);
 }
 
 /// Empty where nothing slips otherwise.
@@ -208,15 +211,15 @@ std::vector<std::string> headline_of(const ComparisonEvidence& evidence,
   constexpr std::size_t most_events = 2;
   const auto& rows = evidence.rows;
   std::vector<std::string> sentences;
-  sentences.reserve(scenes.size() + 3);
+  sentences.reserve(scenes.size() + 4);
   for (const JudgedScene& scene : scenes)
     sentences.push_back(toppling_sentence(evidence.distances, rows, scene.name));
-  const std::string agreement = together(doubt_sentence(rows), agreement_sentence(rows, scenes));
-  sentences.push_back(scenes.size() == 1 ? together(agreement, first_impact_sentence(rows)) : agreement);
+  sentences.push_back(together(doubt_sentence(rows), agreement_sentence(rows, scenes)));
+  if (scenes.size() == 1) sentences.push_back(first_impact_sentence(rows));
   sentences.push_back(event_sentence(rows, most_events));
   sentences.push_back(together(nearest_sentence(rows, scenes), rest_sentence(rows, scenes)));
   std::erase(sentences, "");
-  sentences.resize(std::min<std::size_t>(sentences.size(), 3));
+  sentences.resize(std::min<std::size_t>(sentences.size(), 4));
   return sentences;
 }
 
