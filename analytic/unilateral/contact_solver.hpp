@@ -90,7 +90,7 @@ class ContactSolver {
 
   /// Forces are singular, as where one grows without bound. A vanishing step of Moreau's passes that time.
   void jam() {
-    event_limit_.note_event(time(), recorder_.events());
+    note_burst();
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.remaining());
     state_.bodies.at = poses_of<Real>(vector_of(state_.bodies.at) + length * vector_of(state_.bodies.rate));
     pieces_.go(length);
@@ -113,7 +113,7 @@ class ContactSolver {
 
   /// What springs change. Forces may change at once, so that rigid joints are decided anew.
   void handle(const FirstSpringChange<Real>& found) {
-    event_limit_.note_event(time(), recorder_.events());
+    note_burst();
     const Joints<Real> before = springs_.shown(state_.joints);
     std::vector<bool> passes(before.size(), false);
     for (const SpringGuard<Real>& guard : found.guards) {
@@ -135,7 +135,7 @@ class ContactSolver {
   }
 
   void handle(const FirstChange<Real>& found, const ModeSeries<Real>& series) {
-    event_limit_.note_event(time(), recorder_.events());
+    note_burst();
     const Joints<Real> before = state_.joints;
     for (const Guard<Real>& guard : found.guards) {
       const auto end = ending(guard.change);
@@ -262,6 +262,11 @@ class ContactSolver {
     FreeVector<Real> result = uniform<Real>(stack_.size(), -ground.x(), -(across_ + ground.y()));
     if (!springs_.empty()) result += springs_.accelerations(bodies);
     return result;
+  }
+
+  void note_burst() {
+    event_limit_.note_event(time(), recorder_.events());
+    chatter_.note_burst(event_limit_.burst());
   }
 
   /// An event between joints as they are shown.

@@ -217,7 +217,8 @@ class ChatteringColumn {
       const auto after = velocities_after(model_, before, pattern);
       const ZenoSummation<double, 2>::Landing landing{impact, before, after, piece_, time, number};
       state = {pattern, state.angles, after.relative};
-      if (chatter.below_resolution(landing)) return chatter.rest(landing, end.fastest_return(state, piece_.at(time)));
+      if (chatter.below_resolution(landing))
+        return chatter.rest(landing, end.fastest_return(state, piece_.at(time)));
       time += 2 * std::abs(state.velocities[0]) / pull(pattern[0]);
       state.velocities = -state.velocities;
     }
