@@ -2,14 +2,14 @@
 
 #include "comparisons/measures/metrics/impacts.hpp"
 
-// The patterns of sampled motion, read from angles alone, so that engines and the exact solution are judged
-// alike.
+// The patterns of sampled motion, read from angles and gaps alone, so that engines and the exact solution are
+// judged alike.
 
 namespace rockstack {
 
 /// The pattern at each sample. An interface is closed where it stays within open_angle for at least
 /// settling_duration(scene), and at the history's ends; in shorter stretches it changes sides as its relative
-/// angle reaches the other side, or stays on the one that it comes back to.
+/// angle reaches the other side, or stays on the one that it comes back to. It is apart where it flies().
 std::vector<Pattern> sampled_patterns(const Scene& scene, const History& history);
 
 /// Share of time that both histories spend in a pair of patterns.

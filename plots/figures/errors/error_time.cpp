@@ -26,15 +26,18 @@ struct Measure {
 };
 constexpr Measure of_angles{&RunMetrics::rms_angle_difference, &RunMetrics::rms_angle_difference_lower,
                             &RunMetrics::rms_angle_difference_upper, "RMS angle difference (rad)", "rad"};
-constexpr Measure of_centres{&RunMetrics::error, &RunMetrics::error_lower, &RunMetrics::error_upper,
-                             "RMS distance of centres over the least height", "of the least block height"};
+constexpr Measure of_both{&RunMetrics::error, &RunMetrics::error_lower, &RunMetrics::error_upper,
+                          "RMS error (rad; centres: over the least height)",
+                          "(rad, or of the least block height)"};
 
-/// Centres where all engines are further off by these than by angles, as of blocks that fly: else angles.
-const Measure& measure_of(const Comparison& comparison, const std::string& scene) {
-  const bool centres = std::ranges::all_of(comparison.runs, [&](const Run& run) {
-    return run.scene != scene || !run.error || *run.error > run.rms_angle_difference.value_or(0);
-  });
-  return centres ? of_centres : of_angles;
+/// Centres count as well where blocks fly in the exact motion, as angles do not tell where they are.
+const Measure& measure_of(const SceneSubject& subject) {
+  const std::vector<Run> exact = subject.shown({"history.csv"}).exact;
+  if (exact.empty()) return of_angles;
+  const auto flies = [](const Pattern& pattern) {
+    return std::ranges::find(pattern.contacts, Contact::apart) != std::ranges::end(pattern.contacts);
+  };
+  return std::ranges::any_of(history_of(exact.front())->patterns, flies) ? of_both : of_angles;
 }
 
 std::vector<CostLine> cost_lines(const Comparison& comparison, const std::string& scene,
@@ -235,7 +238,7 @@ std::string exact_line(double cost, bool named) {
 }  // namespace
 
 Drawing error_time(const SceneSubject& subject) {
-  const Measure& measure = measure_of(subject.comparison, subject.scene.name);
+  const Measure& measure = measure_of(subject);
   const std::vector<CostLine> lines = cost_lines(subject.comparison, subject.scene.name, measure);
   if (lines.empty()) return subject.nothing("No engine run of this scene with both an error and a time.");
   const double exact = exact_cost(subject.shown().exact);

@@ -92,5 +92,35 @@ TEST(PatternSequences, PartAtTheEarlierOfTheFirstPatternsThatDiffer) {
   EXPECT_EQ(sequence_time(times, {left, left, left, right}, {left, left, left, left}), 3);
 }
 
+// A cube of 1 m is thrown up at 2 m/s from a gap of 0.1 m: it is apart but near the top, where no engine that
+// hovers could be told from it, and closed once it has landed.
+TEST(SampledPatterns, WhatFliesIsApart) {
+  Scene scene;
+  scene.blocks = {make_block(1, 1, 2500)};
+  scene.duration = 1;
+  scene.initial = {{0}, {0}};
+  scene.law = Law::unilateral;
+  scene.friction = {0.5};
+  History history;
+  history.blocks = 1;
+  for (int i = 0; i <= 1000; ++i) {
+    const double time = 1e-3 * i;
+    history.times.push_back(time);
+    history.angles.push_back(0);
+    history.velocities.push_back(0);
+    history.gaps.push_back(std::max(0.0, 0.1 + 2 * time - 0.5 * scene.gravity * time * time));
+  }
+  const double top = 2 / scene.gravity, landing = top + std::sqrt(top * top + 0.2 / scene.gravity);
+  const auto at = [&](double time) {
+    return sampled_patterns(scene, history)[static_cast<std::size_t>(1e3 * time)][0];
+  };
+  EXPECT_EQ(at(0), Contact::apart);
+  EXPECT_EQ(at(top - 0.05), Contact::apart);
+  EXPECT_EQ(at(landing - 0.005), Contact::apart);
+  EXPECT_EQ(at(landing + 0.005), Contact::closed);
+  scene.law = Law::consistent;
+  EXPECT_EQ(at(top - 0.05), Contact::closed);
+}
+
 }  // namespace
 }  // namespace rockstack

@@ -49,6 +49,28 @@ std::vector<std::string> headline(std::vector<ReplicatedRow> rows, const std::ve
   return verdict_of({rows, {}, {}}, scenes).headline;
 }
 
+TEST(Verdict, OfOneSceneSaysHowLateTheFirstImpactComes) {
+  ReplicatedRow exact;
+  exact.scene = "a";
+  exact.engine = "exact";
+  exact.status = RunStatus::done;
+  exact.impacts = 3;
+  exact.first_impact_time = 0.3193;
+  std::vector<ReplicatedRow> rows{exact, row("a", "tuned", 1e-2, 4e-3), row("a", "default", 1e-3, 1e-3)};
+  rows[1].first_impact_time_difference = -4.86e-3;
+  rows[2].first_impact_time_difference = 5e-4;
+  rows[1].impacts_missed = 0, rows[1].impacts_extra = 0;
+  rows[2].impacts_missed = 1, rows[2].impacts_extra = 2;
+  EXPECT_EQ(headline(rows, {scene("a")}).at(1),
+            "Engines have the first impact, at 319 ms, by step: 10 ms: 4.9 ms early; 1 ms: 0.5 ms late.");
+  const std::vector<std::string> sentences = verdict_of({rows, {}, {}}, {scene("a")}).scenes.at(0);
+  EXPECT_NE(std::ranges::find(
+                sentences,
+                "Of 2 engine rows 1 has the exact sequence of impacts; the others miss up to 1 and have "
+                "up to 2 extra."),
+            sentences.end());
+}
+
 TEST(Verdict, NamesAWinnerWithTheScenesInWhichItWins) {
   const std::vector<std::string> told =
       headline({row("a", "tuned", 1e-3, 1e-3), row("a", "default", 1e-3, 4e-3), row("b", "tuned", 1e-3, 2e-3),
