@@ -63,7 +63,9 @@ TEST(Verdict, OfOneSceneSaysHowLateTheFirstImpactComes) {
   rows[2].impacts_missed = 1, rows[2].impacts_extra = 2;
   EXPECT_EQ(headline(rows, {scene("a")}).at(1),
             "Engines have the first impact, at 319 ms, by step: 10 ms: 4.9 ms early; 1 ms: 0.5 ms late.");
-  const std::vector<std::string> sentences = verdict_of({rows, {}, {}}, {scene("a")}).scenes.at(0);
+  const ComparisonEvidence evidence{rows, {}, {}};
+  const std::vector<std::string> sentences =
+      verdict_of(evidence, std::vector<JudgedScene>{scene("a")}).scenes.at(0);
   EXPECT_NE(std::ranges::find(
                 sentences,
                 "Of 2 engine rows 1 has the exact sequence of impacts; the others miss up to 1 and have "
