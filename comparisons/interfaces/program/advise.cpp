@@ -11,6 +11,15 @@
 namespace rockstack {
 namespace {
 
+struct AdviseArguments {
+  std::string scene;
+  std::filesystem::path out;
+  double error = 1e-3;     ///< rad, and of the least block height
+  double within = 60;      ///< of the whole search, s
+  double time_limit = 60;  ///< of each run, s
+  std::vector<std::string> engines = {};
+};
+
 constexpr const char* trial_format = "{:<34} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n";
 
 void print_trial(const Trial& trial) {
@@ -75,9 +84,7 @@ void print_advice(const Advice& advice, const AdviseArguments& arguments, const 
              pick.engine, pick.solver, pick.dt.value_or(0));
 }
 
-}  // namespace
-
-int advise_command(const AdviseArguments& arguments, const Common& common) {
+int run_advise(const AdviseArguments& arguments, const Common& common) {
   require_above_zero("--error", arguments.error);
   require_above_zero("--within", arguments.within);
   require_above_zero("--time-limit", arguments.time_limit);
@@ -94,6 +101,26 @@ int advise_command(const AdviseArguments& arguments, const Common& common) {
     print_advice(advice, arguments, request, scene.scene.duration, common);
   show_report(arguments.out, common);
   return advice.pick < 0 ? 1 : 0;
+}
+
+void add_advise(CLI::App& command, AdviseArguments& arguments) {
+  command.add_option("scene", arguments.scene, scene_help)->required();
+  command
+      .add_option(
+          "--error", arguments.error,
+          "largest difference from the exact motion: of angles, rad, and of centres, in least heights")
+      ->capture_default_str();
+  command.add_option("--within", arguments.within, "of the whole search, s")->capture_default_str();
+  command.add_option("--engine", arguments.engines, "engine, or engine:solver; more than one may be given");
+  command.add_option("--time-limit", arguments.time_limit, "of each run, s")->capture_default_str();
+  add_results(command, arguments.out, [&] { return arguments.scene; });
+}
+
+}  // namespace
+
+Command advise_command() {
+  return make_command("advise", "find the cheapest engine, solver and step for a scene within an error",
+                      add_advise, run_advise);
 }
 
 }  // namespace rockstack

@@ -9,6 +9,12 @@
 namespace rockstack {
 namespace {
 
+struct CheckEngineArguments {
+  std::string engine;
+  std::vector<std::string> settings{"default", "tuned"};
+  std::vector<std::string> checks;  ///< their names; empty: all
+};
+
 /// What became of a check.
 struct Finding {
   std::string engine, settings, check;
@@ -137,9 +143,7 @@ Json to_json(const Finding& finding) {
           {"what", finding.what},       {"warnings", finding.warnings}};
 }
 
-}  // namespace
-
-int check_engine_command(const CheckEngineArguments& arguments, const Common& common) {
+int run_check_engine(const CheckEngineArguments& arguments, const Common& common) {
   refuse_overrides(common, "its scenes are its own");
   Json report{{"engines", Json::array()}, {"checks", Json::array()}};
   std::size_t broken = 0, count = 0;
@@ -173,6 +177,22 @@ int check_engine_command(const CheckEngineArguments& arguments, const Common& co
   report["broken"] = broken;
   if (print_json(report, common)) fmt::print("{} of {} checks do not hold\n", broken, count);
   return broken == 0 ? 0 : 1;
+}
+
+void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
+  command
+      .add_option("engine", arguments.engine,
+                  "worker program, e.g. ./my_engine.py, or a name from `rockstack list engines`")
+      ->required();
+  add_settings(command, arguments.settings);
+  command.add_option("--check", arguments.checks, "names of checks; left out: all")->delimiter(',');
+}
+
+}  // namespace
+
+Command check_engine_command() {
+  return make_command("check-engine", "hold an engine to the laws that every engine must follow",
+                      add_check_engine, run_check_engine);
 }
 
 }  // namespace rockstack

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "comparisons/runs/compare.hpp"
-#include "comparisons/studies/diff/changes.hpp"
-#include "comparisons/suites/compare_choice.hpp"
+#include <CLI/CLI.hpp>
 
-namespace CLI {
-class App;
-}
+#include "comparisons/runs/compare.hpp"
+#include "comparisons/suites/compare_choice.hpp"
 
 namespace rockstack {
 
@@ -23,126 +20,24 @@ struct Common {
   bool prints_text() const { return !quiet && !json; }
 };
 
-// Each command returns the program's exit code: 0, or 1 where a run failed. Bad input is thrown as
-// InputError. Scenes, suites and ensembles are files, or names that `list` shows.
-
-struct SolveArguments {
-  std::string scene;
-  std::filesystem::path out;
-  std::string integrator = "taylor";  ///< or "rk4"
-  double step = 2e-4;                 ///< of rk4, s
-  double interval = 1e-3;             ///< of samples, s
-  bool plots = true;                  ///< figures and a page
-  double tolerance = 0;  ///< of taylor: share of the velocity that a step may leave out; 0: rounding
-  std::vector<std::string> histories;  ///< kinds_of_histories() to write
-  bool branches = false;               ///< follow all motions where contact leaves several
-  std::size_t most_branches = 16;
+/// A subcommand: its name, what it does, and how it gets its options. `add` returns what runs once they are
+/// read, whose result is the program's exit code: 0, or 1 where a run failed. Bad input is thrown as
+/// InputError. Scenes, suites and ensembles are files, or names that `list` shows.
+struct Command {
+  const char *name, *words;
+  std::function<std::function<int()>(CLI::App& app, const Common& common)> add;
 };
-int solve_command(const SolveArguments& arguments, const Common& common);
 
-struct SimulateArguments {
-  std::string scene;
-  std::filesystem::path out;
-  std::string engine;
-  std::string settings = "tuned";
-  std::vector<std::string> parameters;  ///< name=value, changes of those settings
-  double dt = 0;                        ///< s
-  bool plots = true;                    ///< figures and a page
-};
-int simulate_command(const SimulateArguments& arguments, const Common& common);
-
-struct CompareArguments {
-  std::vector<std::string> inputs;    ///< scenes or suites
-  std::optional<std::string> record;  ///< in the place of made-up motions
-  std::filesystem::path out;
-  std::size_t jobs = 1;  ///< runs at a time; without effect under mpirun
-  CompareChoice choice;
-};
-int compare_command(const CompareArguments& arguments, const Common& common);
-
-int plot_command(const std::filesystem::path& results, const Common& common);
-
-struct AdviseArguments {
-  std::string scene;
-  std::filesystem::path out;
-  double error = 1e-3;     ///< rad, and of the least block height
-  double within = 60;      ///< of the whole search, s
-  double time_limit = 60;  ///< of each run, s
-  std::vector<std::string> engines = {};
-};
-int advise_command(const AdviseArguments& arguments, const Common& common);
-
-struct FitArguments {
-  std::string scene;
-  std::filesystem::path out;
-  std::vector<std::string> vary;  ///< fit_parameter() of each
-};
-int fit_command(const FitArguments& arguments, const Common& common);
-
-struct DiffArguments {
-  std::filesystem::path old_results, new_results;
-  std::filesystem::path out;  ///< empty: nothing is written
-  ChangeOptions options;
-};
-/// 1 where something got worse, else 3 where of some row nothing can be said.
-int diff_command(const DiffArguments& arguments, const Common& common);
-
-struct RecordArguments {
-  std::string file;  ///< may name a channel, see read_record()
-  std::filesystem::path out;
-  std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
-};
-int record_command(const RecordArguments& arguments, const Common& common);
-
-struct SweepArguments {
-  std::string ensemble;
-  std::filesystem::path out;
-  std::size_t threads = 0;  ///< 0: as many as the machine runs at once; without effect under mpirun
-};
-int sweep_command(const SweepArguments& arguments, const Common& common);
-
-struct TeachArguments {
-  std::string lesson;  ///< empty or "list": list them; "all": the whole course
-  std::filesystem::path out;
-  std::optional<std::uint64_t> sheet;  ///< a problem sheet of that seed, in the place of the lesson
-  bool pdf = false;                    ///< slides as PDF too
-};
-int teach_command(const TeachArguments& arguments, const Common& common);
-
-struct LiveArguments {
-  std::string input = "spanos-free-rocking";   ///< scene, lesson, folder of lessons, or a page's link
-  std::vector<std::filesystem::path> records;  ///< that the page may choose
-  int port = 0;                                ///< 0: any that is free
-  bool browser = true;                         ///< is opened where there is one
-};
-int live_command(const LiveArguments& arguments, const Common& common);  ///< serves until it is ended
-
-struct KindArguments {
-  std::string kind;  ///< of what is listed, or of the files whose keys are explained; empty: all
-};
-int list_command(const KindArguments& arguments, const Common& common);
-int keys_command(const KindArguments& arguments, const Common& common);
-
-struct CheckEngineArguments {
-  std::string engine;
-  std::vector<std::string> settings{"default", "tuned"};
-  std::vector<std::string> checks;  ///< their names; empty: all
-};
-int check_engine_command(const CheckEngineArguments& arguments, const Common& common);
-
-struct CanonArguments {
-  std::vector<std::string> engines;  ///< empty: all
-  std::vector<std::string> settings{"default", "tuned"};
-  std::filesystem::path out;
-};
-int canon_command(const CanonArguments& arguments, const Common& common);
-
-struct NewArguments {
-  std::string kind = "scene";         ///< or "suite", "ensemble"
-  std::optional<std::string> record;  ///< of a scene
-  std::filesystem::path out;          ///< a file that is not there; empty: standard output
-};
-int new_command(const NewArguments& arguments, const Common& common);
+/// A command with arguments of its own, which `add_options` has filled from the command line before `run`.
+template <class Arguments>
+Command make_command(const char* name, const char* words, void (*add_options)(CLI::App&, Arguments&),
+                     int (*run)(const Arguments&, const Common&)) {
+  return {name, words, [=](CLI::App& app, const Common& common) {
+            const auto arguments = std::make_shared<Arguments>();
+            add_options(app, *arguments);
+            return [=, &common] { return run(*arguments, common); };
+          }};
+}
 
 // What several commands share.
 
@@ -212,8 +107,21 @@ void print_legend(const std::vector<Suite>& suites, const Common& common);
 /// Has rows printed as they are told. `common` must outlive the options.
 void print_rows(const std::vector<Suite>& suites, const Common& common, CompareOptions& options);
 
-/// Adds every subcommand with its options to the program, which must outlive what is returned: what each does
-/// once its options are read.
-std::map<const CLI::App*, std::function<int()>> add_commands(CLI::App& app, const Common& common);
+// Options of several commands.
+
+inline constexpr const char* scene_help = "scene file, or a name from `rockstack list scenes`";
+
+/// One of some words; of what is none of them the nearest is named.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// The folder for results; where none is given, its name is of the command and its input. `more`: what else
+/// there is to say of it.
+void add_results(CLI::App& command, std::filesystem::path& out, std::function<std::string()> input,
+                 const char* more = "");
+
+void add_plots(CLI::App& command, bool& plots);
+
+/// Parameter sets of engines.
+void add_settings(CLI::App& command, std::vector<std::string>& settings);
 
 }  // namespace rockstack

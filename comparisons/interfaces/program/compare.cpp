@@ -16,6 +16,14 @@
 namespace rockstack {
 namespace {
 
+struct CompareArguments {
+  std::vector<std::string> inputs;    ///< scenes or suites
+  std::optional<std::string> record;  ///< in the place of made-up motions
+  std::filesystem::path out;
+  std::size_t jobs = 1;  ///< runs at a time; without effect under mpirun
+  CompareChoice choice;
+};
+
 /// The file that an input of `compare` names.
 std::filesystem::path compared_file(const std::string& input) {
   auto file = input_file(input, {"suites", "scenes"});
@@ -183,9 +191,7 @@ void print_comparison(const CompareResult& result, const std::vector<std::string
   for (const std::string& sentence : result.verdict.headline) fmt::print("{}\n", sentence);
 }
 
-}  // namespace
-
-int compare_command(const CompareArguments& arguments, const Common& common) {
+int run_compare(const CompareArguments& arguments, const Common& common) {
   require_valid(arguments.choice, {"--dt", "--draws", "--history-interval"});
   const auto executor = make_executor(arguments.jobs);
   if (!executor->leads()) {
@@ -226,6 +232,53 @@ int compare_command(const CompareArguments& arguments, const Common& common) {
   print_report(arguments.out, common);
   print_comparison(result, engines_left_out(suites), arguments.out, common);
   return end_of_rows(result.rows, "comparison.csv");
+}
+
+void add_compare(CLI::App& command, CompareArguments& arguments) {
+  command.add_option("inputs", arguments.inputs, "scene or suite files, or names from `rockstack list`")
+      ->required();
+  command.add_option(
+      "--record", arguments.record,
+      "record in the place of those of scenes and of synthetic motions, scaled to their peak, and to its end");
+  command
+      .add_option("--jobs", arguments.jobs,
+                  "runs at a time; with more than one, times are those of runs that share the machine")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command.add_option("--draws", arguments.choice.replicates,
+                     "replicates behind each number of an engine: runs at nearby steps of nearly the same "
+                     "scene; left out: "
+                     "as the suite says, for a scene the least that can tell its sets apart, 5 or more");
+  command
+      .add_option(
+          "--engine", arguments.choice.scenes.engines,
+          "of scenes: engine, or engine:solver; may be repeated or a list, ode:step,bullet; left out: "
+          "the first solver of Bullet, in both precisions, and of ODE")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      .add_option("--dt", arguments.choice.scenes.steps,
+                  "of scenes: time step, s; may be repeated or a list, 1e-2,1e-3; left out: 1e-2,1e-3,1e-4")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_flag("--quick", arguments.choice.scenes.quick,
+                   "of scenes: steps of 1e-2 and 1e-3 s, one timed run, 2000 samples of each history");
+  command.add_flag(
+      "--softness", arguments.choice.scenes.softness,
+      "of scenes: split each engine's difference into contact model, contact softness and time step");
+  command.add_option(
+      "--history-interval", arguments.choice.history_interval,
+      "least time between the samples that files keep, s; numbers are of all samples; left out: 1e-3");
+  add_results(
+      command, arguments.out, [&] { return arguments.inputs.front(); },
+      ", where a comparison that was stopped goes on and runs that are done stay");
+}
+
+}  // namespace
+
+Command compare_command() {
+  return make_command("compare", "run scenes or suites on the exact solver and the engines", add_compare,
+                      run_compare);
 }
 
 }  // namespace rockstack

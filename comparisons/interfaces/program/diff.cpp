@@ -1,3 +1,5 @@
+#include "comparisons/studies/diff/changes.hpp"
+
 #include <fmt/format.h>
 
 #include "comparisons/interfaces/program/commands.hpp"
@@ -5,6 +7,12 @@
 
 namespace rockstack {
 namespace {
+
+struct DiffArguments {
+  std::filesystem::path old_results, new_results;
+  std::filesystem::path out;  ///< empty: nothing is written
+  ChangeOptions options;
+};
 
 std::string settings_of(const RowChange& row) {
   const std::string& before = row.old_row.settings;
@@ -112,9 +120,7 @@ void require_factor(const char* option, const std::optional<double>& value) {
     throw InputError(fmt::format("{} = {}: must be a number from 1 to 1e6", option, *value));
 }
 
-}  // namespace
-
-int diff_command(const DiffArguments& arguments, const Common& common) {
+int run_diff(const DiffArguments& arguments, const Common& common) {
   refuse_overrides(common, "results are held together as they are");
   const ChangeOptions& options = arguments.options;
   if (!(options.level > 0 && options.level < 1))
@@ -137,6 +143,40 @@ int diff_command(const DiffArguments& arguments, const Common& common) {
   }
   constexpr int undecided = 3;
   return result.worse() ? 1 : result.decided() ? 0 : undecided;
+}
+
+void add_diff(CLI::App& command, DiffArguments& arguments) {
+  ChangeOptions& options = arguments.options;
+  command.add_option("old", arguments.old_results, "folder with the results of before")->required();
+  command.add_option("new", arguments.new_results, "folder with the new results")->required();
+  command
+      .add_option("--level", options.level,
+                  "chance that any number with replicates is reported as changed where nothing has changed")
+      ->capture_default_str();
+  command.add_option(
+      "--factor", options.single,
+      "of rows of single runs: from how many times on a number is reported as changed; left out: only "
+      "failures are reported");
+  command.add_option(
+      "--cost", options.cost,
+      "from how many times on the time of a step is reported as changed, where the repeats of both lie "
+      "apart; left out: none is");
+  command.add_option("--across", options.across, "what may differ between two rows that are held together")
+      ->delimiter(',')
+      ->check(one_of(row_names()));
+  command.add_flag(
+      "--common", options.common_alone,
+      "ask nothing of rows that the old results alone have; left out: they leave the result undecided");
+  command.add_option("--out", arguments.out, "folder for diff.json and diff.csv; left out: none are written");
+}
+
+}  // namespace
+
+Command diff_command() {
+  return make_command(
+      "diff",
+      "hold two results of `compare` against each other; exit code 1: something got worse, 3: undecided",
+      add_diff, run_diff);
 }
 
 }  // namespace rockstack

@@ -1,155 +1,12 @@
 #include <fmt/format.h>
 
-#include "analytic/scene/ground/records/record_file.hpp"
-#include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
-#include "comparisons/interfaces/program/record_limits.hpp"
-#include "comparisons/measures/results/files.hpp"
-#include "comparisons/studies/impact_laws/study.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
-#include "comparisons/studies/stability/study.hpp"
-#include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
 namespace {
-
-constexpr std::initializer_list<const KeyTable*> measured_tables{&measured_keys};
-
-/// The kinds of input files with their tables.
-constexpr std::initializer_list<std::pair<const char*, std::initializer_list<const KeyTable*>>> files{
-    {"scene", scene_tables},     {"scene", measured_tables},   {"suite", suite_tables},
-    {"suite", stability_tables}, {"suite", impact_law_tables}, {"ensemble", ensemble_tables}};
-
-void print_table(const KeyTable& table) {
-  const std::string_view header = table.header;
-  fmt::print("\n{}{}# {}\n", header, header.empty() ? "" : "  ", table.meaning);
-  for (const InputKey& key : table.keys) {
-    fmt::print("  {:<20} {:<11} {:<28} {}\n", key.name, *key.unit != '\0' ? key.unit : "-", key.default_value,
-               key.range);
-    fmt::print("  {:<20} {}\n", "", key.meaning);
-  }
-}
-
-Json table_json(const char* file, const KeyTable& table) {
-  const auto keys = mapped(table.keys, [](const InputKey& key) {
-    return Json{{"key", key.name},        {"unit", key.unit},
-                {"range", key.range},     {"default", key.default_value},
-                {"meaning", key.meaning}, {"example", key.example}};
-  });
-  return {{"file", file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", keys}};
-}
-
-/// A table of a template with the values that differ from its examples.
-struct Section {
-  const KeyTable* table;
-  std::map<std::string, std::string> values = {};  ///< empty: left out
-  bool comment = false;                            ///< the whole table
-};
-
-/// The header of a table that is part of a scene in another file: "[[scene.blocks]]".
-std::string header_in(const std::string& scene, std::string header) {
-  if (header.empty()) return scene.empty() ? "" : "[" + scene + "]";
-  if (!scene.empty()) header.insert(header.find_last_of('[') + 1, scene + ".");
-  return header;
-}
-
-std::string comment_of(const InputKey& key) {
-  std::string default_value;
-  const std::string_view words = key.default_value;
-  if (words != required_key) {
-    const bool value = !words.starts_with("instead") && !words.starts_with(required_key);
-    default_value = fmt::format(", {}{}", value ? "default " : "", words);
-  }
-  return fmt::format("{}: {}{}{}{}", key.meaning, key.unit, *key.unit != '\0' ? ", " : "", key.range,
-                     default_value);
-}
-
-/// One line a key: required ones and those with a value as they are, others as comments.
-std::string lines_of(const Section& section, const std::string& mark) {
-  std::string text;
-  for (const InputKey& key : section.table->keys) {
-    const auto given = section.values.find(key.name);
-    const std::string value = given != section.values.end() ? given->second : key.example;
-    if (value.empty()) continue;
-    const bool off = given == section.values.end() && std::string_view(key.default_value) != required_key;
-    text += fmt::format("{}{:<38} # {}\n", off ? "" : mark,
-                        fmt::format("{}{} = {}", off ? "# " : "", key.name, value), comment_of(key));
-  }
-  return text;
-}
-
-std::string text_of(const std::vector<Section>& sections, const std::string& scene = "") {
-  std::string text;
-  for (const Section& section : sections) {
-    const std::string header = header_in(scene, section.table->header), mark = section.comment ? "# " : "";
-    if (!text.empty()) text += "\n";
-    if (!header.empty()) text += fmt::format("{}{:<38} # {}\n", mark, header, section.table->meaning);
-    text += lines_of(section, mark);
-  }
-  return text;
-}
-
-/// The motion that a scene has, and the others as comments; with a record the scene lasts as long as it.
-std::vector<Section> scene_sections(const std::optional<Record>& motion, const std::string& path,
-                                    RecordLimits limits) {
-  std::vector<Section> sections{{&scene_keys, {{"title", "\"A column\""}}}, {&block_keys}, {&block_keys}};
-  sections[1].values = {{"width", "0.6"}, {"height", "1.6"}};
-  sections[2].values = {{"width", "0.5"}, {"height", "1.2"}};
-  if (motion) {
-    const double length = motion->interval * static_cast<double>(motion->samples.size());
-    sections[0].values["duration"] = fmt::format("{:.1f}", std::ceil(length) + 2);
-    sections.push_back({&record_keys, {{"record", toml_text(path)}, {"scale", "1.0"}}});
-    if (limits == RecordLimits::none) sections.back().values["limits"] = toml_text("none");
-  } else {
-    sections.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
-    sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
-  }
-  sections.push_back({&surface_keys, {}, true});
-  return sections;
-}
-
-std::string suite_text() {
-  return text_of({{&suite_keys,
-                   {{"title", "\"Two blocks\""}, {"scenes", "[\"spanos-free-rocking\"]"}, {"repeats", "1"}}},
-                  {&engine_keys, {{"settings", "[\"tuned\"]"}, {"dt", "[1e-2, 1e-3]"}}},
-                  {&replicates_keys},
-                  {&perturbations_keys, {}, true}});
-}
-
-std::string ensemble_text() {
-  const std::string scene =
-      text_of({{&scene_keys, {{"duration", "5.0"}}}, {&block_keys, {{"width", "0.5"}}}, {&harmonic_keys, {}}},
-              "scene");
-  return text_of({{&ensemble_keys, {{"scene", ""}}}}) + "\n" + scene + "\n" +
-         text_of({{&vary_keys,
-                   {{"key", "\"ground.horizontal.amplitude\""},
-                    {"values", ""},
-                    {"range", "{ from = 1.0, to = 12.0, count = 12 }"}}},
-                  {&vary_keys, {{"key", "\"ground.horizontal.period\""}, {"values", "[0.5, 0.7, 1.0]"}}},
-                  {&summary_keys, {{"intensity", "\"ground.horizontal.amplitude\""}}}});
-}
-
-/// A commented input file of a kind, made of the keys that its reader takes: it is accepted as it stands, and
-/// what may be left out is there as comments. A scene with a record has that record, as a path from the file,
-/// for its ground motion. @throws InputError where the record cannot be read.
-std::string template_text(const NewArguments& arguments, const Common& common) {
-  const std::string& kind = arguments.kind;
-  if (arguments.record && kind != "scene")
-    throw InputError(fmt::format("--record {}: must be left out of a {}", *arguments.record, kind));
-  if (!arguments.record) refuse_overrides(common, "a template is edited");
-  if (kind == "suite") return suite_text();
-  if (kind == "ensemble") return ensemble_text();
-  if (!arguments.record) return text_of(scene_sections(std::nullopt, "", RecordLimits::usual));
-  const RecordLimits limits = record_limits(common);
-  const Record motion = read_record(*arguments.record, limits);
-  const std::filesystem::path folder = arguments.out.parent_path();
-  const auto path = std::filesystem::proximate(*arguments.record, folder.empty() ? "." : folder).string();
-  return fmt::format("# {}: {}\n", one_line(path), one_line(description(motion))) +
-         text_of(scene_sections(motion, path, limits));
-}
 
 /// What can be named on a command line, and what it is.
 struct Listed {
@@ -184,49 +41,11 @@ void print_list(const std::vector<Listed>& list, const std::string& indent) {
   for (const Listed& one : list) fmt::print("{}{:<{}}  {}\n", indent, one.name, width, one.title);
 }
 
-}  // namespace
+struct ListArguments {
+  std::string kind;  ///< empty: all
+};
 
-int keys_command(const KindArguments& arguments, const Common& common) {
-  refuse_overrides(common, "keys are explained, not used");
-  Json list = Json::array();
-  if (!common.json)
-    fmt::print("  {:<20} {:<11} {:<28} {}\n", "KEY", "UNIT", "DEFAULT", "RANGE, and below it MEANING");
-  for (const auto& [file, tables] : files) {
-    if (!arguments.kind.empty() && arguments.kind != file) continue;
-    for (const KeyTable* table : tables) {
-      if (common.json)
-        list.push_back(table_json(file, *table));
-      else
-        print_table(*table);
-    }
-  }
-  if (common.json) fmt::print("{}\n", list.dump(2));
-  return 0;
-}
-
-int new_command(const NewArguments& arguments, const Common& common) {
-  std::error_code ignored;
-  if (!arguments.out.empty() && std::filesystem::exists(arguments.out, ignored))
-    throw InputError(fmt::format("--out {}: must be a new file, this one is there", arguments.out.string()));
-  const std::string text = template_text(arguments, common);
-  if (arguments.out.empty()) {
-    fmt::print("{}", text);
-    return 0;
-  }
-  try {
-    write_file(arguments.out, text);
-  } catch (const std::runtime_error&) {
-    throw InputError(fmt::format("--out {}: must be a file that can be written, in a folder that is there",
-                                 arguments.out.string()));
-  }
-  if (!common.quiet) {
-    fmt::print("{}: {}\n", arguments.kind, one_line(arguments.out.string()));
-    if (arguments.record) fmt::print("record: {}\n", text.substr(2, text.find('\n') - 2));
-  }
-  return 0;
-}
-
-int list_command(const KindArguments& arguments, const Common& common) {
+int run_list(const ListArguments& arguments, const Common& common) {
   refuse_overrides(common, "names have no scene keys");
   const std::string& only = arguments.kind;
   Json all;
@@ -243,6 +62,17 @@ int list_command(const KindArguments& arguments, const Common& common) {
   }
   if (common.json) fmt::print("{}\n", all.dump(2));
   return 0;
+}
+
+void add_list(CLI::App& command, ListArguments& arguments) {
+  command.add_option("what", arguments.kind, "scenes, suites, ensembles, lessons or engines; left out: all")
+      ->check(one_of({"scenes", "suites", "ensembles", "lessons", "engines"}));
+}
+
+}  // namespace
+
+Command list_command() {
+  return make_command("list", "list what there is, with a line on each", add_list, run_list);
 }
 
 }  // namespace rockstack

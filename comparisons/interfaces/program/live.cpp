@@ -16,6 +16,13 @@
 namespace rockstack {
 namespace {
 
+struct LiveArguments {
+  std::string input = "spanos-free-rocking";   ///< scene, lesson, folder of lessons, or a page's link
+  std::vector<std::filesystem::path> records;  ///< that the page may choose
+  int port = 0;                                ///< 0: any that is free
+  bool browser = true;                         ///< is opened where there is one
+};
+
 /// The scene of a lesson's suite.
 std::filesystem::path lesson_scene(const std::string& name) {
   const std::filesystem::path suite = find_file(name, "studies/lessons");
@@ -73,9 +80,7 @@ void print_address(const std::string& address, const Common& common) {
   std::fflush(stdout);
 }
 
-}  // namespace
-
-int live_command(const LiveArguments& arguments, const Common& common) {
+int run_live(const LiveArguments& arguments, const Common& common) {
   keep_little_memory();
   LiveArguments asked = arguments;
   std::string fragment;
@@ -90,6 +95,27 @@ int live_command(const LiveArguments& arguments, const Common& common) {
     if (asked.browser) open_browser(address);
   });
   return 0;
+}
+
+void add_live(CLI::App& command, LiveArguments& arguments) {
+  command
+      .add_option("input", arguments.input,
+                  "scene file, name of a scene or lesson, folder of `rockstack teach`, or a link of a page")
+      ->capture_default_str();
+  command.add_option("--record", arguments.records, "record that the page may choose; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--port", arguments.port, "of 127.0.0.1; left out: any that is free")
+      ->check(CLI::Range(1, 65535));
+  command.add_flag_callback(
+      "--no-browser", [&] { arguments.browser = false; }, "print the address alone");
+}
+
+}  // namespace
+
+Command live_command() {
+  return make_command("live",
+                      "serve a page on this machine with sliders, on which solver and engines answer at once",
+                      add_live, run_live);
 }
 
 }  // namespace rockstack

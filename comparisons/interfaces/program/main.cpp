@@ -1,7 +1,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -9,9 +8,27 @@
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/build.hpp"
 
+namespace rockstack {
+
+using MakeCommand = Command();
+MakeCommand solve_command, simulate_command, compare_command, advise_command, fit_command, sweep_command,
+    diff_command, plot_command, record_command, teach_command, live_command, list_command,
+    check_engine_command, canon_command, keys_command, new_command;
+
+}  // namespace rockstack
+
 namespace {
 
 using namespace rockstack;
+
+/// In the order of `rockstack --help`.
+constexpr MakeCommand* commands[]{
+    solve_command, simulate_command,     compare_command, advise_command, fit_command,
+    sweep_command, diff_command,         plot_command,    record_command, teach_command,
+#ifdef ROCKSTACK_WITH_LIVE
+    live_command,
+#endif
+    list_command,  check_engine_command, canon_command,   keys_command,   new_command};
 
 /// Results are written in it.
 void require_utf8(const std::string& word) {
@@ -80,7 +97,12 @@ int run(int count, char** arguments) {
                    "put the results in the place of those of another scene in the folder for results"),
       app.add_option("--workers", common.workers,
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
-  const auto commands = add_commands(app, common);
+  std::map<const CLI::App*, std::function<int()>> runs;
+  for (const MakeCommand* make : commands) {
+    const Command command = make();
+    CLI::App* added = app.add_subcommand(command.name, command.words);
+    runs[added] = command.add(*added, common);
+  }
   for (CLI::App* command : app.get_subcommands({}))
     command->footer(CLI::Formatter().make_group("Common options", false, common_options));
   try {
@@ -102,7 +124,7 @@ int run(int count, char** arguments) {
   require_folders("--workers", common.workers);
   if (!common.workers.empty()) setenv(workers_variable, common.workers.c_str(), 1);
   require_temporary_folder();
-  if (const auto given = app.get_subcommands(); !given.empty()) return commands.at(given.front())();
+  if (const auto given = app.get_subcommands(); !given.empty()) return runs.at(given.front())();
   throw std::invalid_argument(
       fmt::format("a command must be given, one of {}", fmt::join(command_names(app), " ")));
 }

@@ -5,6 +5,7 @@
 #include "comparisons/measures/metrics/sizes.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/outcome_columns.hpp"
+#include "comparisons/measures/results/tables.hpp"
 #include "comparisons/runs/measure.hpp"
 #include "engines/scene_setup.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
@@ -14,6 +15,29 @@
 
 namespace rockstack {
 namespace {
+
+struct SimulateArguments {
+  std::string scene;
+  std::filesystem::path out;
+  std::string engine;
+  std::string settings = "tuned";
+  std::vector<std::string> parameters;  ///< name=value, changes of those settings
+  double dt = 0;                        ///< s
+  bool plots = true;                    ///< figures and a page
+};
+
+struct SolveArguments {
+  std::string scene;
+  std::filesystem::path out;
+  std::string integrator = "taylor";  ///< or "rk4"
+  double step = 2e-4;                 ///< of rk4, s
+  double interval = 1e-3;             ///< of samples, s
+  bool plots = true;                  ///< figures and a page
+  double tolerance = 0;  ///< of taylor: share of the velocity that a step may leave out; 0: rounding
+  std::vector<std::string> histories;  ///< kinds_of_histories() to write
+  bool branches = false;               ///< follow all motions where contact leaves several
+  std::size_t most_branches = 16;
+};
 
 /// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are; in between
 /// what is said of other motions that obey. `sampled`: an engine's, which tells no events.
@@ -58,9 +82,7 @@ int solve_all(const SolveJob& job, std::size_t most, const Common& common) {
   return std::ranges::any_of(tree.branches, given_up) ? 1 : 0;
 }
 
-}  // namespace
-
-int solve_command(const SolveArguments& arguments, const Common& common) {
+int run_solve(const SolveArguments& arguments, const Common& common) {
   require_above_zero("--step", arguments.step);
   require_above_zero("--interval", arguments.interval);
   if (arguments.integrator == "rk4" && arguments.tolerance > 0)
@@ -87,7 +109,7 @@ int solve_command(const SolveArguments& arguments, const Common& common) {
   return code;
 }
 
-int simulate_command(const SimulateArguments& arguments, const Common& common) {
+int run_simulate(const SimulateArguments& arguments, const Common& common) {
   require_above_zero("--dt", arguments.dt);
   const std::vector<const WorkerEngine*> named = engines_named(arguments.engine);
   const WorkerEngine& engine = *named.front();
@@ -105,18 +127,56 @@ int simulate_command(const SimulateArguments& arguments, const Common& common) {
   return 0;
 }
 
-int plot_command(const std::filesystem::path& results, const Common& common) {
-  refuse_overrides(common, "figures are of results that are there");
-  const FolderLock lock(results);
-#ifdef ROCKSTACK_WITH_PLOTS
-  plots::show(results);
-  print_report(results, common);
-  return 0;
-#else
-  static_cast<void>(common);
-  throw InputError(
-      fmt::format("plot {}: must be asked of a build with ROCKSTACK_PLOTS=ON", results.string()));
-#endif
+void add_solve(CLI::App& command, SolveArguments& arguments) {
+  command.add_option("scene", arguments.scene, scene_help)->required();
+  add_results(command, arguments.out, [&] { return arguments.scene; });
+  command.add_option("--integrator", arguments.integrator, "what makes the steps; rk4 is the baseline")
+      ->check(one_of({"taylor", "rk4"}))
+      ->capture_default_str();
+  command.add_option("--step", arguments.step, "longest step of rk4, s")->capture_default_str();
+  command.add_option("--interval", arguments.interval, "interval of samples in history.csv, s")
+      ->capture_default_str();
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "of taylor: share of the velocity that a step may leave out, and angle below which "
+                  "chatter ends, rad; 0: rounding")
+      ->check(CLI::Range(0.0, 1e-3))
+      ->capture_default_str();
+  command.add_option("--histories", arguments.histories, "what else to write at each sample")
+      ->delimiter(',')
+      ->check(one_of(kinds_of_histories()));
+  command.add_flag("--branches", arguments.branches,
+                   "follow every motion where contact has several solutions, each into DIR/branches");
+  command.add_option("--most-branches", arguments.most_branches, "bound of --branches")
+      ->needs("--branches")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  add_plots(command, arguments.plots);
+}
+
+void add_simulate(CLI::App& command, SimulateArguments& arguments) {
+  command.add_option("scene", arguments.scene, scene_help)->required();
+  command.add_option("--engine", arguments.engine, "engine, or engine:solver")->required();
+  command.add_option("--dt", arguments.dt, "time step, s")->required();
+  command.add_option("--settings", arguments.settings, "parameter set")
+      ->check(one_of({"default", "tuned"}))
+      ->capture_default_str();
+  command
+      .add_option("--parameter", arguments.parameters,
+                  "change of the parameter set, e.g. erp=0.05; may be repeated")
+      ->allow_extra_args(false);
+  add_results(command, arguments.out, [&] { return arguments.scene; });
+  add_plots(command, arguments.plots);
+}
+
+}  // namespace
+
+Command solve_command() {
+  return make_command("solve", "solve a scene exactly", add_solve, run_solve);
+}
+
+Command simulate_command() {
+  return make_command("simulate", "run a scene in one physics engine", add_simulate, run_simulate);
 }
 
 }  // namespace rockstack

@@ -12,6 +12,12 @@
 namespace rockstack {
 namespace {
 
+struct RecordArguments {
+  std::string file;  ///< may name a channel, see read_record()
+  std::filesystem::path out;
+  std::string base_line = "none";  ///< or "fitted", taken off before anything is measured
+};
+
 constexpr double spectrum_damping = 0.05;
 
 /// A record as the command sees it: where it came from, the motion to be measured and what it measures.
@@ -120,9 +126,7 @@ std::string spectrum_csv(const GroundMotion& motion) {
   return csv.text();
 }
 
-}  // namespace
-
-int record_command(const RecordArguments& arguments, const Common& common) {
+int run_record(const RecordArguments& arguments, const Common& common) {
   const MeasuredRecord record = measure_record(arguments, record_limits(common));
   const Json json = to_json(record, arguments);
   std::optional<ResultsFolder> folder;
@@ -142,6 +146,20 @@ int record_command(const RecordArguments& arguments, const Common& common) {
   }
   if (!arguments.out.empty()) show_report(arguments.out, common);
   return 0;
+}
+
+void add_record(CLI::App& command, RecordArguments& arguments) {
+  command.add_option("file", arguments.file, "record, or record:channel")->required();
+  command.add_option("--out", arguments.out, "folder for results; left out: none are written");
+  command.add_option("--base-line", arguments.base_line, "line to take off the accelerations first")
+      ->check(one_of({"none", "fitted"}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+Command record_command() {
+  return make_command("record", "measure an accelerogram", add_record, run_record);
 }
 
 }  // namespace rockstack

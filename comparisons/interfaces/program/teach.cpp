@@ -10,10 +10,20 @@
 namespace rockstack {
 namespace {
 
+struct TeachArguments {
+  std::string lesson;  ///< empty or "list": list them; "all": the whole course
+  std::filesystem::path out;
+  std::optional<std::uint64_t> sheet;  ///< a problem sheet of that seed, in the place of the lesson
+  bool pdf = false;                    ///< slides as PDF too
+};
+
 namespace fs = std::filesystem;
 
 int list_lessons(const Common& common) {
-  if (common.json) return list_command({"lessons"}, common);
+  const Json list = mapped(lessons(), [](const Lesson& one) {
+    return Json{{"name", one.name}, {"title", title(one)}};
+  });
+  if (!print_json(list, common)) return 0;
   for (std::size_t i = 0; const Lesson& lesson : lessons())
     fmt::print("{:2}  {:<14} {}\n", ++i, lesson.name, title(lesson));
   fmt::print("\nall of them, with an index: rockstack teach all --out DIR\n");
@@ -82,9 +92,7 @@ int write_sheets(const std::vector<Lesson>& chosen, const TeachArguments& argume
   return 0;
 }
 
-}  // namespace
-
-int teach_command(const TeachArguments& arguments, const Common& common) {
+int run_teach(const TeachArguments& arguments, const Common& common) {
   refuse_overrides(common, "a lesson's text is about its own scenes; `rockstack compare` takes it");
   if (arguments.lesson.empty() || arguments.lesson == "list") return list_lessons(common);
   const std::vector<Lesson> chosen =
@@ -92,6 +100,23 @@ int teach_command(const TeachArguments& arguments, const Common& common) {
   if (arguments.sheet) return write_sheets(chosen, arguments, common);
   if (arguments.lesson == "all") return teach_all(arguments, common);
   return teach(chosen.front(), arguments.out, arguments, common);
+}
+
+void add_teach(CLI::App& command, TeachArguments& arguments) {
+  command.add_option("lesson", arguments.lesson, "name of a lesson, or all; left out, or list: list them");
+  add_results(command, arguments.out, [&] { return arguments.lesson; });
+  command.add_flag("--pdf", arguments.pdf, "slides as PDF too, by Chromium");
+  command
+      .add_option("--sheet", arguments.sheet,
+                  "write a problem sheet instead, its numbers drawn from this seed, and its key")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53U));
+}
+
+}  // namespace
+
+Command teach_command() {
+  return make_command("teach", "list the lessons, or run one and write its page and slides", add_teach,
+                      run_teach);
 }
 
 }  // namespace rockstack

@@ -1,3 +1,5 @@
+#include "comparisons/studies/sweep/sweep.hpp"
+
 #include <fmt/format.h>
 
 #include <atomic>
@@ -6,13 +8,16 @@
 
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/studies/canon/canon.hpp"
-#include "comparisons/studies/fit/fit.hpp"
-#include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
+
+struct SweepArguments {
+  std::string ensemble;
+  std::filesystem::path out;
+  std::size_t threads = 0;  ///< 0: as many as the machine runs at once; without effect under mpirun
+};
 
 std::atomic<int> interruption = 0;  ///< the signal that asked for it
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may set it");
@@ -88,15 +93,7 @@ void print_sweep(const SweepResult& result, const std::filesystem::path& folder,
   fmt::print("results: {}\n", one_line(folder.string()));
 }
 
-void print(const CanonRow& row, const CanonAnswer& answer) {
-  fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
-             answer.verdict, answer.reason);
-  std::fflush(stdout);
-}
-
-}  // namespace
-
-int sweep_command(const SweepArguments& arguments, const Common& common) {
+int run_sweep(const SweepArguments& arguments, const Common& common) {
   std::optional<Interruptible> signals(std::in_place);
   const auto executor = make_executor(arguments.threads > 0 ? arguments.threads : all_cores());
   if (!executor->leads()) return serve(*executor, arguments, common);
@@ -119,64 +116,22 @@ int sweep_command(const SweepArguments& arguments, const Common& common) {
   return exit_code(result.failed, result.runs, "runs.csv", result.reason);
 }
 
-int fit_command(const FitArguments& arguments, const Common& common) {
-  const std::vector<FitParameter> parameters = mapped(arguments.vary, fit_parameter);
-  const SceneDocument document = read_document(input_file(arguments.scene, {"scenes"}), common.overrides);
-  if (!document.measured) throw missing_key(document.root, "measured", "given, a table of what was measured");
-  MotionLibrary library;
-  const Scene scene = make_scene(document, library);
-  const Measurement measured = read_measurement(document.measured.value(), document.folder, scene);
-  const ResultsFolder folder(arguments.out, Results::fit, subject_of(arguments.scene), common.replace);
-  warn_of_sizes(scene, common);
-  const Fit found = fit(document, measured, parameters);
-  write_fit(scene.title, measured, found, arguments.out, common.command);
-  if (print_json(fit_json(scene.title, measured, found, common.command), common)) {
-    std::string changes;
-    for (const FittedParameter& one : found.parameters) {
-      fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
-                 one.upper);
-      if (!one.parameter.is_clock())
-        changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
-    }
-    for (const std::string& sentence : meaning(found, measured)) fmt::print("{}\n", sentence);
-    fmt::print("\nrockstack solve {}{}\n", shell_word(arguments.scene), changes);
-  }
-  show_report(arguments.out, common);
-  return 0;
+void add_sweep(CLI::App& command, SweepArguments& arguments) {
+  command
+      .add_option("ensemble", arguments.ensemble, "ensemble file, or a name from `rockstack list ensembles`")
+      ->required();
+  command
+      .add_option("--threads", arguments.threads,
+                  "threads, as many as the machine has if left out; under mpirun, one a rank")
+      ->check(CLI::Range(1, 1024));
+  add_results(
+      command, arguments.out, [&] { return arguments.ensemble; }, ", where a sweep that was stopped goes on");
 }
 
-int canon_command(const CanonArguments& arguments, const Common& common) {
-  Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
-  const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
-  const ResultsFolder folder(arguments.out, Results::canon);
-  if (common.prints_text())
-    fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
-               "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
-  const auto show = progress(common);
-  const std::size_t total = asked.size() * arguments.settings.size() * suite.scenes.size();
-  std::size_t done = 0, off = 0;
-  std::vector<CanonRow> rows;
-  for (const WorkerEngine* engine : asked) {
-    for (const std::string& settings : arguments.settings) {
-      CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
-      for (const NamedScene& scene : suite.scenes) {
-        const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
-        show({done++, total, "", what, {}});
-        row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
-        if (!follows_law(row.answers.back())) ++off;
-        clear_progress(common);
-        if (common.prints_text()) print(row, row.answers.back());
-      }
-    }
-  }
-  const std::string json = canon_json(suite, rows, common.command);
-  write_file(arguments.out / "canon.csv", canon_csv(rows));
-  write_file(arguments.out / "canon.json", json);
-  if (common.json) fmt::print("{}", json);
-  show_report(arguments.out, common);
-  if (common.prints_text())
-    fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
-  return off == 0 ? 0 : 1;
+}  // namespace
+
+Command sweep_command() {
+  return make_command("sweep", "solve a scene many times with values varied", add_sweep, run_sweep);
 }
 
 }  // namespace rockstack

@@ -1,0 +1,60 @@
+#include "comparisons/studies/fit/fit.hpp"
+
+#include <fmt/format.h>
+
+#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/suites/shipped.hpp"
+
+namespace rockstack {
+namespace {
+
+struct FitArguments {
+  std::string scene;
+  std::filesystem::path out;
+  std::vector<std::string> vary;  ///< fit_parameter() of each
+};
+
+int run_fit(const FitArguments& arguments, const Common& common) {
+  const std::vector<FitParameter> parameters = mapped(arguments.vary, fit_parameter);
+  const SceneDocument document = read_document(input_file(arguments.scene, {"scenes"}), common.overrides);
+  if (!document.measured) throw missing_key(document.root, "measured", "given, a table of what was measured");
+  MotionLibrary library;
+  const Scene scene = make_scene(document, library);
+  const Measurement measured = read_measurement(document.measured.value(), document.folder, scene);
+  const ResultsFolder folder(arguments.out, Results::fit, subject_of(arguments.scene), common.replace);
+  warn_of_sizes(scene, common);
+  const Fit found = fit(document, measured, parameters);
+  write_fit(scene.title, measured, found, arguments.out, common.command);
+  if (print_json(fit_json(scene.title, measured, found, common.command), common)) {
+    std::string changes;
+    for (const FittedParameter& one : found.parameters) {
+      fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
+                 one.upper);
+      if (!one.parameter.is_clock())
+        changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
+    }
+    for (const std::string& sentence : meaning(found, measured)) fmt::print("{}\n", sentence);
+    fmt::print("\nrockstack solve {}{}\n", shell_word(arguments.scene), changes);
+  }
+  show_report(arguments.out, common);
+  return 0;
+}
+
+void add_fit(CLI::App& command, FitArguments& arguments) {
+  command.add_option("scene", arguments.scene, "scene file with a table [measured]")->required();
+  command
+      .add_option("--vary", arguments.vary, "key of the scene and its range, KEY=LOW:HIGH; may be repeated")
+      ->required()
+      ->allow_extra_args(false);
+  add_results(command, arguments.out, [&] { return arguments.scene; });
+}
+
+}  // namespace
+
+Command fit_command() {
+  return make_command("fit", "find what a test does not tell of its scene, such as a ratio of restitution",
+                      add_fit, run_fit);
+}
+
+}  // namespace rockstack
