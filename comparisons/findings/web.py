@@ -88,7 +88,8 @@ FOLDER = Path(__file__).resolve().parents[2] / "engines" / "web"
 # Of three solvers that give nearly the same, one.
 SOLVERS = {"mujoco-js": ":newton"}
 TABLES = {name: table(name, SOLVERS.get(name, "")) for name in
-          sorted(script.stem.removeprefix("rockstack-") for script in FOLDER.glob("rockstack-*.mjs"))}
+          sorted(worker.parent.name for worker in FOLDER.glob("*/worker.mjs"))}
+FILES = {name: FOLDER / name / "findings.csv" for name in TABLES} | {"limits": FOLDER / "limits.csv"}
 
 
 def limits():
@@ -96,7 +97,7 @@ def limits():
     yield "engine", "set", *HEADINGS
     yield "exact", "", *(exact for _, exact, *_ in QUANTITIES)
     for name in TABLES:
-        with open(FOLDER / f"{name}.csv") as file:
+        with open(FILES[name]) as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
         for one in dict.fromkeys((row.get("solver", ""), row["set"]) for row in rows):
             own = [row for row in rows if (row.get("solver", ""), row["set"]) == one]

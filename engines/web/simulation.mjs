@@ -1,4 +1,4 @@
-// A run of an engine, whoever asks for it: a worker, or a page that holds the engine. worker.mjs says what an engine and its simulation are.
+// A run of an engine, whoever asks for it: a worker, or a page that holds the engine. serve.mjs says what an engine and its simulation are.
 
 /** A setting of the description. */
 export function setting(name, standard, tuned, least, most, more = {}) {

@@ -1,4 +1,4 @@
-// What is said of ammo.js (engines/web/ammo.md) beside the compiled Bullet.
+// What is said of ammo.js (engines/web/ammo/page.md) beside the compiled Bullet.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What is said of Havok (engines/web/havok.md). No set was tuned on these scenes.
+// What is said of Havok (engines/web/havok/page.md). No set was tuned on these scenes.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What is said of Jolt (engines/web/jolt.md), by bare programs that share no code with its worker. No set was
+// What is said of Jolt (engines/web/jolt/page.md), by bare programs that share no code with its worker. No set was
 // tuned on these scenes.
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What is said of Matter.js (engines/web/matter-js.md), by bare programs that share no code with its worker.
+// What is said of Matter.js (engines/web/matter-js/page.md), by bare programs that share no code with its worker.
 // No set was tuned on these scenes.
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is said of Rapier (engines/web/rapier.md), by bare programs that share no code with its worker. No set
+// What is said of Rapier (engines/web/rapier/page.md), by bare programs that share no code with its worker. No set
 // was tuned on these scenes.
 
 #include <fmt/format.h>

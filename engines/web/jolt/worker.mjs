@@ -1,7 +1,7 @@
 #!/usr/bin/env node
-// Jolt Physics beside the exact model. README.md in this folder says what is set in both sets and why.
+// Jolt Physics beside the exact model. ../README.md says what is set in both sets and why.
 
-import { angles, groundReach, onOff, restitution, serve, setting, threshold, turn, whole } from './worker.mjs';
+import { angles, groundReach, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
 
 const metres = { unit: 'm' };
 

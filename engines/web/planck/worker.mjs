@@ -1,7 +1,7 @@
 #!/usr/bin/env node
-// Planck, Box2D's port to JavaScript, beside the exact model. README.md in this folder says what is set in both sets and why.
+// Planck, Box2D's port to JavaScript, beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, onOff, restitution, serve, setting, threshold, whole } from './worker.mjs';
+import { groundReach, onOff, restitution, serve, setting, threshold, whole } from '../serve.mjs';
 
 const settings = [
   setting('velocityIterations', 8, 50, 1, 1e6, whole),

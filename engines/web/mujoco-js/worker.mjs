@@ -1,8 +1,8 @@
 #!/usr/bin/env node
-// MuJoCo 3 beside the exact model, set up as ../mujoco sets up version 2.2.2: the same settings by the same names, but for one
-// more integrator. ../mujoco/README.md says what its contacts are, README.md in this folder what is set in both sets and why.
+// MuJoCo 3 beside the exact model, set up as ../../mujoco sets up version 2.2.2: the same settings by the same names, but for one
+// more integrator. ../../mujoco/README.md says what its contacts are, ../README.md what is set in both sets and why.
 
-import { massFactor, NotFinite, onOff, serve, setting, whole } from './worker.mjs';
+import { massFactor, NotFinite, onOff, serve, setting, whole } from '../serve.mjs';
 
 const stiffest = 1e18;  // of solref, where a negative number is a stiffness or a damping
 const metres = { unit: 'm' };

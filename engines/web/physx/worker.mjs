@@ -1,8 +1,8 @@
 #!/usr/bin/env node
-// PhysX 5 beside the exact model. README.md in this folder says what is set in both sets and why.
+// PhysX 5 beside the exact model. ../README.md says what is set in both sets and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, neighbourMeans, onOff, restitution, serve, setting, threshold, turn, whole } from './worker.mjs';
+import { angles, groundReach, neighbourMeans, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
 
 const metres = { unit: 'm' };
 
@@ -27,7 +27,7 @@ const facingUp = turn(-Math.PI / 2);  // the library's plane has its normal alon
 
 /** The package's build knows browsers alone: it is to find one. */
 async function load() {
-  const wasmBinary = readFileSync(new URL('node_modules/physx-js-webidl/physx-js-webidl.wasm', import.meta.url));
+  const wasmBinary = readFileSync(new URL('../node_modules/physx-js-webidl/physx-js-webidl.wasm', import.meta.url));
   const kept = Object.getOwnPropertyDescriptor(globalThis, 'process');
   Object.defineProperty(globalThis, 'process', { value: undefined, configurable: true });
   globalThis.window = globalThis;

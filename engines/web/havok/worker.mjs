@@ -1,8 +1,8 @@
 #!/usr/bin/env node
-// Havok beside the exact model. README.md in this folder says what is set and why.
+// Havok beside the exact model. ../README.md says what is set and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, restitution, serve, setting, turn } from './worker.mjs';
+import { angles, groundReach, restitution, serve, setting, turn } from '../serve.mjs';
 
 const settings = [
   setting('idealStepTime', 1 / 60, 0, 0, 10, { unit: 's' }),  // 0: as it comes
@@ -109,7 +109,7 @@ await serve({
   capabilities: { single_precision: true, lead: 0.125 },
   solvers: [{ solver: 'own', settings }],
   load: async () => {
-    const wasmBinary = readFileSync(new URL('node_modules/@babylonjs/havok/lib/esm/HavokPhysics.wasm', import.meta.url));
+    const wasmBinary = readFileSync(new URL('../node_modules/@babylonjs/havok/lib/esm/HavokPhysics.wasm', import.meta.url));
     return (await import('@babylonjs/havok')).default({ wasmBinary });
   },
   start: (havok, question) => new Simulation(havok, question),

@@ -1,8 +1,8 @@
 #!/usr/bin/env node
-// Bullet as WebAssembly, ammo.js, beside the exact model, set up as ../bullet sets up the compiled library: the same settings by
-// the same names, as far as the interface has them. ammo.md says what it lacks, README.md in this folder what is set in both sets.
+// Bullet as WebAssembly, ammo.js, beside the exact model, set up as ../../bullet sets up the compiled library: the same settings by
+// the same names, as far as the interface has them. page.md says what it lacks, ../README.md what is set in both sets.
 
-import { groundReach, onOff, restitution, serve, setting, whole } from './worker.mjs';
+import { groundReach, onOff, restitution, serve, setting, whole } from '../serve.mjs';
 
 /** The library's own, m; its interface takes whole numbers alone. */
 const ownThreshold = Math.fround(-0.04);

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
-// Rapier in two dimensions beside the exact model. README.md in this folder says what is set in both sets and why.
+// Rapier in two dimensions beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, neighbourMeans, restitution, serve, setting, whole } from './worker.mjs';
+import { groundReach, neighbourMeans, restitution, serve, setting, whole } from '../serve.mjs';
 
 const settings = [
   setting('lengthUnit', 1, 0.05, 1e-6, 1e6, { unit: 'm' }),

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
-// Matter.js beside the exact model. README.md in this folder says what is set in both sets and why.
+// Matter.js beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, massFactor, restitution, serve, setting, whole } from './worker.mjs';
+import { groundReach, massFactor, restitution, serve, setting, whole } from '../serve.mjs';
 
 const settings = [
   setting('lengthUnit', 0.01, 0.01, 1e-6, 1e6, { unit: 'm' }),

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
-// cannon-es beside the exact model. README.md in this folder says what is set in both sets and why.
+// cannon-es beside the exact model. ../README.md says what is set in both sets and why.
 
-import { angles, massFactor, restitution, serve, setting, turn, whole } from './worker.mjs';
+import { angles, massFactor, restitution, serve, setting, turn, whole } from '../serve.mjs';
 
 const settings = [
   setting('iterations', 10, 500, 1, 1e6, whole),
