@@ -6,10 +6,6 @@ namespace rockstack::plots {
 
 LawResults read_law_results(const fs::path& results) {
   LawResults read;
-  read_json(results / "impact-laws.json", [&](const Json& json) {
-    read.states = json.at("cases").size();
-    read.left_out = json.at("left_out").get<std::vector<std::string>>();
-  });
   for (CsvLine row(results / "impact-laws.csv"); row.next();)
     read.cells.push_back({row.whole(row.index("blocks"), 1, max_blocks), row.text("kind"),
                           row.value("aspect_ratio_from"), row.value("aspect_ratio_to"),
@@ -29,17 +25,6 @@ LawResults read_law_results(const fs::path& results) {
     one.from_consistent = row.value("from_consistent");
   }
   return read;
-}
-
-void LawTally::add(const LawRun& one) {
-  if (!one.run.done()) {
-    ++failed;
-    return;
-  }
-  ++(one.follows == "consistent" ? consistent : one.follows == "paper" ? paper : neither);
-  from_paper.push_back(one.from_paper);
-  from_consistent.push_back(one.from_consistent);
-  if (farthest == nullptr || one.from_consistent > farthest->from_consistent) farthest = &one;
 }
 
 }  // namespace rockstack::plots

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "plots/data/law_results.hpp"
 #include "plots/pages/html.hpp"
 
 namespace rockstack::plots {
@@ -47,16 +46,5 @@ std::string run_details(const Comparison& comparison);
 /// How far blocks slipped and lifted in each run of law `unilateral`, an interface a row, and where theory
 /// has no single answer. Empty where no run has that law.
 std::string contact_section(const Comparison& comparison);
-
-// Sentences of a study of impact laws, one an entry, as plain text.
-
-/// The shortest answer: whose pattern engines take where the laws differ, and how often the laws do.
-std::vector<std::string> law_answer(const LawResults& results);
-
-/// How often and where the laws differ over the random stacks.
-std::vector<std::string> law_summary(const LawResults& results);
-
-/// Which law the engines are nearer to, how near, and where they are farthest from it.
-std::vector<std::string> engine_summary(const LawResults& results);
 
 }  // namespace rockstack::plots

@@ -5,26 +5,31 @@
 namespace rockstack::plots {
 
 using WritePage = void(const fs::path& results, const Json& json);
-WritePage write_course, write_record_report, write_canon_report, write_advice_report, write_fit_report,
-    write_stability_report, write_sweep_report, write_impact_law_report;
+WritePage write_course, write_canon_report;
+/// Writes the page of a study: title, headline, figures and the tables that its JSON file names.
+WritePage write_study;
 /// Writes the report of one motion: its verdict, its player, its figures and everything that its summary
 /// says.
 void write_report(const fs::path& results, const Motion& motion);
 
 namespace {
 
-/// Results that are known by a file, and how their page is written of what the JSON file of that name says.
+/// Results that are known by a JSON file, and how their page is written of what it says.
 struct Kind {
-  const char* file;
-  WritePage* write_page;
+  const char *file, *before_title = "";
+  WritePage* write_page = write_study;
 };
 
 /// The first that is there holds: a study of stability has runs too.
-constexpr std::array kinds{
-    Kind{"course.json", write_course},      Kind{"record.json", write_record_report},
-    Kind{"canon.json", write_canon_report}, Kind{"advice.json", write_advice_report},
-    Kind{"fit.json", write_fit_report},     Kind{"stability.json", write_stability_report},
-    Kind{"sweep.json", write_sweep_report}, Kind{"impact-laws.csv", write_impact_law_report}};
+constexpr std::array kinds{Kind{"course.json", "", write_course},
+                           Kind{"canon.json", "", write_canon_report},
+                           Kind{"record.json", "Record "},
+                           Kind{"advice.json", "Advice: "},
+                           Kind{"fit.json", "Fit: "},
+                           Kind{"stability.json", "Stability: "},
+                           Kind{"sweep.json"},
+                           Kind{"impact-laws.json"},
+                           Kind{"diff.json"}};
 
 const Kind* kind_of(const fs::path& results) {
   const auto* const kind =
@@ -37,8 +42,11 @@ const Kind* kind_of(const fs::path& results) {
 bool write_study_page(const fs::path& results) {
   const Kind* kind = kind_of(results);
   if (kind == nullptr) return false;
-  read_json((results / kind->file).replace_extension(".json"),
-            [&](const Json& json) { kind->write_page(results, json); });
+  read_json(results / kind->file, [&](Json json) {
+    // Results of before had no title where they had no scene.
+    json["title"] = kind->before_title + json.value("title", results.filename().string());
+    kind->write_page(results, json);
+  });
   return true;
 }
 

@@ -53,7 +53,8 @@ int run_canon(const CanonArguments& arguments, const Common& common) {
   if (common.json) fmt::print("{}", json);
   show_report(arguments.out, common);
   if (common.prints_text())
-    fmt::print("{} of {} answers neither agree nor converge{}\n", off, total, off > 0 ? ": exit code 1" : "");
+    fmt::print("{}\n{} of {} answers neither agree nor converge{}\n", canon_headline(suite, rows), off, total,
+               off > 0 ? ": exit code 1" : "");
   return off == 0 ? 0 : 1;
 }
 

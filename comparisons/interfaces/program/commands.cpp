@@ -8,6 +8,7 @@
 
 #include "comparisons/measures/metrics/sizes.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/tables.hpp"
 #include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
@@ -76,6 +77,35 @@ void refuse_overrides(const Common& common, const char* reason) {
 bool print_json(const Json& result, const Common& common) {
   if (common.json) fmt::print("{}\n", result.dump(2));
   return common.prints_text();
+}
+
+void print_table(const std::vector<std::vector<std::string>>& lines) {
+  const auto letters = [](const std::string& text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char letter) { return (letter & 0xC0) != 0x80; }));
+  };
+  std::vector<std::size_t> widths(lines.front().size());
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], letters(line[i]));
+  for (const auto& line : lines) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text.append(line[i]).append(widths[i] - letters(line[i]) + 2, ' ');
+    fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
+  }
+}
+
+void print_table(const Json& rows) {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const auto& [name, cell] : rows.front().items()) lines.front().push_back(name);
+  for (const Json& row : rows) {
+    lines.emplace_back();
+    for (const Json& cell : row)
+      lines.back().push_back(cell.is_number_float() ? fmt::format("{:.4g}", cell.get<double>())
+                                                    : cell_text(cell));
+  }
+  print_table(lines);
+  fmt::print("\n");
 }
 
 std::string shell_word(const std::string& word) {

@@ -74,6 +74,12 @@ std::unique_ptr<Executor> make_executor(std::size_t threads);
 /// Prints a result where it is wanted as JSON. Returns whether it is wanted in words.
 bool print_json(const Json& result, const Common& common);
 
+/// Prints lines of as many cells each, the first the heading, in columns.
+void print_table(const std::vector<std::vector<std::string>>& lines);
+
+/// Prints flat rows with the same keys as a table, numbers to four digits, and an empty line.
+void print_table(const Json& rows);
+
 /// A word as a shell reads it back.
 std::string shell_word(const std::string& word);
 

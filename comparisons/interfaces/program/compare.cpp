@@ -111,28 +111,17 @@ void print_left_out(const std::vector<std::string>& names) {
   if (!names.empty()) fmt::print("left out of this build: {}\n", joined(names));
 }
 
-/// Shares by kind of impact, and what the engines follow.
-void print_impact_laws(const ImpactLawResults& results, const std::vector<std::string>& left_out,
+/// What the study comes to, with its tables.
+void print_impact_laws(const ImpactLawStudy& study, const ImpactLawResults& results,
                        const std::filesystem::path& folder, const Common& common) {
-  const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
-  const Json list = mapped(kinds, [](const ImpactShare& kind) {
-    return Json{
-        {"kind", name(kind.kind)}, {"impacts", kind.impacts}, {"differ", kind.differ}, {"none", kind.none}};
-  });
-  if (!print_json({{"kinds", list}, {"folder", folder.string()}}, common)) return;
-  fmt::print("{:<18} {:>8} {:>9} {:>9}\n", "impact", "number", "differ", "none");
-  for (const ImpactShare& kind : kinds)
-    fmt::print("{:<18} {:>8} {:>8.2f}% {:>8.2f}%\n", name(kind.kind), kind.impacts,
-               100.0 * kind.differ / kind.impacts, 100.0 * kind.none / kind.impacts);
-  fmt::print("\n{:<26} {:>7} {:>11} {:>7} {:>8} {:>7}\n", "engine:solver", "dt (s)", "consistent", "paper",
-             "neither", "failed");
-  for (const EngineTally& tally : tallies(results.cases))
-    fmt::print("{:<26} {:>7} {:>11} {:>7} {:>8} {:>7}\n", tally.engine, tally.dt, tally.consistent,
-               tally.paper, tally.neither, tally.failed);
-  fmt::print(
-      "\ndiffer: the laws choose different patterns; none: no pattern is consistent; below: whose "
-      "pattern the\nengines show where the laws differ\n");
-  print_left_out(left_out);
+  const std::vector<ResultTable> list = tables(results);
+  const std::vector<std::string> sentences = headline(study, results);
+  const Json json{{"headline", sentences}, {"kinds", list.front().rows}, {"folder", folder.string()}};
+  if (!print_json(json, common)) return;
+  for (const ResultTable& one : list)
+    if (one.file != "impact-laws-answers.csv") print_table(one.rows);
+  for (const std::string& sentence : sentences) fmt::print("{}\n", sentence);
+  print_left_out(study.engines.left_out);
   fmt::print("results: {}\n", one_line(folder.string()));
 }
 
@@ -142,7 +131,7 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   const ResultsFolder folder(out, Results::impact_laws, subject_of(file), common.replace);
   const ImpactLawResults results = run_study(study);
   write_results(study, results, out, common.command);
-  print_impact_laws(results, study.engines.left_out, out, common);
+  print_impact_laws(study, results, out, common);
   show_report(out, common);
   const bool failed = std::ranges::any_of(results.cases, [](const ImpactCase& asked) {
     return std::ranges::any_of(asked.verdicts,

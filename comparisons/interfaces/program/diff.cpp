@@ -44,25 +44,12 @@ std::vector<std::string> cells_of(const TurnedNumber& number) {
           change.adjusted_p_value ? fmt::format("{:.0e}", *change.adjusted_p_value) : ""};
 }
 
-std::size_t letters_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char letter) { return (letter & 0xC0) != 0x80; }));
-}
-
-void print_table(const std::vector<TurnedNumber>& numbers) {
+void print_turned(const std::vector<TurnedNumber>& numbers) {
   std::vector<std::vector<std::string>> lines{{"", "scene", "engine:solver", "settings", "dt (s)", "number",
                                                "old (quartiles)", "new (quartiles)", "new/old", "p-value"}};
   lines.reserve(numbers.size() + 1);
   for (const TurnedNumber& number : numbers) lines.push_back(cells_of(number));
-  std::vector<std::size_t> widths(lines.front().size());
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], letters_of(line[i]));
-  for (const auto& line : lines) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i)
-      text.append(line[i]).append(widths[i] - letters_of(line[i]) + 2, ' ');
-    fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
-  }
+  print_table(lines);
 }
 
 void print_tests(const ResultsChange& result) {
@@ -91,7 +78,7 @@ void print_names(const char* what, const std::vector<std::string>& names) {
 void print_change(const ResultsChange& result, const ChangeOptions& options) {
   const auto count = [&](const auto& counts) { return std::ranges::count_if(result.rows, counts); };
   const auto turned = turned_numbers(result);
-  if (!turned.empty()) print_table(turned);
+  if (!turned.empty()) print_turned(turned);
   fmt::print("rows in both: {}, to the bit {}, of the nominal run alone {}; worse {}, better alone {}\n",
              result.rows.size(), count([](const RowChange& row) { return row.bits == "same"; }),
              count([](const RowChange& row) { return row.bits == "nominal"; }),
@@ -130,10 +117,13 @@ int run_diff(const DiffArguments& arguments, const Common& common) {
   const RecordedResults before = read_recorded_results(arguments.old_results);
   const ResultsChange result = hold_against(before, read_recorded_results(arguments.new_results), options);
   Json json = changes_json(result);
+  std::optional<ResultsFolder> folder;
   if (!arguments.out.empty()) {
-    const ResultsFolder folder(arguments.out, Results::diff);
+    folder.emplace(arguments.out, Results::diff);
     json["command"] = common.command;
     write_file(arguments.out / "diff.csv", changes_csv(result));
+    json["title"] = "New results beside old ones";
+    json["tables"] = {"diff.csv"};
     write_file(arguments.out / "diff.json", json.dump(2) + "\n");
   }
   if (print_json(json, common)) {
@@ -141,6 +131,7 @@ int run_diff(const DiffArguments& arguments, const Common& common) {
     if (!arguments.out.empty()) fmt::print("results: {}\n", one_line(arguments.out.string()));
     fmt::print("\n{}\n", result.headline());
   }
+  if (!arguments.out.empty()) show_report(arguments.out, common);
   constexpr int undecided = 3;
   return result.worse() ? 1 : result.decided() ? 0 : undecided;
 }

@@ -26,15 +26,13 @@ int run_fit(const FitArguments& arguments, const Common& common) {
   warn_of_sizes(scene, common);
   const Fit found = fit(document, measured, parameters);
   write_fit(scene.title, measured, found, arguments.out, common.command);
-  if (print_json(fit_json(scene.title, measured, found, common.command), common)) {
+  const Json json = fit_json(scene.title, measured, found, common.command);
+  if (print_json(json, common)) {
+    for (const Json& sentence : json.at("headline")) fmt::print("{}\n", sentence.get<std::string>());
     std::string changes;
-    for (const FittedParameter& one : found.parameters) {
-      fmt::print("{:<32} {:.6g}  95 %: {:.6g} to {:.6g}\n", one.parameter.key, one.value, one.lower,
-                 one.upper);
+    for (const FittedParameter& one : found.parameters)
       if (!one.parameter.is_clock())
         changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
-    }
-    for (const std::string& sentence : meaning(found, measured)) fmt::print("{}\n", sentence);
     fmt::print("\nrockstack solve {}{}\n", shell_word(arguments.scene), changes);
   }
   show_report(arguments.out, common);

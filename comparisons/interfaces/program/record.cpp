@@ -48,9 +48,27 @@ Json to_json(const Span& span) {
   return {{"begin", span.begin}, {"end", span.end}, {"length", span.length()}};
 }
 
+/// The size of a motion in sentences.
+std::vector<std::string> headline(const GroundMeasures& measures) {
+  const auto text = [](const Peak& peak, const char* unit) {
+    return fmt::format("{:.4g} {} at {:.4g} s", peak.value, unit, peak.time);
+  };
+  const Span& span = measures.significant_5_95;
+  return {fmt::format("The peak acceleration is {:.3g} g: {}.",
+                      std::abs(measures.acceleration.value) / standard_gravity,
+                      text(measures.acceleration, "m/s²")),
+          fmt::format("The peak velocity is {}, the peak displacement {}.", text(measures.velocity, "m/s"),
+                      text(measures.displacement, "m")),
+          fmt::format(
+              "The significant duration is {:.4g} s, from 5 to 95 % of the Arias intensity of {:.4g} m/s.",
+              span.length(), measures.arias_intensity)};
+}
+
 Json to_json(const MeasuredRecord& record, const RecordArguments& arguments) {
   const GroundMeasures& measures = record.measures;
-  return {{"file", record.file},
+  return {{"title", std::filesystem::path(record.file).filename().string()},
+          {"headline", headline(measures)},
+          {"file", record.file},
           {"channel", record.channel},
           {"format", record.format},
           {"taken", record.taken},

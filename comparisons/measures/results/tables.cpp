@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/results/csv.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/measures/metrics/alignment.hpp"
 #include "comparisons/measures/metrics/sampled_patterns.hpp"
@@ -8,6 +9,12 @@
 #include "engines/body_record.hpp"
 
 namespace rockstack {
+
+/// A table of results: its file's name, and flat rows with the same keys.
+struct ResultTable {
+  std::string file;
+  Json rows;
+};
 
 /// A cell of a table as text; empty where it is null.
 std::string cell_text(const Json& cell);

@@ -298,6 +298,7 @@ Json advice_json(const NamedScene& scene, const AdviceRequest& request, const Ad
                  const std::string& command) {
   Json json{{"title", scene.scene.title},
             {"headline", advice_sentences(request, advice, scene.scene.duration)},
+            {"tables", {"advice.csv"}},
             {"error", request.error},
             {"within", request.within},
             {"duration", scene.scene.duration},

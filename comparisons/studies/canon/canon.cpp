@@ -12,6 +12,7 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/statistics/fits.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/runs/execution/executor.hpp"
@@ -217,6 +218,26 @@ bool follows_law(const CanonAnswer& answer) {
   return answer.verdict == "agrees" || answer.verdict == "converges";
 }
 
+std::string canon_headline(const Suite& suite, const std::vector<CanonRow>& rows) {
+  std::vector<std::string> first;
+  std::ptrdiff_t most = 0;
+  for (const CanonRow& row : rows) {
+    const auto follows = std::ranges::count_if(row.answers, follows_law);
+    if (follows > most) first.clear();
+    most = std::max(most, follows);
+    if (follows == most) first.push_back(fmt::format("{} ({})", row.engine->full_name(), row.settings));
+  }
+  const auto scenes = std::ssize(suite.scenes);
+  if (most == 0)
+    return fmt::format("No set agrees with the exact solution, or converges to it, in any of {} scenes.",
+                       scenes);
+  const bool one = first.size() == 1;
+  return fmt::format(
+      "{} {} with the exact solution, or {} to it, in {} of {} scenes{}.", joined_up_to(3, first),
+      one ? "agrees" : "agree", one ? "converges" : "converge", most, scenes,
+      rows.size() == 1 || most == scenes ? "" : fmt::format("; none of {} sets in more", rows.size()));
+}
+
 std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, const std::string& command) {
   const auto scene_of = [](const NamedScene& scene) {
     return Json{{"name", scene.name}, {"title", scene.scene.title}, {"scene_file", scene.text}};
@@ -229,6 +250,7 @@ std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, co
                 {"answers", mapped(row.answers, answer_json)}};
   };
   const Json json{{"title", suite.title},
+                  {"headline", {canon_headline(suite, rows)}},
                   {"command", command},
                   {"steps", canon_steps},
                   {"agreement", canon_agreement},

@@ -77,6 +77,9 @@ CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const
 /// Whether an engine follows the law: it agrees or converges.
 bool follows_law(const CanonAnswer& answer);
 
+/// The sets that follow the law in most scenes.
+std::string canon_headline(const Suite& suite, const std::vector<CanonRow>& rows);
+
 /// canon.json and canon.csv.
 std::string canon_json(const Suite& suite, const std::vector<CanonRow>& rows, const std::string& command);
 std::string canon_csv(const std::vector<CanonRow>& rows);

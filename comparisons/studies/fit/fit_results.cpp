@@ -48,6 +48,18 @@ std::vector<std::string> residual_meaning(const Fit& fit, const Measurement& mea
   return list;
 }
 
+/// What was found, and what it means.
+std::vector<std::string> headline(const Fit& fit, const Measurement& measured) {
+  std::vector<std::string> list = mapped(fit.parameters, [](const FittedParameter& one) {
+    const std::string found = fmt::format("{} = {:.6g}", one.parameter.key, one.value);
+    return std::isinf(one.lower)
+               ? found + "."
+               : fmt::format("{}, with 95 % confidence from {:.6g} to {:.6g}.", found, one.lower, one.upper);
+  });
+  for (std::string& sentence : meaning(fit, measured)) list.push_back(std::move(sentence));
+  return list;
+}
+
 }  // namespace
 
 std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
@@ -78,6 +90,7 @@ std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
 Json fit_json(const std::string& title, const Measurement& measured, const Fit& fit,
               const std::string& command) {
   return {{"title", title},
+          {"headline", headline(fit, measured)},
           {"file", measured.file},
           {"columns", measured.columns},
           {"unit", measured.unit()},

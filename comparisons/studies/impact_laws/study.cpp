@@ -9,6 +9,7 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "rockstack_comparisons_texts.hpp"
 
 namespace rockstack {
@@ -105,24 +106,124 @@ Json case_json(const ImpactCase& question) {
           {"velocities", scene.initial.velocities}};
 }
 
+/// Engine runs together: which law's pattern they show, and how far their velocities are from either.
+struct EngineTally {
+  Json of;  ///< what they have in common
+  int consistent = 0, paper = 0, neither = 0, failed = 0;
+  std::vector<double> from_paper = {}, from_consistent = {};  ///< of those that did not fail
+
+  int runs() const { return consistent + paper + neither + failed; }
+
+  void add(const EngineVerdict& verdict) {
+    if (!verdict.failure.empty()) {
+      ++failed;
+      return;
+    }
+    ++(verdict.follows == "consistent" ? consistent : verdict.follows == "paper" ? paper : neither);
+    from_paper.push_back(verdict.from_paper);
+    from_consistent.push_back(verdict.from_consistent);
+  }
+
+  /// As a row of a table.
+  Json row() const {
+    Json row = of;
+    row.update({{"runs", runs()},
+                {"consistent", consistent},
+                {"paper", paper},
+                {"neither", neither},
+                {"failed", failed}});
+    const bool any = !from_paper.empty();
+    row["median_from_paper"] = any ? Json(median(from_paper)) : Json();
+    row["median_from_consistent"] = any ? Json(median(from_consistent)) : Json();
+    row["largest_from_consistent"] = any ? Json(std::ranges::max(from_consistent)) : Json();
+    return row;
+  }
+};
+
+/// Tallies of runs that have the same `of`, in order of appearance.
+template <class Of>
+std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases, const Of& of) {
+  std::vector<EngineTally> list;
+  for (const ImpactCase& question : cases)
+    for (const EngineVerdict& verdict : question.verdicts) {
+      const Json own = of(question, verdict);
+      found_or_added(list, [&](const EngineTally& known) { return known.of == own; }, {own}).add(verdict);
+    }
+  return list;
+}
+
+double percent(int part, int whole) {
+  return whole > 0 ? 100.0 * part / whole : 0;
+}
+
+Json kind_row(const ImpactShare& kind) {
+  return {{"blocks", kind.blocks},
+          {"kind", name(kind.kind)},
+          {"impacts", kind.impacts},
+          {"differ", kind.differ},
+          {"differ_percent", percent(kind.differ, kind.impacts)},
+          {"none", kind.none},
+          {"none_percent", percent(kind.none, kind.impacts)}};
+}
+
+Json pair_row(const Disagreement& found) {
+  return {{"kind", name(found.kind)},
+          {"paper", name(found.paper)},
+          {"consistent", name(found.consistent)},
+          {"count", found.count},
+          {"clearness", found.clearness}};
+}
+
+Json set_of(const ImpactCase&, const EngineVerdict& verdict) {
+  return {{"engine", verdict.engine},
+          {"solver", verdict.solver},
+          {"settings", verdict.settings},
+          {"dt", verdict.dt}};
+}
+
+/// A state by its name, and its top block: height over width, and mass over that of the block below.
+Json state_of(const ImpactCase& question, const EngineVerdict&) {
+  const std::vector<Block>& blocks = question.scene.blocks;
+  const Block &top = blocks.back(), &below = blocks.end()[-2];
+  return {{"case", question.name},
+          {"aspect_ratio", top.half_height / top.half_width},
+          {"mass_ratio", top.mass / below.mass}};
+}
+
+/// How often the laws differ for stacks of so many blocks, and after which kinds most.
+std::string stacks_sentence(int blocks, std::vector<ImpactShare> kinds) {
+  std::erase_if(kinds, [&](const ImpactShare& kind) { return kind.blocks != blocks; });
+  const std::size_t count = kinds.size();
+  int impacts = 0, differ = 0, none = 0;
+  for (const ImpactShare& kind : kinds) impacts += kind.impacts, differ += kind.differ, none += kind.none;
+  const auto share = [](const ImpactShare& kind) { return percent(kind.differ, kind.impacts); };
+  std::erase_if(kinds, [](const ImpactShare& kind) { return kind.differ == 0; });
+  std::ranges::stable_sort(kinds, std::greater(), share);
+  const auto words = mapped(kinds, [&](const ImpactShare& kind) {
+    return fmt::format("{} ({:.1f} %)", name(kind.kind), share(kind));
+  });
+  return fmt::format(
+      "Stacks of {} blocks: the laws have different patterns after {:.1f} % of {} impacts, in "
+      "{} of {}{}{}; after {:.1f} % no pattern is consistent.",
+      blocks, percent(differ, impacts), impacts, kinds.size(), counted(count, "kind"),
+      kinds.empty() ? "" : ", most often after ", joined_up_to(3, words), percent(none, impacts));
+}
+
 Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, const std::string& command) {
-  Json json{{"title", study.title}, {"study", "impact-laws"}, {"suite_file", study.text}};
+  Json json{{"title", study.title}, {"study", "impact-laws"}, {"headline", headline(study, results)}};
+  json["tables"] = mapped(tables(results), &ResultTable::file);
+  json["tables"].push_back("impact-laws-engines.csv");
+  json["suite_file"] = study.text;
   json["definitions"] = {{"impact-laws.csv", definitions(share_columns_txt)},
                          {"impact-laws-engines.csv", definitions(verdict_columns_txt)}};
-  json["disagreements"] = Json::array();
-  for (const Disagreement& found : results.laws.disagreements)
-    json["disagreements"].push_back({{"kind", name(found.kind)},
-                                     {"paper", name(found.paper)},
-                                     {"consistent", name(found.consistent)},
-                                     {"count", found.count},
-                                     {"clearness", found.clearness}});
+  json["disagreements"] = mapped(results.laws.disagreements, pair_row);
   json["cases"] = mapped(results.cases, case_json);
-  json["engines"] = Json::array();
-  for (const EngineSeries& series : study.engines.series)
-    json["engines"].push_back({{"engine", series.engine->name},
-                               {"solver", series.engine->solver},
-                               {"settings", series.settings},
-                               {"parameters", series.parameters}});
+  json["engines"] = mapped(study.engines.series, [](const EngineSeries& series) {
+    return Json{{"engine", series.engine->name},
+                {"solver", series.engine->solver},
+                {"settings", series.settings},
+                {"parameters", series.parameters}};
+  });
   json["left_out"] = study.engines.left_out;
   json["environment"] = environment(mapped(study.engines.series, &EngineSeries::engine));
   json["command"] = command;
@@ -168,21 +269,33 @@ std::vector<ImpactShare> shares_by_kind(const std::vector<ImpactShare>& shares) 
   return kinds;
 }
 
-std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases) {
-  std::vector<EngineTally> list;
-  for (const ImpactCase& question : cases) {
-    for (const EngineVerdict& verdict : question.verdicts) {
-      const std::string engine = fmt::format("{}:{} {}", verdict.engine, verdict.solver, verdict.settings);
-      const auto is = [&](const EngineTally& known) {
-        return known.engine == engine && known.dt == verdict.dt;
-      };
-      EngineTally& tally = found_or_added(list, is, {engine, verdict.dt});
-      ++(!verdict.failure.empty()          ? tally.failed
-         : verdict.follows == "consistent" ? tally.consistent
-         : verdict.follows == "paper"      ? tally.paper
-                                           : tally.neither);
-    }
+std::vector<std::string> headline(const ImpactLawStudy& study, const ImpactLawResults& results) {
+  std::vector<std::string> sentences;
+  if (const auto all = tallies(results.cases, [](const auto&...) { return Json(); }); !all.empty()) {
+    const EngineTally& runs = all.front();
+    std::ptrdiff_t nearer = 0;
+    for (std::size_t i = 0; i < runs.from_paper.size(); ++i)
+      nearer += static_cast<std::ptrdiff_t>(runs.from_consistent[i] < runs.from_paper[i]);
+    sentences.push_back(
+        fmt::format("Where the laws differ, in {}, engines take the pattern of law consistent in {} of {}, "
+                    "that of law paper in {}, and their velocities are nearer to law consistent's in {}.",
+                    counted(results.cases.size(), "state"), runs.consistent,
+                    counted(static_cast<std::size_t>(runs.runs()), "run"), runs.paper, nearer));
+  } else {
+    sentences.emplace_back("No engine was asked.");
   }
+  const std::vector<ImpactShare> kinds = shares_by_kind(results.laws.shares);
+  for (const int blocks : study.draws.blocks) sentences.push_back(stacks_sentence(blocks, kinds));
+  return sentences;
+}
+
+std::vector<ResultTable> tables(const ImpactLawResults& results) {
+  std::vector<ResultTable> list{
+      {"impact-laws-kinds.csv", mapped(shares_by_kind(results.laws.shares), kind_row)},
+      {"impact-laws-answers.csv", mapped(results.laws.disagreements, pair_row)},
+      {"impact-laws-sets.csv", mapped(tallies(results.cases, set_of), std::mem_fn(&EngineTally::row))},
+      {"impact-laws-states.csv", mapped(tallies(results.cases, state_of), std::mem_fn(&EngineTally::row))}};
+  std::erase_if(list, [](const ResultTable& one) { return one.rows.empty(); });
   return list;
 }
 
@@ -200,6 +313,7 @@ void write_results(const ImpactLawStudy& study, const ImpactLawResults& results,
                    const std::filesystem::path& folder, const std::string& command) {
   write_file(folder / "impact-laws.csv", shares_csv(results.laws.shares));
   write_file(folder / "impact-laws-engines.csv", verdicts_csv(results.cases));
+  for (const ResultTable& one : tables(results)) write_file(folder / one.file, csv_of(one.rows));
   write_file(folder / "impact-laws.json", results_json(study, results, command).dump(2) + "\n");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "comparisons/measures/results/tables.hpp"
 #include "comparisons/studies/impact_laws/laws.hpp"
 #include "comparisons/suites/suite.hpp"
 
@@ -64,19 +65,18 @@ ImpactLawResults run_study(const ImpactLawStudy& study);
 /// Each kind's impacts over the whole grid, and how many of them differ or have no pattern.
 std::vector<ImpactShare> shares_by_kind(const std::vector<ImpactShare>& shares);
 
-/// Over all cases, how often one engine at one time step shows which law's pattern.
-struct EngineTally {
-  std::string engine;  ///< with its solver
-  double dt = 0;       ///< s
-  int consistent = 0, paper = 0, neither = 0, failed = 0;
-};
+/// What the study comes to, in sentences.
+std::vector<std::string> headline(const ImpactLawStudy& study, const ImpactLawResults& results);
 
-std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases);
+/// How often the laws differ for each kind of impact; how often which pair of answers follows it; and for
+/// each engine, set and step, and each state that engines were asked, how many runs follow which law and how
+/// far they are from either.
+std::vector<ResultTable> tables(const ImpactLawResults& results);
 
 /// One row a cell and kind.
 std::string shares_csv(const std::vector<ImpactShare>& shares);
 
-/// Writes impact-laws.csv, impact-laws-engines.csv and impact-laws.json into a folder.
+/// Writes impact-laws.csv, impact-laws-engines.csv, tables() and impact-laws.json into a folder.
 /// @throws std::runtime_error where a file cannot be written.
 void write_results(const ImpactLawStudy& study, const ImpactLawResults& results,
                    const std::filesystem::path& folder, const std::string& command);

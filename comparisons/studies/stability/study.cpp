@@ -4,8 +4,10 @@
 
 #include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -155,6 +157,33 @@ std::string stability_csv(const std::vector<StabilityRun>& rows) {
   return csv.text();
 }
 
+/// "3 are sound", for each verdict that there is.
+std::string verdicts_sentence(const std::vector<StabilityRun>& rows) {
+  std::map<Soundness, std::size_t> counts;
+  std::size_t all = 0;
+  for (const StabilityRun& run : rows)
+    if (run.row.dt) ++counts[run.verdict.soundness], ++all;
+  const auto parts = mapped(counts, [](const auto& one) {
+    return fmt::format("{} {} {}", one.second, one.second == 1 ? "is" : "are", name(one.first));
+  });
+  return fmt::format("Of {} {}.", counted(all, "engine run"), joined(parts));
+}
+
+/// The largest stable step of each set along the axis.
+std::vector<std::string> steps_sentences(const std::vector<LargestSteps>& list, const std::string& axis) {
+  std::map<std::string, std::vector<double>> sets;
+  for (const LargestSteps& one : list)
+    sets[fmt::format("{} {}, {}", one.engine, one.solver, one.settings)].push_back(one.stable);
+  const auto words = [](double step) { return step > 0 ? quantity_text(step, "s") : std::string("none"); };
+  return mapped(sets, [&](const auto& set) {
+    const auto [least, most] = std::ranges::minmax(set.second);
+    return fmt::format("{}: the largest stable step is {} {} values of {}.", set.first,
+                       least == most ? words(least) + " at all"
+                                     : fmt::format("between {} and {} over", words(least), words(most)),
+                       set.second.size(), axis);
+  });
+}
+
 std::string steps_csv(const std::vector<LargestSteps>& list) {
   CsvWriter csv;
   csv.line("engine", "solver", "settings", "value", "largest_sound_step", "largest_stable_step");
@@ -277,11 +306,19 @@ std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::
         {row, place(study, row), judge_stability(row, part_named(study.suite.scenes, row.scene).scene)});
     rows.back().row.settings = settings_of(study, row.settings);
   }
+  const std::vector<LargestSteps> steps = largest_steps(rows);
   write_file(folder / "stability.csv", stability_csv(rows));
-  write_file(folder / "steps.csv", steps_csv(largest_steps(rows)));
-  const Json json{{"title", study.suite.title},        {"axis", study.axis.name},
-                  {"parameter", study.axis.parameter}, {"limits", limits_json()},
-                  {"study_file", study.text},          {"command", options.command}};
+  write_file(folder / "steps.csv", steps_csv(steps));
+  std::vector<std::string> headline = steps_sentences(steps, study.axis.name);
+  headline.insert(headline.begin(), verdicts_sentence(rows));
+  const Json json{{"title", study.suite.title},
+                  {"headline", headline},
+                  {"tables", {"steps.csv", "stability.csv"}},
+                  {"axis", study.axis.name},
+                  {"parameter", study.axis.parameter},
+                  {"limits", limits_json()},
+                  {"study_file", study.text},
+                  {"command", options.command}};
   write_file(folder / "stability.json", json.dump(2) + "\n");
   return rows;
 }

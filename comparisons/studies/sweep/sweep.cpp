@@ -59,6 +59,7 @@ std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ens
 Json description(const Ensemble& ensemble, const std::vector<std::string>& headline, const CutShort& cut) {
   Json json{{"title", ensemble.title},
             {"headline", headline},
+            {"tables", {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"}},
             {"cut_short", cut.runs},
             {"runs", run_count(ensemble)},
             {"tolerance", ensemble.tolerance},

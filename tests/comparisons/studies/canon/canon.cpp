@@ -238,6 +238,34 @@ TEST(Canon, SpringsThatSinkAreAnotherLawInEveryScene) {
   }
 }
 
+// Rows of three scenes, by their verdicts.
+TEST(Canon, TheHeadlineNamesTheSetsThatFollowTheLawInTheMostScenes) {
+  const std::vector<std::string> names{"own:s0", "own:s1", "own:s2"};
+  std::vector<WorkerEngine> engines(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    engines[i].name = "own", engines[i].solver = names[i].substr(4);
+  Suite suite;
+  suite.scenes.resize(3);
+  const auto said = [&](const std::vector<std::vector<std::string>>& sets) {
+    std::vector<CanonRow> rows;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      rows.push_back({&engines[i], "tuned", {}});
+      for (const std::string& verdict : sets[i]) rows.back().answers.push_back({"scene", {}, verdict, ""});
+    }
+    return canon_headline(suite, rows);
+  };
+  EXPECT_EQ(said({{"agrees", "another law", "cannot tell"},
+                  {"agrees", "converges", "another law"},
+                  {"no run", "no run", "agrees"}}),
+            "own:s1 (tuned) agrees with the exact solution, or converges to it, in 2 of 3 scenes; none of "
+            "3 sets in more.");
+  EXPECT_EQ(said({{"agrees", "converges", "agrees"}, {"converges", "converges", "agrees"}}),
+            "own:s0 (tuned) and own:s1 (tuned) agree with the exact solution, or converge to it, in 3 of 3 "
+            "scenes.");
+  EXPECT_EQ(said({{"another law", "cannot tell", "no run"}}),
+            "No set agrees with the exact solution, or converges to it, in any of 3 scenes.");
+}
+
 // What lies still is never late; where something moves at its fastest for a while, 5 ms are 5 ms at any step.
 TEST(Canon, WhatIsLateBySoMuchAtAnyStepIsAnotherLaw) {
   int moving = 0;

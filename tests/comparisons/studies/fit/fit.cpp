@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
@@ -200,6 +201,12 @@ column = "angle"
         std::vector<std::string>{fmt::format(
             "The fitted motion is the test's to rounding, over {} readings up to {} s: bounds are of rounding.",
             100 * seconds + 1, seconds)});
+    const Json headline = fit_json("A block", test.measured, found, "").at("headline");
+    ASSERT_EQ(headline.size(), 3U);  // a sentence a parameter, and what they mean
+    const FittedParameter& one = found.parameters[0];
+    EXPECT_EQ(headline.at(0),
+              fmt::format("restitution.1 = {:.6g}, with 95 % confidence from {:.6g} to {:.6g}.", one.value,
+                          one.lower, one.upper));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "comparisons/studies/impact_laws/laws.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,6 +54,63 @@ TEST(ImpactLaws, CountsAddUp) {
   EXPECT_GT(differ, 0);
   for (const Disagreement& found : laws.disagreements) differ -= found.count;
   EXPECT_EQ(differ, 0);
+}
+
+/// One state and kind with made-up counts, and four runs: two follow law consistent, one law paper, one
+/// fails.
+ImpactLawResults made_up_results() {
+  const ImpactKind kind = impact_kinds(2).front();
+  Disagreement found{kind, kind.before, kind.before, 50, 0.5, {}};
+  ImpactCase state{.name = "state", .disagreement = found, .scene = {}};
+  state.scene.blocks = {make_block(2, 1, 1), make_block(1, 3, 1)};
+  const auto run = [](const char* solver, double dt, const char* follows, double paper, double consistent) {
+    EngineVerdict verdict{"ode", solver, "tuned", dt};
+    verdict.follows = follows;
+    verdict.from_paper = paper;
+    verdict.from_consistent = consistent;
+    if (verdict.follows.empty()) verdict.failure = "it stopped";
+    return verdict;
+  };
+  state.verdicts = {run("step", 1e-3, "consistent", 0.5, 0.02), run("step", 1e-4, "consistent", 0.5, 0.01),
+                    run("quickstep", 1e-3, "paper", 0.03, 0.6), run("quickstep", 1e-3, "", 0, 0)};
+  ImpactShare low{.blocks = 2, .kind = kind, .drawn = 100, .impacts = 100, .differ = 40, .none = 0};
+  ImpactShare high{.blocks = 2, .kind = kind, .drawn = 100, .impacts = 100, .differ = 10, .none = 4};
+  return {{{low, high}, {found}}, {state}};
+}
+
+TEST(ImpactLaws, TheHeadlineCountsRunsAndImpacts) {
+  ImpactLawStudy study;
+  study.draws.blocks = {2};
+  EXPECT_EQ(
+      headline(study, made_up_results()),
+      (std::vector<std::string>{
+          "Where the laws differ, in 1 state, engines take the pattern of law consistent in 2 of 4 runs, "
+          "that of law paper in 1, and their velocities are nearer to law consistent's in 2.",
+          fmt::format("Stacks of 2 blocks: the laws have different patterns after 25.0 % of 200 impacts, "
+                      "in 1 of 1 kind, most often after {} (25.0 %); after 2.0 % no pattern is "
+                      "consistent.",
+                      name(impact_kinds(2).front()))}));
+  ImpactLawResults alone = made_up_results();
+  alone.cases.clear();
+  EXPECT_EQ(headline(study, alone).front(), "No engine was asked.");
+}
+
+TEST(ImpactLaws, TablesCountRunsByStateAndBySetAndStep) {
+  const std::vector<ResultTable> list = tables(made_up_results());
+  ASSERT_EQ(list.size(), 4U);
+  EXPECT_EQ(list[0].rows.at(0).at("differ"), 50);
+  EXPECT_EQ(list[1].rows.at(0).at("count"), 50);
+  const Json& sets = list[2].rows;
+  ASSERT_EQ(sets.size(), 3U);
+  EXPECT_EQ(sets.at(2).at("solver"), "quickstep");
+  EXPECT_EQ(sets.at(2).at("runs"), 2);
+  EXPECT_EQ(sets.at(2).at("failed"), 1);
+  EXPECT_EQ(sets.at(2).at("largest_from_consistent"), 0.6);
+  const Json& states = list[3].rows;
+  ASSERT_EQ(states.size(), 1U);
+  EXPECT_EQ(states.at(0).at("aspect_ratio"), 3);
+  EXPECT_EQ(states.at(0).at("mass_ratio"), 1.5);
+  EXPECT_EQ(states.at(0).at("median_from_consistent"), 0.02);
 }
 
 // The velocities after are the nearest point of a convex cone to those before; see

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -159,6 +160,16 @@ TEST(StabilityStudies, VaryKeysOfASceneAndGiveEachRunAVerdict) {
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[1].value, 1);
   EXPECT_EQ(read_table(folder.path() / "stability.csv").rows.size(), 2U);
+}
+
+TEST(StabilityStudies, BeginWithHowManyRunsAreSoundAndTheLargestStableSteps) {
+  const TemporaryFolder folder;
+  folder.write("block.toml", block_toml);
+  const auto file = folder.write("study.toml", "rk4 = [0.001]\n" + study_toml("[0.5, 1]"));
+  run_stability(read_stability_study(file, {}), folder.path(), *make_threads(1), {});
+  const Json json = read_json(folder.path() / "stability.json");
+  EXPECT_EQ(json.at("headline"), (Json{"Of 2 engine runs 2 are sound.",
+                                       "rk4 , : the largest stable step is 1 ms at all 2 values of width."}));
 }
 
 TEST(StabilityStudies, StackTheTopBlockAsOftenAsAskedFor) {
