@@ -29,6 +29,7 @@ constexpr std::array kinds{Kind{"course.json", "", write_course},
                            Kind{"stability.json", "Stability: "},
                            Kind{"sweep.json"},
                            Kind{"impact-laws.json"},
+                           Kind{"checks.json"},
                            Kind{"diff.json"}};
 
 const Kind* kind_of(const fs::path& results) {

@@ -4,16 +4,37 @@
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/tables.hpp"
+#include "comparisons/studies/canon/canon.hpp"
+#include "comparisons/suites/shipped.hpp"
 #include "engines/conformance/check.hpp"
 
 namespace rockstack {
 namespace {
 
 struct CheckEngineArguments {
-  std::string engine;
+  std::vector<std::string> engines;  ///< empty: all
   std::vector<std::string> settings{"default", "tuned"};
-  std::vector<std::string> checks;  ///< their names; empty: all
+  std::vector<std::string> checks;  ///< names of checks, or of the canon's scenes; empty: all
+  bool canon = false;               ///< the long form: the canon's scenes in the place of the checks
+  std::filesystem::path out;        ///< empty: nothing is written
 };
+
+/// Those of some names, or all. @throws InputError naming all for another name.
+template <class List, class Name>
+List chosen_from(List list, const std::vector<std::string>& names, const Name& name_of) {
+  const auto there = mapped(list, [&](const auto& one) { return std::string(name_of(one)); });
+  const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
+    return std::ranges::find(all, name) != all.end();
+  };
+  for (const std::string& name : names)
+    if (!is_in(there, name))
+      throw InputError(fmt::format("--check {}: must be one of {}{}", name, fmt::join(there, ", "),
+                                   did_you_mean(name, there)));
+  if (!names.empty()) std::erase_if(list, [&](const auto& one) { return !is_in(names, name_of(one)); });
+  return list;
+}
 
 /// What became of a check.
 struct Finding {
@@ -56,21 +77,6 @@ Finding judge(const WorkerEngine& engine, const std::string& settings, const Che
   finding.verdict = "known limit";
   finding.what = limit;
   return finding;
-}
-
-/// Those of some names, or all. @throws InputError naming all for another name.
-std::vector<Check> checks_named(const std::vector<std::string>& names) {
-  std::vector<Check> list = checks();
-  const auto there = mapped(list, [](const Check& check) { return std::string(check.name); });
-  const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
-    return std::ranges::find(all, name) != all.end();
-  };
-  for (const std::string& name : names)
-    if (!is_in(there, name))
-      throw InputError(fmt::format("--check {}: must be one of {}{}", name, fmt::join(there, ", "),
-                                   did_you_mean(name, there)));
-  if (!names.empty()) std::erase_if(list, [&](const Check& check) { return !is_in(names, check.name); });
-  return list;
 }
 
 /// The finest step and the longest scene that come with the program: 0.1 ms and 25 s.
@@ -128,7 +134,7 @@ void print_capabilities(const Json& able) {
       quantity_text(able["processor_time"].get<double>(), "s"), slowness(able["step_time"].get<double>()));
 }
 
-void print(const Finding& finding) {
+void print_finding(const Finding& finding) {
   const std::string numbers = std::isnan(finding.value)
                                   ? std::string(24, ' ')
                                   : fmt::format("{:>10.3g} of {:<10.3g}", finding.value, finding.limit);
@@ -137,62 +143,160 @@ void print(const Finding& finding) {
   std::fflush(stdout);
 }
 
+bool is_broken(const Finding& finding) {
+  return finding.verdict == "fails" || finding.verdict == "no run";
+}
+
 Json to_json(const Finding& finding) {
   return {{"engine", finding.engine},   {"settings", finding.settings}, {"check", finding.check},
           {"verdict", finding.verdict}, {"value", finding.value},       {"limit", finding.limit},
           {"what", finding.what},       {"warnings", finding.warnings}};
 }
 
-int run_check_engine(const CheckEngineArguments& arguments, const Common& common) {
-  refuse_overrides(common, "its scenes are its own");
-  Json report{{"engines", Json::array()}, {"checks", Json::array()}};
-  std::size_t broken = 0, count = 0;
-  const std::vector<Check> chosen = checks_named(arguments.checks);
-  const std::vector<std::string>& sets = arguments.settings;
-  const auto tell = [&](const Finding& finding) {
-    ++count;
-    if (finding.verdict == "fails" || finding.verdict == "no run") ++broken;
-    if (common.prints_text()) print(finding);
-    report["checks"].push_back(to_json(finding));
-  };
-  for (const WorkerEngine* engine : engines_named(arguments.engine)) {
-    try {
-      report["engines"].push_back(capabilities_json(*engine, sets.front()));
-    } catch (const std::exception& error) {
-      tell({engine->full_name(), sets.front(), "FirstRun", error.what()});
-      continue;
-    }
-    if (common.prints_text()) print_capabilities(report["engines"].back());
-    for (const std::string& settings : sets) {
-      // What no check can be held to is not run, unless checks are named.
-      const std::string beyond =
-          arguments.checks.empty() ? known_limit(engine->name, engine->solver, settings, "*") : "";
-      if (!beyond.empty()) {
-        tell({engine->full_name(), settings, "all", beyond, "known limit"});
-        continue;
-      }
-      for (const Check& check : chosen) tell(judge(*engine, settings, check));
-    }
+/// "24 checks hold", or how many do not, and the first.
+std::string headline(const std::vector<Finding>& findings) {
+  const auto broken = std::ranges::count_if(findings, is_broken);
+  const auto first = std::ranges::find_if(findings, is_broken);
+  if (first == findings.end()) return fmt::format("0 of {} checks do not hold", findings.size());
+  return fmt::format("{} of {} checks do not hold; the first: {} of {}, {}", broken, findings.size(),
+                     first->check, first->engine, first->settings);
+}
+
+/// An engine under its parameter sets, each finding told as it comes; returns what the engine says of itself.
+Json check_sets(const WorkerEngine& engine, const CheckEngineArguments& arguments,
+                const std::vector<Check>& chosen, const Common& common,
+                const std::function<void(const Finding&)>& tell) {
+  Json able;
+  try {
+    able = capabilities_json(engine, arguments.settings.front());
+  } catch (const std::exception& error) {
+    tell({engine.full_name(), arguments.settings.front(), "FirstRun", error.what()});
+    return able;
   }
+  if (common.prints_text()) print_capabilities(able);
+  for (const std::string& settings : arguments.settings) {
+    // What no check can be held to is not run, unless checks are named.
+    const std::string beyond =
+        arguments.checks.empty() ? known_limit(engine.name, engine.solver, settings, "*") : "";
+    if (!beyond.empty())
+      tell({engine.full_name(), settings, "all", beyond, "known limit"});
+    else
+      for (const Check& check : chosen) tell(judge(engine, settings, check));
+  }
+  return able;
+}
+
+/// The short form: some twenty laws.
+int check_laws(const CheckEngineArguments& arguments, const Common& common) {
+  refuse_overrides(common, "its scenes are its own");
+  const std::vector<Check> chosen = chosen_from(checks(), arguments.checks, std::mem_fn(&Check::name));
+  std::optional<ResultsFolder> folder;
+  if (!arguments.out.empty()) folder.emplace(arguments.out, Results::canon);
+  Json report{{"engines", Json::array()}};
+  std::vector<Finding> findings;
+  for (const WorkerEngine* engine : engines_named(arguments.engines, [] { return engines(); })) {
+    Json able = check_sets(*engine, arguments, chosen, common, [&](const Finding& finding) {
+      findings.push_back(finding);
+      if (common.prints_text()) print_finding(finding);
+    });
+    if (!able.is_null()) report["engines"].push_back(std::move(able));
+  }
+  const auto broken = std::ranges::count_if(findings, is_broken);
+  report["checks"] = mapped(findings, to_json);
   report["broken"] = broken;
-  if (print_json(report, common)) fmt::print("{} of {} checks do not hold\n", broken, count);
+  if (print_json(report, common)) fmt::print("{}\n", headline(findings));
+  if (arguments.out.empty()) return broken == 0 ? 0 : 1;
+  report.update({{"title", "Which laws an engine follows"},
+                 {"headline", headline(findings) + "."},
+                 {"tables", {"checks.csv"}},
+                 {"command", common.command}});
+  write_file(arguments.out / "checks.csv", csv_of(report["checks"]));
+  write_file(arguments.out / "checks.json", report.dump(2) + "\n");
+  show_report(arguments.out, common);
   return broken == 0 ? 0 : 1;
 }
 
+void print_answer(const CanonRow& row, const CanonAnswer& answer) {
+  fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
+             answer.verdict, answer.reason);
+  std::fflush(stdout);
+}
+
+/// The long form: the canon's scenes at five steps.
+int run_canon(const CheckEngineArguments& arguments, const Common& common) {
+  Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
+  suite.scenes = chosen_from(suite.scenes, arguments.checks, std::mem_fn(&NamedScene::name));
+  const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
+  const ResultsFolder folder(arguments.out, Results::canon);
+  if (common.prints_text())
+    fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
+               "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
+  const auto show = progress(common);
+  const std::size_t total = asked.size() * arguments.settings.size() * suite.scenes.size();
+  std::size_t done = 0, off = 0;
+  std::vector<CanonRow> rows;
+  for (const WorkerEngine* engine : asked) {
+    for (const std::string& settings : arguments.settings) {
+      CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
+      for (const NamedScene& scene : suite.scenes) {
+        const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
+        show({done++, total, "", what, {}});
+        row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
+        if (!follows_law(row.answers.back())) ++off;
+        clear_progress(common);
+        if (common.prints_text()) print_answer(row, row.answers.back());
+      }
+    }
+  }
+  const std::string json = canon_json(suite, rows, common.command);
+  write_file(arguments.out / "canon.csv", canon_csv(rows));
+  write_file(arguments.out / "canon.json", json);
+  if (common.json) fmt::print("{}", json);
+  show_report(arguments.out, common);
+  if (common.prints_text())
+    fmt::print("{}\n{} of {} answers neither agree nor converge{}\n", canon_headline(suite, rows), off, total,
+               off > 0 ? ": exit code 1" : "");
+  return off == 0 ? 0 : 1;
+}
+
+int run_check_engine(const CheckEngineArguments& arguments, const Common& common) {
+  if (!arguments.canon) return check_laws(arguments, common);
+  CheckEngineArguments asked = arguments;
+  if (asked.out.empty())
+    asked.out = default_results("canon", asked.engines.empty() ? "all" : asked.engines.front());
+  return run_canon(asked, common);
+}
+
 void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
-  command
-      .add_option("engine", arguments.engine,
-                  "worker program, e.g. ./my_engine.py, or a name from `rockstack list engines`")
-      ->required();
+  command.add_option(
+      "engines", arguments.engines,
+      "worker programs, e.g. ./my_engine.py, or names from `rockstack list engines`; left out: all");
   add_settings(command, arguments.settings);
-  command.add_option("--check", arguments.checks, "names of checks; left out: all")->delimiter(',');
+  command.add_option("--check", arguments.checks, "names of checks, or of the canon's scenes; left out: all")
+      ->delimiter(',');
+  command.add_flag("--canon", arguments.canon,
+                   "the long form: sixteen scenes with closed forms at five steps, for which law is it?");
+  command.add_option(
+      "--out", arguments.out,
+      "folder for results, where a canon that was stopped goes on; left out: none are written, of "
+      "a canon rockstack-results/canon-ENGINE");
+}
+
+void add_canon(CLI::App& command, CheckEngineArguments& arguments) {
+  add_check_engine(command, arguments);
+  arguments.canon = true;
 }
 
 }  // namespace
 
 Command check_engine_command() {
-  return make_command("check-engine", "hold an engine to the laws that every engine must follow",
+  return make_command("check-engine", "hold engines to the laws that every engine must follow",
                       add_check_engine, run_check_engine);
+}
+
+Command canon_command() {
+  return make_command("canon", "check-engine --canon: which law of contact does an engine follow?", add_canon,
+                      run_check_engine);
 }
 
 }  // namespace rockstack

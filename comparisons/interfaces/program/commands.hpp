@@ -120,6 +120,9 @@ inline constexpr const char* scene_help = "scene file, or a name from `rockstack
 /// One of some words; of what is none of them the nearest is named.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
+/// The folder for results where none is given.
+std::filesystem::path default_results(const std::string& command, const std::filesystem::path& input);
+
 /// The folder for results; where none is given, its name is of the command and its input. `more`: what else
 /// there is to say of it.
 void add_results(CLI::App& command, std::filesystem::path& out, std::function<std::string()> input,

@@ -14,17 +14,20 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return {check, listed.get_description()};
 }
 
+std::filesystem::path default_results(const std::string& command, const std::filesystem::path& input) {
+  return std::filesystem::path("rockstack-results") / folder_name(command + "-" + input.stem().string());
+}
+
 void add_results(CLI::App& command, std::filesystem::path& out, std::function<std::string()> input,
                  const char* more) {
   const std::string name = command.get_name();
   command
-      .add_option("--out", out,
-                  fmt::format("folder for results{}; left out: {}/{}-INPUT", more, "rockstack-results", name))
+      .add_option(
+          "--out", out,
+          fmt::format("folder for results{}; left out: {}", more, default_results(name, "INPUT").string()))
       ->check([](const std::string& text) { return std::string(text.empty() ? "must be a folder" : ""); });
   command.parse_complete_callback([name, &out, input = std::move(input)] {
-    if (out.empty())
-      out = std::filesystem::path("rockstack-results") /
-            folder_name(name + "-" + std::filesystem::path(input()).stem().string());
+    if (out.empty()) out = default_results(name, input());
   });
 }
 

@@ -62,7 +62,7 @@ constexpr Kind kinds[]{
       "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}},
     {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
     {"results held together", {"diff.json", "diff.csv", "report.html"}},
-    {"a canon", {"canon.json", "canon.csv", "report.html"}},
+    {"a canon", {"canon.json", "canon.csv", "checks.json", "checks.csv", "report.html"}},
     {"a course", {"index.html", "glossary.html", "course.json"}},
     {"problem sheets", {}},
     {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},

@@ -67,6 +67,7 @@ TEST(StudyPage, EveryStudyHasItsTitleItsHeadlineTheTablesThatItNamesAndItsComman
                                     {"fit.json", "Fit: a &lt;b&gt;"},
                                     {"advice.json", "Advice: a &lt;b&gt;"},
                                     {"impact-laws.json", "a &lt;b&gt;"},
+                                    {"checks.json", "a &lt;b&gt;"},
                                     {"diff.json", "a &lt;b&gt;"}}) {
     const fs::path folder = testing::fresh_folder();
     put(folder / file,
