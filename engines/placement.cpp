@@ -108,7 +108,7 @@ std::vector<Placement> place(const Scene& scene) {
   std::vector<Placement> placements;
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
     const Block& block = scene.blocks[static_cast<std::size_t>(k)];
-    const double depth = scene.engine.depth;
+    const double depth = scene.depth;
     placements.push_back({.x = mover.at(0, k),
                           .y = mover.at(1, k),
                           .velocity_x = mover.rate(0, k),

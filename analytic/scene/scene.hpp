@@ -115,12 +115,6 @@ struct CornerSprings {
   bool operator==(const CornerSprings&) const = default;
 };
 
-/// What engines need and the exact model does not.
-struct EngineSurface {
-  double friction = 1e3;  ///< coefficient between any two surfaces, > 0
-  double depth = 1.0;     ///< size out of the plane, m, > 0
-};
-
 /// One question: a stack of blocks, how it starts, how the ground moves, and for how long. SI units.
 struct Scene {
   std::string title;
@@ -136,7 +130,7 @@ struct Scene {
   /// impacts, and all without it, have the ratio of the law.
   std::vector<double> restitution = {};
   std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
-  /// Coulomb's coefficient of each interface, upwards, 0 … largest_friction; none: engine.friction.
+  /// Coulomb's coefficient of each interface, upwards, 0 … largest_friction; none: largest_friction.
   std::vector<double> friction = {};
   double point_restitution = 0;  ///< coefficient e of all contact points, 0 … 1; law `unilateral` alone
   RestitutionLaw restitution_law = RestitutionLaw::newton;  ///< of that coefficient
@@ -144,7 +138,7 @@ struct Scene {
   InitialState initial;
   GroundMotion horizontal;  ///< ẍg, positive to the right
   GroundMotion vertical;    ///< ÿg, positive up
-  EngineSurface engine;
+  double depth = 1;         ///< size of blocks out of the plane, which engines need, m, > 0
 };
 
 /// More friction than this is not told from it.
@@ -157,8 +151,7 @@ inline bool leaves_pivots(Law law) {
 
 /// Coulomb's coefficient of each interface, from the ground up.
 inline std::vector<double> friction_of(const Scene& scene) {
-  return scene.friction.empty() ? std::vector<double>(scene.blocks.size(), scene.engine.friction)
-                                : scene.friction;
+  return scene.friction.empty() ? std::vector<double>(scene.blocks.size(), largest_friction) : scene.friction;
 }
 
 /// Gravity in the ground's axes, along it to the right and across it downwards, m/s².

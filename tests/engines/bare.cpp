@@ -19,11 +19,11 @@ std::string bare_question(const WorkerEngine& engine, const Scene& scene, double
                           const Parameters& parameters) {
   const Setup setup = set_up(scene, step, parameters);
   const double mass = parameters.count("unitMass") != 0 ? mass_factor(setup, parameters) : 1;
-  double reach = scene.engine.depth;
+  double reach = scene.depth;
   for (const Block& block : scene.blocks) reach += 2 * (block.half_width + block.half_height);
   const double steps = std::floor(scene.duration / step + 1e-9);
   std::string text = fmt::format("solver {} gravity {} friction {} dt {} steps {}\n", engine.solver,
-                                 scene.gravity, scene.engine.friction, step, steps);
+                                 scene.gravity, friction_of(scene).front(), step, steps);
   if (engine.name != "ode") text += fmt::format("reach {}\n", 10 * reach);
   for (const Placement& block : setup.blocks) {
     text += fmt::format("block {} {} {} {} {} {} {} {} {} {}\n", block.width, block.height, block.depth,

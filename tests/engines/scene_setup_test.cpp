@@ -30,7 +30,7 @@ Scene leaning_stack() {
   scene.duration = 1;
   scene.blocks = {make_block(1.25, 1.25, 2500), make_block(1, 2.5, 2500)};
   scene.initial = {{0.1, -0.05}, {0.2, 0.3}};
-  scene.engine.depth = 2;
+  scene.depth = 2;
   return scene;
 }
 

@@ -174,7 +174,7 @@ TEST(Contacts, ShowFrictionAboveItsCone) {
   constexpr double push = 0.5, friction = 0.3;
   Scene scene = stack(1, 0.3);
   scene.blocks = {make_block(2, 1, 2500)};
-  scene.engine.friction = friction;
+  scene.friction.assign(scene.blocks.size(), friction);
   scene.horizontal.pulse = Pulse{PulseShape::rectangle, push * scene.gravity, 1, 0, 1, 0};
   for (const auto& engine : linked_engines()) {
     Parameters parameters = engine->tuned_parameters();

@@ -24,7 +24,6 @@ const InputKey* key_of_blocks(std::string_view name) {
 double standard_entry(const InputKey& key) {
   std::string_view default_value = key.default_value;
   if (default_value.starts_with("all ")) default_value.remove_prefix(4);
-  if (default_value == "that of [engine]") default_value = surface_keys.keys.begin()->default_value;
   double value = std::numeric_limits<double>::quiet_NaN();
   std::from_chars(default_value.data(), default_value.data() + default_value.size(), value);
   return value;

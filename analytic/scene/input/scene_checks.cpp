@@ -177,7 +177,7 @@ void validate(const Scene& scene) {
   validate(scene.horizontal, "ground.horizontal");
   validate(scene.vertical, "ground.vertical");
   validate_duration(scene);
-  require_ranges("engine.", surface_keys, scene.engine);
+  require_ranges("engine.", surface_keys, scene);
 }
 
 void validate(const SolveOptions& options) {

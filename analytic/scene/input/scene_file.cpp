@@ -124,18 +124,16 @@ void read_contact(const Node& root, Scene& scene) {
                       "left out where contact.restitution is, whose law it is");
 }
 
-EngineSurface read_engine(const Node& root) {
-  EngineSurface surface;
+void read_engine(const Node& root, Scene& scene) {
   const Node* table = find(root, "engine");
-  if (table == nullptr) return surface;
-  read_members(*table, surface_keys, surface);
+  if (table == nullptr) return;
   const Node* contact = find(root, "contact");
   const Node* friction = find(*table, "friction");
   const Node* of_contacts = contact == nullptr ? nullptr : find(*contact, "friction");
   if (friction != nullptr && of_contacts != nullptr)
     throw wrong_value(*friction, "left out where contact.friction is given (" + of_contacts->place +
                                      "), which engines take too");
-  return surface;
+  read_members(*table, surface_keys, scene);
 }
 
 Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
@@ -148,7 +146,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.initial = read_initial(root, scene.blocks.size());
   read_ground(document, library, scene);
   read_contact(root, scene);
-  scene.engine = read_engine(root);
+  read_engine(root, scene);
   return scene;
 }
 

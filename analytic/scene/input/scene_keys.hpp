@@ -85,7 +85,7 @@ inline const KeysOf<InitialState> initial_keys{
 inline const KeysOf<Scene> contact_keys{
     "[contact]",
     "how blocks touch",
-    {{{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "that of [engine]",
+    {{{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "1000",
        "Coulomb's coefficient of the interface under each block, in laws \"unilateral\" and "
        "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to"},
       [](const Node& node, Scene& scene) { scene.friction = each_interface(node, scene); }},
@@ -199,12 +199,15 @@ inline const KeysOf<SyntheticMotion> synthetic_keys{
      {"damping", "0.6", "", by_itself("> 0, up to 1"), "of the ground layer, as a fraction of critical",
       &SyntheticMotion::damping}}};
 
-inline const KeysOf<EngineSurface> surface_keys{
+inline const KeysOf<Scene> surface_keys{
     "[engine]",
     "what engines need and the exact solver does not",
-    {{"friction", "1000.0", "", above_zero,
-      "coefficient between any two surfaces; not beside contact.friction", &EngineSurface::friction},
-     {"depth", "1.0", "m", above_zero, "of the blocks, out of the plane", &EngineSurface::depth}}};
+    {{{"friction", "1000.0", "", "> 0; above 1000 as 1000", "1000",
+       "the older name of contact.friction, of all interfaces; not beside it"},
+      [](const Node& node, Scene& scene) {
+        scene.friction.assign(scene.blocks.size(), std::min(number_above_zero(node), largest_friction));
+      }},
+     {"depth", "1.0", "m", above_zero, "of the blocks, out of the plane", &Scene::depth}}};
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
 inline constexpr std::initializer_list<const KeyTable*> scene_tables{

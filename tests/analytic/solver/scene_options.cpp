@@ -209,7 +209,7 @@ TEST(Inclination, ASlabLiesOnARampThatIsSteeperThanItsDiagonalLeaves) {
 TEST(Demands, TellWhenTheyFirstPassWhatTheSceneHas) {
   Scene scene = testing::released({testing::block(0.5, 2)}, {0}, 1.2);
   scene.horizontal = {2, {0, 5}};
-  scene.engine.friction = 0.2;
+  scene.friction.assign(scene.blocks.size(), 0.2);
   const Demand demand = solve(scene, {.validity = true}).forces[0];
   EXPECT_NEAR(demand.first_slip_time, 0.2 * scene.gravity / 2.5, 1e-12);
   EXPECT_GT(demand.friction_time, demand.first_slip_time);

@@ -23,7 +23,7 @@ double impact(const Engine& engine, const Parameters& parameters, double r, doub
   scene.gravity = 1e-9;
   scene.blocks = {make_block(1, r, 1000)};
   scene.initial = {{1e-9}, {-1}};
-  scene.engine.friction = friction;
+  scene.friction.assign(scene.blocks.size(), friction);
   const auto simulation = start(engine, scene, dt, parameters);
   double velocity = -1;
   for (int step = 0; step < 8 && velocity < -0.999; ++step) {
@@ -123,7 +123,7 @@ TEST(Contacts, LemkesFrictionIsACoefficientInNewtonSeconds) {
     scene.gravity = gravity;
     scene.blocks = {make_block(4, 0.5, 0.5 * mass)};
     scene.initial = {{0}, {0}};
-    scene.engine.friction = friction;
+    scene.friction.assign(scene.blocks.size(), friction);
     scene.horizontal.pulse = Pulse{PulseShape::rectangle, pull, 1, 0, 1, 0};
     std::vector<double> impulses;
     for (const Draw& draw : replicates(scene, dt)) {

@@ -59,7 +59,7 @@ TEST(WebEngines, HavokRoundsCornersOfAnySizeByAsMuch) {
     Scene scene;
     scene.blocks = {make_block(width, 2 * width, 2500)};
     scene.initial = {{0.3}, {0}};
-    scene.engine.friction = 5;
+    scene.friction.assign(scene.blocks.size(), 5);
     scene.duration = 0.1;
     const Parameters parameters = engine->tuned_parameters();
     const Trajectory motion = run(*engine, set_up(scene, 1e-3, parameters), parameters, true);

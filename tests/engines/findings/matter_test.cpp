@@ -1,5 +1,5 @@
-// What is said of Matter.js (engines/web/matter-js/page.md), by bare programs that share no code with its worker.
-// No set was tuned on these scenes.
+// What is said of Matter.js (engines/web/matter-js/page.md), by bare programs that share no code with its
+// worker. No set was tuned on these scenes.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ struct FallInMatter {
     scene.blocks = {make_block(width, 2, 500)};
     scene.blocks[0].inertia *= factor;
     scene.initial = {{start}, {0}};
-    scene.engine.friction = 1000;
+    scene.friction.assign(scene.blocks.size(), 1000);
     scene.duration = duration;
     const Parameters parameters =
         with(engine.default_parameters(), {{"inertiaScale", 1}, {"positionIterations", passes}});
@@ -97,7 +97,7 @@ TEST(WebEngines, WhatSticksInMatterCreeps) {
         Scene scene;
         scene.blocks = {make_block(2, 1, 500)};
         scene.initial = {{0}, {0}};
-        scene.engine.friction = 1000;
+        scene.friction.assign(scene.blocks.size(), 1000);
         scene.duration = 200.5 * dt;
         scene.horizontal.interval = 10;
         scene.horizontal.samples = {-pull, -pull};
@@ -122,7 +122,7 @@ TEST(WebEngines, FlatLandingsInMatterBounceByTheirShape) {
     scene.law = Law::unilateral;
     scene.initial = {{0}, {0}};
     scene.initial.gaps = {0.2};
-    scene.engine.friction = 1000;
+    scene.friction.assign(scene.blocks.size(), 1000);
     scene.duration = 0.3;
     const double inertia = set.at("inertiaScale") * block.inertia / block.mass;
     const double kept = 1.8 / (1 + width * width / 4 / inertia) - 1;
@@ -153,7 +153,7 @@ TEST(WebEngines, FrictionOfWhatSlidesInMatterKnowsNoWeight) {
       scene.law = Law::unilateral;
       scene.initial = {{0}, {0}};
       scene.initial.slip_velocities = {0.5};
-      scene.engine.friction = block.friction;
+      scene.friction.assign(scene.blocks.size(), block.friction);
       constexpr int steps = 100;
       scene.duration = (steps + 0.5) * dt;
       const std::vector<double> places = bare_angles(

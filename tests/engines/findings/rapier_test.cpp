@@ -1,5 +1,5 @@
-// What is said of Rapier (engines/web/rapier/page.md), by bare programs that share no code with its worker. No set
-// was tuned on these scenes.
+// What is said of Rapier (engines/web/rapier/page.md), by bare programs that share no code with its worker.
+// No set was tuned on these scenes.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ double left_in_rapier(const WorkerEngine& engine, double r, double friction, dou
   scene.duration = 40.5 * dt;
   scene.blocks = {make_block(1, r, 500)};
   scene.initial = {{1e-9}, {-1}};
-  scene.engine.friction = friction;
+  scene.friction.assign(scene.blocks.size(), friction);
   const std::vector<double> angles =
       bare_angles(engine.name, moving_question(engine, scene, dt, parameters, more));
   return (angles.at(20) - angles.at(40)) / (20 * dt);
@@ -91,7 +91,7 @@ TEST(WebEngines, RapierDropsACornerByTheSameLaw) {
     scene.duration = 25.5 * dt;
     scene.blocks = {make_block(1, 2, 500)};
     scene.initial = {{0.3}, {0}};
-    scene.engine.friction = drop.friction;
+    scene.friction.assign(scene.blocks.size(), drop.friction);
     const auto spin = [&](const std::string& more) {
       const std::string question = bare_question(*engine, scene, dt, engine->default_parameters()) +
                                    fmt::format("moving {} -1 0\n{}\n", drop.slip, more);

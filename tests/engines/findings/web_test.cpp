@@ -88,7 +88,7 @@ TEST(WebEngines, OneSettingCarriesTheErrorOfARockingBlock) {
 double turn_on_pushed_ground(const WorkerEngine& engine, double dt, double friction) {
   Scene scene = slender_block(0.3);
   scene.initial = {{0}, {0}};
-  scene.engine.friction = friction;
+  scene.friction.assign(scene.blocks.size(), friction);
   scene.horizontal.interval = 10;
   scene.horizontal.samples = {0.3 * scene.gravity, 0.3 * scene.gravity};
   const Parameters stiff = with(engine.default_parameters(), {{"unitMass", 1},
@@ -120,7 +120,7 @@ double creep_in_physx(const WorkerEngine& engine, const Block& block, double dt,
   Scene scene = slender_block(0.2);
   scene.blocks = {block};
   scene.initial = {{0}, {0}};
-  scene.engine.friction = 0.5;
+  scene.friction.assign(scene.blocks.size(), 0.5);
   scene.horizontal.interval = 10;
   scene.horizontal.samples = {0.364 * scene.gravity, 0.364 * scene.gravity};
   const std::string question =

@@ -69,7 +69,7 @@ double impact(const WorkerEngine& engine, const Solver& solver, double r, double
   scene.gravity = 1e-9;
   scene.blocks = {make_block(1, r, 1000)};
   scene.initial = {{1e-9}, {-1}, {slip}};
-  scene.engine.friction = friction;
+  scene.friction.assign(scene.blocks.size(), friction);
   const Parameters parameters = with(engine.default_parameters(), solver.changes);
   return -simulate(engine, scene, dt, parameters).history.velocities.back();
 }

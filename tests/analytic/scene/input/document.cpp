@@ -48,7 +48,7 @@ TEST(Document, AValueThatIsSetReadsAsIfTheFileHadIt) {
     const Scene scene = make_scene(document, library);
     EXPECT_EQ(scene.blocks[1].half_height, height / 2);
     EXPECT_EQ(scene.blocks[1].mass, 2500 * height);
-    EXPECT_EQ(scene.engine.friction, height);
+    EXPECT_EQ(friction_of(scene).back(), height);
   }
 }
 

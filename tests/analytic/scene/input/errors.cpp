@@ -43,8 +43,7 @@ TEST(SceneErrors, NumbersOutOfRange) {
        "scene.toml:6: blocks.1.inertia = -2: must be a number from 1e-40 to 1e+40"},
       {11, "angles = [0.1, -inf]", "scene.toml:11: initial.angles.2 = -inf: must be a finite number"},
       {12, "velocities = [nan, 0]", "scene.toml:12: initial.velocities.1 = nan: must be a finite number"},
-      {12, "[engine]\nfriction = 0",
-       "scene.toml:13: engine.friction = 0: must be a number from 1e-20 to 1e+20"},
+      {12, "[engine]\nfriction = 0", "scene.toml:13: engine.friction = 0: must be a number > 0"},
       {12, "[engine]\ndepth = -1", "scene.toml:13: engine.depth = -1: must be a number from 1e-20 to 1e+20"},
   });
 }

@@ -50,7 +50,7 @@ std::string numbers_of(const GroundMotion& motion) {
 std::string numbers_of(const Scene& scene) {
   return number_text(scene.gravity) + " " + number_text(scene.inclination) + " " + name(scene.law) + " " +
          std::to_string(static_cast<int>(scene.equations)) + " " + number_text(friction_of(scene).front()) +
-         " " + number_text(scene.engine.depth) + " " + numbers_of(scene.horizontal);
+         " " + number_text(scene.depth) + " " + numbers_of(scene.horizontal);
 }
 
 TEST(SceneKeys, AreThoseThatAreRead) {

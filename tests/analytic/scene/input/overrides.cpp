@@ -56,7 +56,7 @@ TEST(Overrides, SetAllBlocksOfAListWithoutADefault) {
 }
 
 TEST(Overrides, MakeTablesThatAreMissing) {
-  EXPECT_EQ(read_with({"engine.friction=0.7"}).engine.friction, 0.7);
+  EXPECT_EQ(read_with({"engine.friction=0.7"}).friction.back(), 0.7);
   const Scene scene = read_with({"ground.horizontal.samples=[1, 3]", "ground.horizontal.interval=0.1"});
   EXPECT_EQ(scene.horizontal.samples, (std::vector<double>{1, 3}));
   EXPECT_EQ(read_with({"ground.horizontal={samples=[4], interval=1}"}).horizontal.samples,

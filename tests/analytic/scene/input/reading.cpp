@@ -95,8 +95,8 @@ depth = 2.0
   EXPECT_EQ(scene.horizontal.interval, 0.5);
   EXPECT_EQ(scene.vertical.samples, std::vector<double>{3});
   EXPECT_EQ(scene.vertical.interval, 0.25);
-  EXPECT_EQ(scene.engine.friction, 0.5);
-  EXPECT_EQ(scene.engine.depth, 2.0);
+  EXPECT_EQ(friction_of(scene).back(), 0.5);
+  EXPECT_EQ(scene.depth, 2.0);
 }
 
 TEST(SceneFile, WhatIsLeftOutHasItsDefault) {
@@ -109,8 +109,8 @@ TEST(SceneFile, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(scene.initial.velocities, std::vector<double>{0});
   EXPECT_TRUE(scene.horizontal.empty());
   EXPECT_TRUE(scene.vertical.empty());
-  EXPECT_EQ(scene.engine.friction, 1e3);
-  EXPECT_EQ(scene.engine.depth, 1.0);
+  EXPECT_EQ(friction_of(scene).back(), 1e3);
+  EXPECT_EQ(scene.depth, 1.0);
 }
 
 TEST(SceneFile, DensityGivesTheMassOfASliceAndARectanglesInertia) {

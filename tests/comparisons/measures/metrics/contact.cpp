@@ -197,14 +197,14 @@ TEST(Validity, WarnsOfTooLittleFrictionAndOfLiftingOff) {
   Scene slippery = block_at_rest(3.0, 0);
   slippery.duration = 2;
   slippery.horizontal.samples.push_back(3.0);
-  slippery.engine.friction = 0.25;
+  slippery.friction.assign(slippery.blocks.size(), 0.25);
   const auto slip = validity_warnings(slippery, solved(slippery));
   ASSERT_EQ(slip.size(), 1u);
   EXPECT_EQ(slip[0],
             "interface 1 needs friction 0.3058 for the force at t = 1 s, the scene has 0.25: blocks would "
             "slip, first "
             "at t = 0.8175 s");
-  slippery.engine.friction = 0.31;
+  slippery.friction.assign(slippery.blocks.size(), 0.31);
   EXPECT_TRUE(validity_warnings(slippery, solved(slippery)).empty());
 
   // A ground that falls faster than the block: the model turns it about a corner, a real block would fly.

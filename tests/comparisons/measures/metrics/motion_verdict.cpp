@@ -69,7 +69,7 @@ TEST(MotionVerdict, WhatPullsIsNotSaidToSlip) {
   EXPECT_EQ(
       motion_verdict(scene, history).rfind("not valid from 0.6 s, as interface 1 would have to pull; ", 0),
       0U);
-  scene.engine.friction = 0.4;
+  scene.friction.assign(scene.blocks.size(), 0.4);
   EXPECT_EQ(
       motion_verdict(scene, history)
           .rfind(
@@ -82,11 +82,11 @@ TEST(MotionVerdict, WhatPullsIsNotSaidToSlip) {
 TEST(MotionVerdict, AnInterfaceThatWouldSlipIsToldFirst) {
   Scene scene = one_block(0, 2.0);
   scene.horizontal.samples = {0, 2};
-  scene.engine.friction = 0.2;
+  scene.friction.assign(scene.blocks.size(), 0.2);
   EXPECT_EQ(verdict_of(scene),
             "not valid from 0.981 s, as interface 1 would slip: it has friction 0.2 and needs 0.21; "
             "rests throughout");
-  scene.engine.friction = 0.21;
+  scene.friction.assign(scene.blocks.size(), 0.21);
   EXPECT_EQ(verdict_of(scene), "rests throughout; needs friction 0.21");
 }
 
