@@ -152,7 +152,7 @@ std::vector<EngineTally> tallies(const std::vector<ImpactCase>& cases, const Of&
   return list;
 }
 
-double percent(int part, int whole) {
+double percent_of(int part, int whole) {
   return whole > 0 ? 100.0 * part / whole : 0;
 }
 
@@ -161,9 +161,9 @@ Json kind_row(const ImpactShare& kind) {
           {"kind", name(kind.kind)},
           {"impacts", kind.impacts},
           {"differ", kind.differ},
-          {"differ_percent", percent(kind.differ, kind.impacts)},
+          {"differ_percent", percent_of(kind.differ, kind.impacts)},
           {"none", kind.none},
-          {"none_percent", percent(kind.none, kind.impacts)}};
+          {"none_percent", percent_of(kind.none, kind.impacts)}};
 }
 
 Json pair_row(const Disagreement& found) {
@@ -174,7 +174,7 @@ Json pair_row(const Disagreement& found) {
           {"clearness", found.clearness}};
 }
 
-Json set_of(const ImpactCase&, const EngineVerdict& verdict) {
+Json verdict_set(const ImpactCase&, const EngineVerdict& verdict) {
   return {{"engine", verdict.engine},
           {"solver", verdict.solver},
           {"settings", verdict.settings},
@@ -182,7 +182,7 @@ Json set_of(const ImpactCase&, const EngineVerdict& verdict) {
 }
 
 /// A state by its name, and its top block: height over width, and mass over that of the block below.
-Json state_of(const ImpactCase& question, const EngineVerdict&) {
+Json case_state(const ImpactCase& question, const EngineVerdict&) {
   const std::vector<Block>& blocks = question.scene.blocks;
   const Block &top = blocks.back(), &below = blocks.end()[-2];
   return {{"case", question.name},
@@ -196,7 +196,7 @@ std::string stacks_sentence(int blocks, std::vector<ImpactShare> kinds) {
   const std::size_t count = kinds.size();
   int impacts = 0, differ = 0, none = 0;
   for (const ImpactShare& kind : kinds) impacts += kind.impacts, differ += kind.differ, none += kind.none;
-  const auto share = [](const ImpactShare& kind) { return percent(kind.differ, kind.impacts); };
+  const auto share = [](const ImpactShare& kind) { return percent_of(kind.differ, kind.impacts); };
   std::erase_if(kinds, [](const ImpactShare& kind) { return kind.differ == 0; });
   std::ranges::stable_sort(kinds, std::greater(), share);
   const auto words = mapped(kinds, [&](const ImpactShare& kind) {
@@ -205,8 +205,8 @@ std::string stacks_sentence(int blocks, std::vector<ImpactShare> kinds) {
   return fmt::format(
       "Stacks of {} blocks: the laws have different patterns after {:.1f} % of {} impacts, in "
       "{} of {}{}{}; after {:.1f} % no pattern is consistent.",
-      blocks, percent(differ, impacts), impacts, kinds.size(), counted(count, "kind"),
-      kinds.empty() ? "" : ", most often after ", joined_up_to(3, words), percent(none, impacts));
+      blocks, percent_of(differ, impacts), impacts, kinds.size(), counted(count, "kind"),
+      kinds.empty() ? "" : ", most often after ", joined_up_to(3, words), percent_of(none, impacts));
 }
 
 Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, const std::string& command) {
@@ -293,8 +293,8 @@ std::vector<ResultTable> tables(const ImpactLawResults& results) {
   std::vector<ResultTable> list{
       {"impact-laws-kinds.csv", mapped(shares_by_kind(results.laws.shares), kind_row)},
       {"impact-laws-answers.csv", mapped(results.laws.disagreements, pair_row)},
-      {"impact-laws-sets.csv", mapped(tallies(results.cases, set_of), std::mem_fn(&EngineTally::row))},
-      {"impact-laws-states.csv", mapped(tallies(results.cases, state_of), std::mem_fn(&EngineTally::row))}};
+      {"impact-laws-sets.csv", mapped(tallies(results.cases, verdict_set), std::mem_fn(&EngineTally::row))},
+      {"impact-laws-states.csv", mapped(tallies(results.cases, case_state), std::mem_fn(&EngineTally::row))}};
   std::erase_if(list, [](const ResultTable& one) { return one.rows.empty(); });
   return list;
 }
