@@ -29,9 +29,9 @@ using ValuesOf = LessonValues(const Suite& suite, const std::vector<RunMetrics>&
 
 #include "comparisons/studies/lessons/lesson_functions.inc"
 
-/// A lesson: the folder NAME with a suite, NAME.toml, a text with places for values, text.html, the text of
-/// its slides, slides.html, its part in a course, course.toml, and what computes the values once the suite
-/// has been run, values.cpp.
+/// A lesson: the folder NAME with a suite, NAME.toml, a text with places for values and marks for its
+/// slides, text.html, its part in a course, course.toml, and what computes the values once the suite has been
+/// run, values.cpp.
 struct Lesson {
   std::string name;
   ValuesOf* values;

@@ -73,17 +73,19 @@ std::string prediction_section(const Json& question, Values numbers) {
       filled_in(text_at(part, "why"), numbers));
 }
 
-/// Names with a colon are parts of a page, others numbers. A figure is drawn for slides that ask for it.
-void add_parts(const fs::path& results, const Comparison& comparison, const Json& start,
-               const std::string& slides, Values& values) {
+/// Names with a colon are parts of a page, others numbers. The figures of the text are drawn anew for slides.
+void add_parts(const fs::path& results, const Comparison& comparison, const Json& lesson, bool on_slides,
+               Values& values) {
+  const std::string text = text_at(lesson, "text");
+  const Json start = lesson.value("player", Json());
   for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
     const ComparedScene& scene = comparison.scenes[i];
     if (has_motion(comparison, scene)) values["player:" + scene.name] = player_section(comparison, i, start);
     for (const Figure* figure : figures_of(scene)) {
       const std::string place = fmt::format("figure:{}.{}", scene.name, figure->name);
-      if (slides.empty()) {
+      if (!on_slides) {
         values[place] = scene_figure(results, comparison, i, *figure);
-      } else if (slides.find("{{" + place + "}}") != std::string::npos) {
+      } else if (text.find("{{" + place + "}}") != std::string::npos) {
         const fs::path stem = fs::path("slides") / figure_stem("", scene, *figure).filename();
         draw(std::get<SceneFigure>(figure->of).draw({*figure, comparison, scene, true}),
              results / "figures" / stem);
@@ -93,8 +95,7 @@ void add_parts(const fs::path& results, const Comparison& comparison, const Json
   }
 }
 
-Values values_of(const fs::path& results, const Comparison& comparison, const Json& lesson,
-                 const std::string& slides) {
+Values values_of(const fs::path& results, const Comparison& comparison, const Json& lesson, bool on_slides) {
   Values values;
   for (const auto& [name, value] : lesson.at("numbers").items())
     values[name] = escaped(value.get<std::string>());
@@ -102,7 +103,7 @@ Values values_of(const fs::path& results, const Comparison& comparison, const Js
   for (const auto& [name, value] : lesson.at("tables").items()) values["table:" + name] = lesson_table(value);
   for (const Json& question : lesson.at("predictions"))
     values["predict:" + text_at(question, "name")] = prediction_section(question, numbers);
-  add_parts(results, comparison, lesson.value("player", Json()), slides, values);
+  add_parts(results, comparison, lesson, on_slides, values);
   return values;
 }
 
@@ -134,40 +135,30 @@ std::string titles_after(const Json& lesson) {
   return before.empty() ? "" : " · after " + joined_texts(before, title, ", ");
 }
 
-/// What a lesson's page and its slides share.
-Values lesson_values(const fs::path& results, const Comparison& comparison, const Json& lesson) {
-  const std::string text = text_at(lesson, "text");
-  Values values{{"after", titles_after(lesson)},
-                {"navigation", navigation(lesson)},
-                {"text", filled_in(text, values_of(results, comparison, lesson, ""))},
-                {"command", escaped(comparison.command)},
-                {"environment", definition_list(comparison.environment)}};
+/// A lesson's page, or its slides, which are made of the same text in the browser.
+std::string page_of(const fs::path& results, const Comparison& comparison, const Json& lesson,
+                    bool on_slides) {
+  Values values{
+      {"after", titles_after(lesson)},
+      {"navigation", navigation(lesson)},
+      {"text", filled_in(text_at(lesson, "text"), values_of(results, comparison, lesson, on_slides))},
+      {"command", escaped(comparison.command)},
+      {"environment", definition_list(comparison.environment)},
+      {"css", std::string(slides_css)},
+      {"script", std::string(on_slides ? slides_js : lesson_js)}};
   for (const char* key : {"title", "name"}) values[key] = escaped_at(lesson, key);
   for (const char* key : {"number", "count", "minutes"}) values[key] = lesson.at(key).dump();
   for (const char* key : {"aims", "references"}) values[key] = list_of(lesson.at(key));
-  return values;
-}
-
-std::string page_of(const std::string& title, Values values, const char* kind, std::string_view content,
-                    std::string_view css, std::string_view script) {
-  values["css"] = css;
-  values["script"] = script;
-  return page(title, kind, filled_in(content, values));
+  return page(text_at(lesson, "title"), on_slides ? "slides" : "lesson",
+              filled_in(on_slides ? slides_html : lesson_html, values));
 }
 
 }  // namespace
 
 void write_lesson(const fs::path& results, const Comparison& comparison) {
   read_json(results / "lesson.json", [&](const Json& lesson) {
-    Values values = lesson_values(results, comparison, lesson);
-    const std::string title = text_at(lesson, "title");
-    const std::string page = page_of(title, values, "lesson", lesson_html, "", lesson_js);
-    // Slides are those written for them, and after them the questions, which end a lesson's text.
-    const std::string text = text_at(lesson, "text");
-    const std::string shown =
-        text_at(lesson, "slides") + text.substr(std::min(text.rfind("<section>"), text.size()));
-    values["text"] = filled_in(shown, values_of(results, comparison, lesson, shown));
-    const std::string slides = page_of(title, values, "slides", slides_html, slides_css, slides_js);
+    const std::string page = page_of(results, comparison, lesson, false);
+    const std::string slides = page_of(results, comparison, lesson, true);
     write_file(results / "lesson.html", page);
     write_file(results / "slides.html", slides);
   });

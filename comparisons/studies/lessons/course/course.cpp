@@ -158,7 +158,6 @@ Json lesson_json(const Lesson& lesson, const LessonValues& values, bool in_cours
   json["predictions"] =
       mapped(course.predictions, [&](const Problem& one) { return answered(one, values.measured); });
   json["text"] = file_text(file_of(lesson.name, "text.html"));
-  json["slides"] = file_text(file_of(lesson.name, "slides.html"));
   json["numbers"] = values.numbers;
   json["tables"] = Json::object();
   for (const auto& [name, table] : values.tables)

@@ -5,9 +5,9 @@
 
 namespace rockstack {
 
-// What a lesson's own file, course/NAME.toml, says beyond its text: for whom it is, what is to be predicted
-// before it is read, and problems whose numbers are drawn anew for each student. Answers are never in the
-// file: they are quantities of an exact solution, or of the numbers of the question.
+// What a lesson's course.toml says beyond its text: for whom it is, what is to be predicted before it is
+// read, and problems whose numbers are drawn anew for each student. Answers are never in the file: they are
+// quantities of an exact solution, or of the numbers of the question.
 
 /// One thing that is asked, and what is said once it is answered.
 struct Part {

@@ -1,6 +1,7 @@
 "use strict";
-// Makes slides of a text: a section is one, a prediction or a question two, without its answer and with it. Large type: what does not fit is
-// made smaller until it does.
+// Makes slides of a lesson's text. A heading, or what is marked data-title, is the title of what follows it. A prediction and a question have two slides,
+// without the answer and with it; a player, a figure, sliders and a marked table have their own. Formulas and what is marked data-slide share one; of a
+// paragraph or an item with marked phrases, these alone. data-slide="…" gives a title as well. Large type: what does not fit is made smaller until it does.
 (() => {
 const made = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -38,16 +39,41 @@ const tables = (heading, table) => {
   return list;
 };
 
-const slidesOf = (section) => {
-  const asks = Array.from(section.querySelectorAll(".predict, .question")), table = section.querySelector(":scope > table");
-  if (asks.length) return asks.flatMap((one) => one.matches(".predict") ? prediction(one) : question(one));
-  if (table) return tables(section.querySelector("h2").innerHTML, table);
-  section.className = "slide";
-  return [section];
+// Leaves of a paragraph or an item in which phrases are marked these alone.
+const shorten = (part) => {
+  for (const one of [part, ...part.querySelectorAll("li")]) {
+    const phrases = one.querySelectorAll(":scope > [data-slide]");
+    if (phrases.length) one.replaceChildren(...Array.from(phrases).flatMap((phrase) => [phrase, " "]));
+  }
+};
+
+const titles = "h2, [data-title]", alone = ".player, figure, .try, table";
+const parts = `${titles}, [data-slide], math[display], .player, figure, .try, .predict, .question`;
+
+const slidesOf = (text) => {
+  const list = [];
+  let title = "", open = null;
+  for (const part of Array.from(text.querySelectorAll(parts)).filter((one) => !one.parentElement.closest(parts))) {
+    const named = part.matches(titles) ? part : part.querySelector("[data-title]");
+    const words = part.dataset.slide || named?.innerHTML.replace(/[.:]$/, ""), whole = [part, ...part.children].find((one) => one.matches(alone));
+    if (words) [title, open] = [words, null];
+    if (part === named) continue;
+    if (part.matches(".predict")) list.push(...prediction(part));
+    else if (part.matches(".question")) list.push(...question(part));
+    else if (whole) list.push(...whole.matches("table") ? tables(title, whole) : [slide(title, whole)]);
+    else {
+      shorten(part);
+      if (!open) list.push(open = slide(title));
+      open.append(part);
+      continue;
+    }
+    open = null;
+  }
+  return list;
 };
 
 const text = document.getElementById("text");
-text.replaceWith(...Array.from(text.children).filter((one) => one.matches("section")).flatMap(slidesOf));
+text.replaceWith(...slidesOf(text));
 
 const least = 0.4;
 const fit = (one) => {

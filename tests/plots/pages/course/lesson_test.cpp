@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A made-up comparison with a lesson's text beside it.
-fs::path lesson_folder(const std::string& text, const std::string& slides = "") {
+fs::path lesson_folder(const std::string& text) {
   fs::path folder = testing::fresh_folder();
   testing::write_sample(folder, {});
   nlohmann::json lesson = nlohmann::json::parse(R"json({
@@ -34,7 +34,6 @@ fs::path lesson_folder(const std::string& text, const std::string& slides = "") 
     "player": {"time": 1.25, "speed": 0.05, "gain": 10, "overlaid": true, "chatter": true}
   })json");
   lesson["text"] = text;
-  lesson["slides"] = slides;
   std::ofstream(folder / "lesson.json") << lesson.dump();
   draw_figures(folder, read_comparison(folder));
   return folder;
@@ -149,15 +148,17 @@ TEST(Lesson, WhatFollowsAPredictionIsHiddenUntilItIsMade) {
     [true, false, "Your prediction holds.", true, true], [true, "It is less than you predicted."], "24px"])"));
 }
 
-TEST(Lesson, ItsSlidesAreThoseWrittenForItWithItsQuestionsAndFitTheScreen) {
+TEST(Lesson, ItsSlidesAreWhatIsSeenAndMarkedInItsTextAndFitTheScreen) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder = lesson_folder(
-      "<section><h2>First</h2><p>Long.</p>{{figure:sample.histories}}</section><section><h2>Questions</h2>"
-      "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>",
-      "<section>{{predict:side}}</section><section><h2>Short</h2><p>{{least}}</p></section>"
-      "<section><h2>Steps</h2>{{table:steps}}</section><section><h2>Motion</h2>{{player:sample}}</section>"
-      "<section><h2>Figure</h2>{{figure:sample.histories}}</section>"
-      "<section><h2>Try</h2><div class=\"try\" hidden></div></section>");
+      "<section><h2>First</h2>{{predict:side}}<p>Long. <span data-slide>Short.</span></p>{{player:sample}}"
+      "<p data-slide>Left out. <span data-slide>{{least}}</span> <span data-title>So it is:</span></p>"
+      "<ul data-slide><li><b data-slide>An item</b> that goes on</li></ul>{{table:patterns}}"
+      "<div data-slide=\"All <i>steps</i>\">{{table:steps}}</div>"
+      "<div data-slide=\"Angles\">{{figure:sample.histories}}</div>"
+      "<div class=\"try\" hidden><p><span data-title>Try</span> it.</p></div></section>"
+      "<section><h2>Questions</h2><p>Few.</p>"
+      "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>");
   write_lesson(folder, read_comparison(folder));
   const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "slides.html"), R"(
     const { slides } = slideShow, small = slides.filter((one) => {
@@ -171,14 +172,19 @@ TEST(Lesson, ItsSlidesAreThoseWrittenForItWithItsQuestionsAndFitTheScreen) {
     press("ArrowRight");
     const stage = document.querySelector(".slide:not(.now) .player .stage");
     const drawn = stage.width > 0 && new Set(stage.getContext("2d").getImageData(0, 0, stage.width, stage.height).data).size > 9;
-    return { drawn, names: slides.map((one) => one.getAttribute("aria-label")), overflowing: small.length,
+    return { drawn, said: [slides[3].innerHTML, slides[5].innerHTML], names: slides.map((one) => one.getAttribute("aria-label")), overflowing: small.length,
       place: document.getElementById("place").textContent, wide: document.querySelector("figure svg").viewBox.baseVal.width };)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
-  EXPECT_EQ(answer.result["names"],
-            nlohmann::json::parse(R"(["A lesson on <signs>", "Predict", "Predict", "Short", "Steps", "Motion",
-    "Figure", "Question", "Question", "References"])"));
+  EXPECT_EQ(
+      answer.result["names"],
+      nlohmann::json::parse(R"(["A lesson on <signs>", "Predict", "Predict", "First", "First", "So it is",
+    "All steps", "Angles", "Question", "Question", "References"])"));
+  EXPECT_EQ(answer.result["said"],
+            nlohmann::json({"<h2>First</h2><span data-slide=\"\">Short.</span>",
+                            "<h2>So it is</h2><p data-slide=\"\"><span data-slide=\"\">3 &lt; 4</span> </p>"
+                            "<ul data-slide=\"\"><li><b data-slide=\"\">An item</b> </li></ul>"}));
   EXPECT_EQ(answer.result["overflowing"], 0);
-  EXPECT_EQ(answer.result["place"], "2 of 10");
+  EXPECT_EQ(answer.result["place"], "2 of 11");
   EXPECT_EQ(answer.result["wide"], 860) << "a figure is drawn for the slide";
   EXPECT_EQ(answer.result["drawn"], true) << "what is printed of a player is its picture";
 }
