@@ -50,9 +50,9 @@ std::filesystem::path find_file(const std::string& input, const std::string& kin
   std::filesystem::path given = folder / input, own = shipped(kind) / name;
   if (std::filesystem::is_regular_file(given, ignored)) return given;
   if (std::filesystem::exists(own, ignored)) return own;
-  for (const std::string& below :
-       {std::string("canon"), input})  // scenes of the canon; a lesson's own folder
-    if (std::filesystem::exists(shipped(kind) / below / name, ignored)) return shipped(kind) / below / name;
+  for (const auto& below :
+       {std::filesystem::path("canon") / name, input / std::filesystem::path("suite.toml")})
+    if (std::filesystem::exists(shipped(kind) / below, ignored)) return shipped(kind) / below;
   return given;
 }
 

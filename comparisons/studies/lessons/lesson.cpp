@@ -29,7 +29,7 @@ const std::vector<Lesson>& lessons() {
 }
 
 std::string title(const Lesson& lesson) {
-  return read_suite(shipped("studies/lessons") / lesson.name / (lesson.name + ".toml"), {}).title;
+  return read_suite(shipped("studies/lessons") / lesson.name / "suite.toml", {}).title;
 }
 
 const Lesson& find_lesson(const std::string& name) {

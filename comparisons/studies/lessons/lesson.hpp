@@ -29,7 +29,7 @@ using ValuesOf = LessonValues(const Suite& suite, const std::vector<RunMetrics>&
 
 #include "comparisons/studies/lessons/lesson_functions.inc"
 
-/// A lesson: the folder NAME with a suite, NAME.toml, a text with places for values and marks for its
+/// A lesson: the folder NAME with a suite, suite.toml, a text with places for values and marks for its
 /// slides, text.html, its part in a course, course.toml, and what computes the values once the suite has been
 /// run, values.cpp.
 struct Lesson {

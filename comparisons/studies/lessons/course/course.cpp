@@ -219,7 +219,7 @@ Json sheet_json(const std::string& lesson, const std::string& title, std::uint64
 
 std::vector<RunMetrics> run_lesson(const Lesson& lesson, const fs::path& folder, bool in_course,
                                    const CompareOptions& options) {
-  const Suite suite = read_suite(file_of(lesson.name, (lesson.name + ".toml").c_str()), {});
+  const Suite suite = read_suite(file_of(lesson.name, "suite.toml"), {});
   std::vector<RunMetrics> rows = compare({suite}, folder, *make_threads(1), options).rows;
   const LessonValues values = lesson.values(suite, rows);
   write_file(folder / "lesson.json", lesson_json(lesson, values, in_course).dump(2) + "\n");
