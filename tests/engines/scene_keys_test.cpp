@@ -78,6 +78,8 @@ const std::vector<KeyCase> cases{
     {&contact_keys, "tangential", "0.5", {compliant, springs}},
     {&ground_keys, "inclination", "0.05"},
     {&record_keys, "record", "\"other.csv\""},
+    {&record_keys, "from", "0.1"},
+    {&record_keys, "to", "0.1"},
     {&record_keys, "scale", "2.0"},
     {&record_keys, "peak", "2.0"},
     {&record_keys, "time_scale", "2.0"},

@@ -8,6 +8,33 @@
 namespace rockstack {
 namespace {
 
+/// The part of a record between two of its times, where a scene asks for one.
+void take_part(GroundMotion& motion, const Node& table) {
+  const auto sample_at = [&](const char* key, std::size_t otherwise) {
+    const Node* node = find(table, key);
+    if (node == nullptr) return otherwise;
+    const double sample = std::round(number(*node) / motion.interval);
+    const auto last = static_cast<double>(motion.samples.size() - 1);
+    if (!(sample >= 0 && sample <= last))
+      throw wrong_value(*node,
+                        "a time of the record, from 0 to " + number_text(last * motion.interval) + " s");
+    return static_cast<std::size_t>(sample);
+  };
+  const std::size_t first = sample_at("from", 0), last = sample_at("to", motion.samples.size() - 1);
+  if (first == 0 && last == motion.samples.size() - 1) return;
+  if (first >= last) {
+    const Node* to = find(table, "to");
+    throw to != nullptr ? wrong_value(*to, "later than where the motion begins")
+                        : wrong_value(*find(table, "from"), "before the record's end");
+  }
+  motion.samples = {motion.samples.begin() + static_cast<std::ptrdiff_t>(first),
+                    motion.samples.begin() + static_cast<std::ptrdiff_t>(last + 1)};
+  const auto time = [&](std::size_t sample) {
+    return number_text(static_cast<double>(sample) * motion.interval);
+  };
+  motion.source += ", from " + time(first) + " s to " + time(last) + " s";
+}
+
 GroundMotion from_record(const Node& table, const Node& node, const std::filesystem::path& folder,
                          MotionLibrary& library) {
   require_table(table, record_keys);
@@ -21,6 +48,7 @@ GroundMotion from_record(const Node& table, const Node& node, const std::filesys
   if (limits == nullptr || choice<RecordLimits>(*limits, {"usual", "none"}) == RecordLimits::usual)
     check_usual(file.string(), motion.source, motion.interval, motion.samples);
   motion.source = node.text + " (" + motion.source + ")";
+  take_part(motion, table);
   return motion;
 }
 

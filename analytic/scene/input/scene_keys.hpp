@@ -131,6 +131,8 @@ inline const KeyTable record_keys{
     {{"record", "\"motion.csv\"", "",
       "a file beside the scene: AT2, COSMOS, ESM, GeoNet, K-NET, ObsPy, SMC, Volume 2, columns", required_key,
       "accelerogram; \"FILE:CHANNEL\" takes one of several channels"},
+     {"from", "0.0", "s", "a time of the record", "0", "where the motion begins, at the nearest sample"},
+     {"to", "1.0", "s", "a later time", "the record's end", "where it ends, at the nearest sample"},
      {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
      {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"},
      {"time_scale", "1.0", "", "> 0", "1",

@@ -56,6 +56,32 @@ TEST(GroundReading, ARecordIsFoundBesideTheSceneFile) {
   EXPECT_TRUE(scene.horizontal.empty());
 }
 
+TEST(GroundReading, APartOfARecordIsFromOneOfItsTimesToAnother) {
+  const TemporaryFolder folder;
+  folder.write("motion.csv", "# units: m/s2\n# dt = 0.5\n0\n1\n-2\n3\n0\n");
+  const auto motion = [&](const std::string& part) {
+    const std::string lines = "[ground.horizontal]\nrecord = \"motion.csv\"\n" + part;
+    return read_scene(folder.write("scene.toml", two_blocks() + lines)).horizontal;
+  };
+  EXPECT_EQ(motion("from = 0.4\nto = 1.6\n").samples, (std::vector<double>{1, -2, 3}));
+  EXPECT_EQ(motion("from = 1\npeak = 6\n").samples, (std::vector<double>{-4, 6, 0}));
+  EXPECT_EQ(motion("to = 0.5\ntime_scale = 2\n").samples, (std::vector<double>{0, 1}));
+  EXPECT_NE(motion("to = 0.5\n").source.find(", from 0 s to 0.5 s"), std::string::npos);
+  const auto refused = [&](const std::string& part) {
+    try {
+      motion(part);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(std::string(error.what()).find("ground"));
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("from = 2.5\n"),
+            "ground.horizontal.from = 2.5: must be a time of the record, from 0 to 2 s");
+  EXPECT_EQ(refused("from = 1\nto = 1\n"),
+            "ground.horizontal.to = 1: must be later than where the motion begins");
+  EXPECT_EQ(refused("from = 2\n"), "ground.horizontal.from = 2: must be before the record's end");
+}
+
 TEST(GroundReading, AStepBeyondTheUsualLimitsIsReadWhereTheyAreNone) {
   const TemporaryFolder folder;
   folder.write("slow.csv", "# units: m/s2\n# dt = 1\n0\n1\n");
@@ -87,10 +113,10 @@ TEST(GroundReading, ScaleAndPeakExcludeEachOther) {
 TEST(GroundReading, RecordAndSamplesExcludeEachOther) {
   EXPECT_EQ(
       error_in("record = \"a\"\nsamples = [1, 2]\ninterval = 1\n"),
-      "scene.toml:16: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale, limits");
+      "scene.toml:16: ground.horizontal.interval: unknown key, must be one of record, from, to, scale, peak, time_scale, limits");
   EXPECT_EQ(
       error_in("record = \"a\"\ninterval = 1\n"),
-      "scene.toml:15: ground.horizontal.interval: unknown key, must be one of record, scale, peak, time_scale, limits");
+      "scene.toml:15: ground.horizontal.interval: unknown key, must be one of record, from, to, scale, peak, time_scale, limits");
 }
 
 TEST(GroundReading, OneSourceIsNeeded) {

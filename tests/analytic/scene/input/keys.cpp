@@ -27,7 +27,7 @@ KeyFile scene_file(const KeyTable& motion) {
 /// Reads a scene beside a record; fills `scene` where it is given.
 std::string read_keys(const std::string& text, Scene* scene = nullptr) {
   const TemporaryFolder folder;
-  folder.write("motion.csv", "units: m/s2\n0,0\n0.1,1\n0.2,0\n");
+  folder.write("motion.csv", "units: m/s2\n0,0\n0.5,1\n1,0\n");
   try {
     Scene result = read_scene(folder.write("scene.toml", text));
     if (scene != nullptr) *scene = std::move(result);
