@@ -59,6 +59,23 @@ void set_counts(const std::vector<AlignedImpact>& alignment, std::optional<int>&
   extra = counts.extra;
 }
 
+/// The engine's times between impacts of an interface over the exact ones, less 1; of impacts that follow
+/// each other in both.
+std::optional<double> swing_time_error(const std::vector<AlignedImpact>& alignment) {
+  double exact = 0, engine = 0;
+  std::map<int, const AlignedImpact*> last;  // of each interface, or null where one alone has it
+  for (const AlignedImpact& one : alignment) {
+    const bool both = one.exact && one.engine;
+    const AlignedImpact*& before = last[one.interface];
+    if (both && before != nullptr) {
+      exact += *one.exact - *before->exact;
+      engine += *one.engine - *before->engine;
+    }
+    before = both ? &one : nullptr;
+  }
+  return exact > 0 ? std::optional(engine / exact - 1) : std::nullopt;
+}
+
 void add_impacts(const Scene& scene, const History& exact, const CandidateMotion& candidate,
                  const Difference& gaps, double horizon, RunMetrics& row, RunFiles& files) {
   const auto expected = reported_impacts(scene, exact, chatter_speed(scene));
@@ -72,6 +89,7 @@ void add_impacts(const Scene& scene, const History& exact, const CandidateMotion
     const AlignmentCounts counts = count(compared);
     row.rms_impact_time_difference = counts.rms_apart;
     row.largest_impact_time_difference = counts.largest_apart;
+    row.swing_time_error = swing_time_error(compared);
   }
   // What the exact motion itself scores when it is read from samples as an engine's is.
   const auto sampled = observed_impacts(scene, exact, chatter_speed(scene));

@@ -62,6 +62,23 @@ TEST(AgainstExact, WhatStaysPastItsBalanceStands) {
   EXPECT_EQ(verdict(0.5), TopplingVerdict::unknown);
 }
 
+// Impacts whose times are all shorter by a hundredth have swings that are, whichever of them is missed.
+TEST(AgainstExact, SwingsThatAreShorterByAShareAreToldByIt) {
+  const Scene scene = free_rocking(2);
+  const History exact = solve(scene, {.sample_times = regular_times(1e-3, scene.duration)});
+  for (const std::size_t missed : {0U, 1U, 99U}) {
+    auto impacts = reported_impacts(scene, exact, chatter_speed(scene));
+    for (ImpactTime& impact : impacts) impact.time *= 0.99;
+    if (missed < impacts.size()) impacts.erase(impacts.begin() + static_cast<std::ptrdiff_t>(missed));
+    Suite suite;
+    suite.wanted.histories = false;
+    RunMetrics row;
+    RunFiles files;
+    compare_with_exact(scene, suite, {exact, 1e-3, impacts, false}, scene.duration, row, files);
+    EXPECT_NEAR(*row.swing_time_error, -0.01, 1e-12) << missed;
+  }
+}
+
 // Angles a tenth too large, impacts 2 ms late, the last one missed and one made up.
 TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   const Scene scene = free_rocking(2);
@@ -140,6 +157,7 @@ TEST(AgainstExact, EachDifferenceIsTheOneThatWasMade) {
   EXPECT_EQ(row.impacts_extra, 1);
   EXPECT_NEAR(*row.rms_impact_time_difference, 2e-3, rounding);
   EXPECT_NEAR(*row.largest_impact_time_difference, 2e-3, rounding);
+  EXPECT_NEAR(*row.swing_time_error, 0, 1e-12) << "all are late by as much";
   const Block& base = scene.blocks[0];
   const Block& top = scene.blocks[1];
   const double weight_height =
