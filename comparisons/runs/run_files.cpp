@@ -54,19 +54,18 @@ Json fields_of(const GroundMotion& motion) {
 
 Json fields_of(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
-               point_restitution, restitution_law, springs, initial, horizontal, vertical, engine] = scene;
+               point_restitution, restitution_law, springs, initial, horizontal, vertical, depth] = scene;
   const Json each = mapped(blocks, [](const Block& block) -> Json {
     const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
     return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
   });
   const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
   const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
-  const auto& [engine_friction, depth] = engine;
   return std::tuple(title, duration, gravity, inclination, law, equations, restitution, each, friction,
                     point_restitution, restitution_law,
                     std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential),
                     std::tuple(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities),
-                    fields_of(horizontal), fields_of(vertical), engine_friction, depth);
+                    fields_of(horizontal), fields_of(vertical), depth);
 }
 
 /// Infinity has no form in JSON.
