@@ -116,28 +116,23 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   Json json;
   json["scenes"] = Json::array();
   for (const Suite& suite : suites)
-    for (const NamedScene& scene : suite.scenes) {
-      Json entry{{"name", scene.name}};
-      entry.update(scene_json(scene.scene));
-      if (const auto& ratios = scene.scene.restitution; !ratios.empty())
-        entry["law"] = fmt::format("{} with restitution {}, engines without", name(scene.scene.law),
-                                   fmt::join(ratios, ", "));
-      entry.update({{"draws", suite.replicates.runs},
-                    {"draw_steps", suite.replicates.steps},
-                    {"draw_scene", suite.replicates.scene},
-                    {"draw_seed", suite.replicates.seed},
-                    {"predictable_time", predictable_json(scene.name, rows)},
-                    {"measured", scene.measured ? Json{{"columns", scene.measured->columns},
-                                                       {"unit", scene.measured->unit()}}
-                                                : Json()},
-                    {"results", names_of(suite.wanted)},
-                    {"perturbations", suite.perturbations.runs},
-                    {"perturbation_size", suite.perturbations.size},
-                    {"perturbation_seed", suite.perturbations.seed},
-                    {"toml", scene.text},
-                    {"page", page_text(scene.document, scene.scene)}});
-      json["scenes"].push_back(std::move(entry));
-    }
+    for (const NamedScene& scene : suite.scenes)
+      json["scenes"].push_back({{"name", scene.name},
+                                {"ground", ground_words(scene.scene)},
+                                {"draws", suite.replicates.runs},
+                                {"draw_steps", suite.replicates.steps},
+                                {"draw_scene", suite.replicates.scene},
+                                {"draw_seed", suite.replicates.seed},
+                                {"predictable_time", predictable_json(scene.name, rows)},
+                                {"measured", scene.measured ? Json{{"columns", scene.measured->columns},
+                                                                   {"unit", scene.measured->unit()}}
+                                                            : Json()},
+                                {"results", names_of(suite.wanted)},
+                                {"perturbations", suite.perturbations.runs},
+                                {"perturbation_size", suite.perturbations.size},
+                                {"perturbation_seed", suite.perturbations.seed},
+                                {"toml", scene.text},
+                                {"page", page_text(scene.document, scene.scene)}});
   json["title"] = fmt::format("{}", fmt::join(mapped(suites, &Suite::title), "; "));
   json["verdict"] = verdict_json(result.verdict, judged_scenes(suites));
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;

@@ -85,7 +85,7 @@ void write_motion(const NamedScene& scene, const History& history, const Support
   summary.update(outcome_json(run_outcome(scene.scene, history), summary.at("engine") != "exact"));
   if (summary.at("status") == name(RunStatus::done))
     summary["verdict"] = motion_verdict(scene.scene, history, support);
-  summary["scene_as_run"] = scene_json(scene.scene);
+  summary["scene_as_run"] = {{"ground", ground_words(scene.scene)}};
   summary["page"] = page_text(scene.document, scene.scene);
   // The longest first: where the disk is full, none is left behind.
   const auto longest = files.extract("history.csv");

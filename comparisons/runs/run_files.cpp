@@ -8,6 +8,7 @@
 #include "analytic/scene/files/file_text.hpp"
 #include "analytic/scene/input/json_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "engines/worker/installation.hpp"
 
 namespace rockstack {
@@ -40,32 +41,6 @@ std::uint64_t file_checksum(const std::filesystem::path& file) {
   const auto found = known.find(file);
   if (found != known.end()) return found->second;
   return known[file] = checksum(bytes_of(file));
-}
-
-// All of a scene that a run's results may depend on; numbers as JSON has them, which is to the bit. Members
-// are bound by their number, so that a struct with another one does not compile until it counts here.
-Json fields_of(const GroundMotion& motion) {
-  const auto& [interval, samples, source, made_up, pulse] = motion;
-  if (!pulse) return std::tuple(interval, samples, source, made_up, Json());
-  const auto& [shape, amplitude, period, start, cycles, phase] = *pulse;
-  return std::tuple(interval, samples, source, made_up,
-                    std::tuple(shape, amplitude, period, start, cycles, phase));
-}
-
-Json fields_of(const Scene& scene) {
-  const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
-               point_restitution, restitution_law, springs, initial, horizontal, vertical, depth] = scene;
-  const Json each = mapped(blocks, [](const Block& block) -> Json {
-    const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
-    return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
-  });
-  const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
-  const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
-  return std::tuple(title, duration, gravity, inclination, law, equations, restitution, each, friction,
-                    point_restitution, restitution_law,
-                    std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential),
-                    std::tuple(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities),
-                    fields_of(horizontal), fields_of(vertical), depth);
 }
 
 /// Infinity has no form in JSON.
@@ -112,7 +87,7 @@ RunFiles unpack(const std::string& message) {
 }
 
 std::string identity(const Job& job) {
-  Json run{fields_of(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies,
+  Json run{scene_fields(job.scene.scene), job.dt, job.suite.repeats, job.suite.wanted.bodies,
            job.suite.softness};
   std::string text = job.variant != nullptr ? job.variant->name() : "";
   if (const auto& measured = job.scene.measured)

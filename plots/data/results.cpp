@@ -1,6 +1,6 @@
 #include "plots/data/results.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "analytic/scene/input/document.hpp"
 
@@ -12,11 +12,22 @@ std::string name_in(const fs::path& results, const char* key, const std::string&
   return file_name(name, fmt::format("{}: {}", (results / "comparison.json").string(), key));
 }
 
-ComparedScene scene_of(const Json& json, const fs::path& results) {
-  ComparedScene scene{recorded_scene(json)};
-  scene.name = name_in(results, "name of a scene", json.at("name").get<std::string>());
-  scene.toml = json.at("toml").get<std::string>();
+/// `text`: the key of its file's text.
+ComparedScene scene_of(const Json& json, const char* text, const fs::path& place) {
+  const auto toml = json.at(text).get<std::string>();
+  ComparedScene scene{recorded_scene(json, toml, place.string())};
+  scene.toml = toml;
   scene.page = json.value("page", "");
+  scene.heading = fmt::format("{}, law {}", scene.title, name(scene.law));
+  return scene;
+}
+
+ComparedScene compared_scene(const Json& json, const fs::path& results) {
+  ComparedScene scene = scene_of(json, "toml", results / "comparison.json");
+  scene.name = name_in(results, "name of a scene", json.at("name").get<std::string>());
+  scene.ground = json.at("ground").get<std::string>();
+  if (!scene.restitution.empty())
+    scene.heading += fmt::format(" with restitution {}, engines without", fmt::join(scene.restitution, ", "));
   if (const Json& time = json.at("predictable_time"); !time.is_null())
     scene.predictable_time = time.get<double>();
   scene.results = json.at("results").get<std::vector<std::string>>();
@@ -49,7 +60,7 @@ Comparison comparison_of(const Json& json, const fs::path& results) {
   Comparison comparison;
   comparison.title = json.at("title").get<std::string>();
   comparison.command = json.at("command").get<std::string>();
-  for (const Json& scene : json.at("scenes")) comparison.scenes.push_back(scene_of(scene, results));
+  for (const Json& scene : json.at("scenes")) comparison.scenes.push_back(compared_scene(scene, results));
   comparison.definitions = facts_of(json.at("definitions"));
   comparison.environment = facts_of(json.at("environment"));
   comparison.tolerance = json.at("tolerance_rad").get<double>();
@@ -72,15 +83,14 @@ Comparison comparison_of(const Json& json, const fs::path& results) {
   return comparison;
 }
 
-ComparedScene scene_of(const Json& summary, const Run& run) {
-  ComparedScene scene{recorded_scene(summary.at("scene_as_run"))};
+ComparedScene scene_by_itself(const Json& summary, const Run& run) {
+  ComparedScene scene = scene_of(summary, "scene_file", run.folder / "summary.json");
   scene.name = run.scene;
-  scene.toml = summary.at("scene_file").get<std::string>();
-  scene.page = summary.value("page", "");
+  scene.ground = summary.at("scene_as_run").at("ground").get<std::string>();
   scene.results = {"histories"};
   scene.slips = run.tells_slips();
   scene.alone = true;
-  if (!run.exact()) scene.law.clear();
+  if (!run.exact()) scene.heading = scene.title;
   if (fs::exists(run.folder / "ground.csv")) scene.ground_motion = run.folder / "ground.csv";
   return scene;
 }
@@ -90,7 +100,7 @@ Motion motion_of(const Json& summary, const fs::path& results) {
   Run run{motion_row(summary), results, std::make_shared<KeptFiles>()};
   run.status = RunStatus::done;  // a motion that was given up is shown up to there
   motion.comparison.runs = {run};
-  motion.comparison.scenes = {scene_of(summary, run)};
+  motion.comparison.scenes = {scene_by_itself(summary, run)};
   motion.comparison.title = motion.comparison.scenes.front().title;
   motion.comparison.command = summary.at("command").get<std::string>();
   motion.comparison.environment = facts_of(summary.at("environment"));

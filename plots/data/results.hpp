@@ -50,12 +50,11 @@ struct Run : RunMetrics {
   /// friction of its own, or any of both and other laws.
   bool has_other_equations() const { return engine == "linear" || engine == "nonlinear"; }
   bool has_own_friction() const { return engine.starts_with("friction="); }
-  bool is_variant() const {
-    return has_other_equations() || has_own_friction() || engine == "paper" || engine == "consistent" ||
-           engine == "unilateral";
+  bool is_variant() const { return !exact() && solver == "taylor"; }
+  /// Whether its history tells slips, gaps and places, as its law leaves pivots.
+  bool tells_slips() const {
+    return leaves_pivots(static_cast<Law>(std::ranges::find(law_names, law) - law_names.begin()));
   }
-  /// Whether its history tells slips, gaps and places: blocks may leave their pivots.
-  bool tells_slips() const { return law == name(Law::unilateral) || law == name(Law::compliant); }
   /// The engine with its solver, "bullet:sequential-impulse"; "exact" for the exact solver.
   std::string solver_name() const { return exact() || solver.empty() ? engine : engine + ":" + solver; }
 };
@@ -67,8 +66,10 @@ double value_of(const std::optional<Number>& cell) {
 }
 
 /// A scene as it was compared.
-struct ComparedScene : RecordedScene {
+struct ComparedScene : Scene {
   std::string name = {};
+  std::string heading = {};                ///< the title, with the law of its exact motion
+  std::string ground = {};                 ///< what moves it, in words; empty where nothing does
   std::string toml = {};                   ///< the scene as text
   std::string page = {};                   ///< the scene for pages that solve it, JSON; empty: none
   double predictable_time = std::nan("");  ///< until when histories can be compared, s; NaN: not known
@@ -85,8 +86,7 @@ struct ComparedScene : RecordedScene {
   bool alone = false;                      ///< one motion by itself: no run stands beside another
 
   bool has(const std::string& result) const { return std::ranges::find(results, result) != results.end(); }
-  /// The title with the law of its exact motion.
-  std::string heading() const { return law.empty() ? title : title + ", law " + law; }
+  int block_count() const { return static_cast<int>(blocks.size()); }
   /// Until when histories can be compared, s.
   double horizon() const { return std::isnan(predictable_time) ? duration : predictable_time; }
 };

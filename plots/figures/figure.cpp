@@ -109,7 +109,7 @@ Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
 }
 
 Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const {
-  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(scene.heading(), legend, answer);
+  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(scene.heading, legend, answer);
 }
 
 RunSelection SceneSubject::shown(const std::vector<std::string>& files) const {

@@ -19,7 +19,7 @@ struct SceneSubject {
   /// A sheet with the scene's title, the figure's question and the answer.
   Sheet sheet(const Legend& legend, const std::string& answer) const;
   /// The scene's title over the reason why there is nothing to show.
-  Drawing nothing(const std::string& reason) const { return empty_sheet(scene.heading(), reason); }
+  Drawing nothing(const std::string& reason) const { return empty_sheet(scene.heading, reason); }
 
   /// The exact run and the engines' runs that figures over time show, these only with all of some files.
   RunSelection shown(const std::vector<std::string>& files = {}) const;

@@ -60,7 +60,7 @@ Json spans_of(const History& history) {
 
 /// Events by time, with 1 for chatter: slow bounces, and the starts and ends of sliding and touching that
 /// follow them; a landing on springs is none. Chatter beyond what a page can hold is left out.
-Json stops_of(const std::vector<Block>& blocks, const History& history, double chatter_speed) {
+Json stops_of(const Scene& scene, const History& history) {
   constexpr std::size_t most = 4000;
   Json list = Json::array();
   bool chatter = false;
@@ -68,10 +68,10 @@ Json stops_of(const std::vector<Block>& blocks, const History& history, double c
     const bool bounce = event.kind == EventKind::impact || event.kind == EventKind::touch;
     if (bounce) {
       const auto interface = static_cast<std::size_t>(event.interface) - 1;
-      const double width = interface_width(blocks, interface);
+      const double width = interface_width(scene.blocks, interface);
       const bool lands_on_springs =
           event.kind == EventKind::touch && event.from.contacts[interface] == Contact::apart;
-      chatter = !lands_on_springs && approach_speed(event, width) < chatter_speed * width;
+      chatter = !lands_on_springs && approach_speed(event, width) < chatter_speed(scene) * width;
     }
     const bool follows =
         event.kind == EventKind::slip || event.kind == EventKind::stick || event.kind == EventKind::part;
@@ -150,20 +150,19 @@ void add_forces(const std::vector<double>& times, const std::vector<double>& row
   track["reactions"] = packed(rows, 3 * static_cast<std::size_t>(blocks), stride);
 }
 
-Json player_scene(const std::string& title, const std::vector<Block>& blocks, double gravity,
-                  const std::vector<double>& friction, const History& history, double chatter_speed) {
+Json player_scene(const Scene& scene, const History& history) {
   double mass = 0;
   Json shapes = Json::array();
-  for (const Block& block : blocks) {
+  for (const Block& block : scene.blocks) {
     mass += block.mass;
     shapes.push_back({{"width", 2 * block.half_width},
                       {"height", 2 * block.half_height},
                       {"offset", {block.offset_x, block.offset_y}}});
   }
-  Json stage{{"title", title}, {"blocks", std::move(shapes)}, {"weight", mass * gravity}};
+  Json stage{{"title", scene.title}, {"blocks", std::move(shapes)}, {"weight", mass * scene.gravity}};
   make_room(stage);
-  stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(blocks, history, chatter_speed)}};
-  if (!friction.empty()) stage["friction"] = friction;
+  stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(scene, history)}};
+  if (leaves_pivots(scene.law)) stage["friction"] = friction_of(scene);
   return stage;
 }
 
@@ -184,9 +183,7 @@ std::string for_script(const Json& data) {
 }
 
 Json stage_of(const Scene& scene, const History& history) {
-  Json stage = player_scene(scene.title, scene.blocks, scene.gravity,
-                            leaves_pivots(scene.law) ? friction_of(scene) : std::vector<double>(), history,
-                            chatter_speed(scene));
+  Json stage = player_scene(scene, history);
   const auto ground = [&](const auto& along) {
     return mapped(history.times, [&](double time) { return acceleration(along, time); });
   };

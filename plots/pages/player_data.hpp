@@ -42,11 +42,9 @@ History with_events(const History& history);
 void add_forces(const std::vector<double>& times, const std::vector<double>& rows, int blocks,
                 std::size_t stride, Json& track);
 
-/// What the player needs of a scene besides its tracks and the ground; `friction` of each interface, none
-/// where blocks keep to their pivots. Its "events" are the pattern band and the events of an exact motion,
-/// "spans" and "stops"; impacts slower than `chatter_speed`, rad/s, are chatter.
-Json player_scene(const std::string& title, const std::vector<Block>& blocks, double gravity,
-                  const std::vector<double>& friction, const History& history, double chatter_speed);
+/// What the player needs of a scene besides its tracks and the ground. Its "events" are the pattern band and
+/// the events of a motion of it where that is exact, "spans" and "stops".
+Json player_scene(const Scene& scene, const History& history);
 
 /// Adds the acceleration of the ground at some times, s: to the right and upwards, m/s².
 void add_ground(const std::vector<double>& times, const std::vector<double>& right,
@@ -57,7 +55,7 @@ std::string for_script(const Json& data);
 
 // Data of a motion that has just been computed.
 
-/// The scene, with the patterns and events of a motion of it where that is exact.
+/// The scene with its ground at the times of a motion, whose patterns and events it has where that is exact.
 Json stage_of(const Scene& scene, const History& history);
 
 /// Adds what interfaces carry at the samples of an exact motion to its track.

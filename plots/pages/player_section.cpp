@@ -67,9 +67,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
     if (line.size() > 1) coarse.insert(line.back().run);
   }
   const Run& first = runs.front();
-  Json data = player_scene(scene.title, scene.stack, scene.gravity,
-                           first.tells_slips() ? scene.friction : std::vector<double>(),
-                           first.exact() ? *history_of(first) : History{}, scene.chatter_speed);
+  Json data = player_scene(scene, first.exact() ? *history_of(first) : History{});
   const Json events = data["events"];
   if (!scene.ground_motion.empty()) {
     const auto columns = read_columns(scene.ground_motion, {"time", "horizontal", "vertical"});
@@ -77,7 +75,7 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   }
   const std::set<std::string> seen = shown_at_first(runs, finest ? coarse : std::set<std::string>());
   constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
-  const auto blocks = static_cast<std::size_t>(scene.blocks());
+  const std::size_t blocks = scene.blocks.size();
   const std::size_t columns = runs.size() * (1 + (scene.slips ? 4 : 1) * blocks) + 1 + 3 * blocks;
   const std::size_t samples = std::clamp(numbers / (players * columns), fewest, most);
   data["tracks"] = Json::array();

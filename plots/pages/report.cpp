@@ -73,7 +73,7 @@ std::string scene_section(const fs::path& results, const Comparison& comparison,
     body += element("h3", escaped(figure->title)) + scene_figure(results, comparison, scene, *figure) + "\n";
   body += terms_table(comparison, compared.name) + impacts_table(comparison, compared.name) +
           details(fmt::format("The scene file of {}", escaped(compared.name)), code_block(compared.toml));
-  return section(compared.heading(), body, fmt::format(" id=\"{}\"", scene_anchor(scene)));
+  return section(compared.heading, body, fmt::format(" id=\"{}\"", scene_anchor(scene)));
 }
 
 std::string contents_list(const Comparison& comparison) {
@@ -125,8 +125,8 @@ std::string first_screen(const fs::path& results, const Comparison& comparison) 
                drawn_figure(results, stem, stem + "-", figure_in(stem)->title);
   std::string parts = element("div", verdict);
   if (const std::size_t scene = first_motion(comparison); scene < comparison.scenes.size())
-    parts += element("div", element("h2", escaped(comparison.scenes[scene].heading())) +
-                                player_section(comparison, scene));
+    parts += element(
+        "div", element("h2", escaped(comparison.scenes[scene].heading)) + player_section(comparison, scene));
   return element("div", parts, " class=\"first\"");
 }
 
@@ -163,8 +163,7 @@ std::string content(const fs::path& results, const Motion& motion) {
   const ComparedScene& scene = comparison.scenes.front();
   const std::string contents = element("ul", element("li", link("#" + player_anchor(0), "Player")));
   const std::string header =
-      element("h1", escaped(scene.heading())) +
-      element("nav", contents, " aria-label=\"Parts of this page\"") +
+      element("h1", escaped(scene.heading)) + element("nav", contents, " aria-label=\"Parts of this page\"") +
       answer_box({fmt::format("{}: {}.", run_label(comparison.runs.front()), motion.verdict)});
   std::string drawn;
   for (const Figure* figure : figures_of(scene)) drawn += scene_figure(results, comparison, 0, *figure);

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
@@ -176,22 +175,27 @@ void write_readings(const fs::path& folder, const Sample& sample, double lag) {
   }
 }
 
-Scene scene_of(const Sample& sample) {
-  Scene scene;
-  scene.title = sample.title;
-  scene.duration = duration;
-  if (sample.slides) scene.law = sample.law;
-  scene.friction.assign(static_cast<std::size_t>(sample.blocks), 0.5);
-  scene.blocks.assign(static_cast<std::size_t>(sample.blocks), {0.5, 1, 1000, 416.67});
-  return scene;
+Law law_of(const Sample& sample) {
+  return sample.slides ? sample.law : Law::consistent;
+}
+
+Json page_of(const Sample& sample) {
+  Json page{{"title", sample.title},
+            {"duration", duration},
+            {"law", name(law_of(sample))},
+            {"contact", {{"friction", 0.5}}}};
+  if (law_of(sample) == Law::compliant) page["contact"]["stiffness"] = 1e8;
+  for (int k = 0; k < sample.blocks; ++k)
+    page["blocks"].push_back({{"width", 1}, {"height", 2}, {"mass", 1000}, {"inertia", 416.67}});
+  return page;
 }
 
 void write_json(const fs::path& folder, const Sample& sample, const std::vector<RunMetrics>& rows) {
   Json scene{{"name", "sample"}};
-  scene.update(scene_json(scene_of(sample)));
-  scene["chatter_speed"] = 0.01;
+  scene["ground"] = sample.shaken ? "samples" : "";
   scene["predictable_time"] = sample.predictable_time;
   scene["toml"] = "duration = 5 # s & <b>not bold</b>\n";
+  scene["page"] = page_of(sample).dump();
   scene["results"] = sample.results;
   if (sample.tested) scene["measured"] = {{"columns", {"base of a_b"}}, {"unit", "m"}};
   Json json{{"title", "A sample <comparison>"}, {"scenes", Json::array({scene})}};
@@ -246,7 +250,7 @@ RunMetrics row_of(const Sample& sample, const std::string& run, const SampleEngi
   RunMetrics row;
   row.run = run;
   row.scene = "sample";
-  row.law = name(scene_of(sample).law);
+  row.law = name(law_of(sample));
   row.engine = engine.engine;
   row.solver = engine.solver;
   row.settings = engine.settings;

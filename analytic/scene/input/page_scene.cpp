@@ -10,16 +10,13 @@ namespace {
 
 constexpr const char* infinite = "inf";
 
-/// As a value's place in messages.
-constexpr const char* page_place = "the page";
-
 void fill(Node& node, const Json& value) {
   if (value.is_structured()) {
     node.kind = value.is_object() ? Node::Kind::table : Node::Kind::array;
     node.children.reserve(value.size());
     for (const auto& [name, entry] : value.items()) {
       const std::string number = std::to_string(node.children.size() + 1);
-      Node child = make_child(node, value.is_object() ? name : number, page_place);
+      Node child = make_child(node, value.is_object() ? name : number, node.place);
       fill(child, entry);
       node.children.push_back(std::move(child));
     }
@@ -76,9 +73,9 @@ Json page_scene(const Node& node) {
   return node.kind == Node::Kind::array ? list : table;
 }
 
-Node scene_document(const Json& scene) {
+Node scene_document(const Json& scene, const std::string& place) {
   Node root;
-  root.place = page_place;
+  root.place = place;
   fill(root, scene);
   return root;
 }
@@ -87,6 +84,7 @@ std::string page_text(const Node& document, const Scene& scene) {
   if (document.children.empty()) return "";
   Json page = page_scene(document);
   page["title"] = scene.title;
+  page["duration"] = scene.duration;
   for (const auto& [axis, motion] :
        {std::pair{"horizontal", &scene.horizontal}, std::pair{"vertical", &scene.vertical}})
     if (!motion->samples.empty())

@@ -19,8 +19,8 @@ std::string toml_value(const Json& value);
 /// The scene file that a scene on a page stands for.
 std::string scene_text(const Json& scene);
 
-/// And back; every value's place is "the page". @throws InputError for what is nested too deeply.
-Node scene_document(const Json& scene);
+/// And back; every value has that place. @throws InputError for what is nested too deeply.
+Node scene_document(const Json& scene, const std::string& place = "the page");
 
 /// The text of a scene made of a document, for a page that can read no file: sampled ground motions are there
 /// as samples, as they act. Empty for a document that is.

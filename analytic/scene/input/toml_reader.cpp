@@ -143,7 +143,10 @@ Node read_toml(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     throw InputError(name + ": must be a file, or a name from `rockstack list`; nothing is there");
-  const std::string text = file_text(file);
+  return parse_toml(file_text(file), name);
+}
+
+Node parse_toml(const std::string& text, const std::string& name) {
   require_short_keys(text, name);
   try {
     const toml::table table = toml::parse(text);

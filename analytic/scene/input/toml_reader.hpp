@@ -11,6 +11,9 @@ namespace rockstack {
 /// @throws InputError: as file_text(), or not TOML (with the line), or nested too deep for any scene.
 Node read_toml(const std::filesystem::path& file);
 
+/// Reads the text of such a file, of that name. @throws InputError where it is not TOML or nested too deep.
+Node parse_toml(const std::string& text, const std::string& name);
+
 /// Reads one TOML value ("3", "[1, 2]", "\"text\"") into a copy of `target`, keeping its name, key and place;
 /// nothing where the text is not TOML. @throws InputError where it is nested too deep.
 std::optional<Node> parse_toml_value(const std::string& text, const Node& target);

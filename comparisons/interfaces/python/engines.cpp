@@ -120,7 +120,7 @@ using Input = std::variant<std::tuple<ScenePointer, std::string, std::string>, s
 Suite suite_of(const Input& input, const SceneChoice& choice) {
   if (const auto* made = std::get_if<0>(&input)) {
     const auto& [scene, name, text] = *made;
-    return suite_for({folder_name(name), text, scene->scene, "scene"}, choice);
+    return suite_for({folder_name(name), text, scene->scene, "scene", {}, scene->document.root}, choice);
   }
   const std::string& name = std::get<std::string>(input);
   std::error_code ignored;

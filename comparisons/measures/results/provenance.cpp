@@ -5,7 +5,10 @@
 
 #include <fstream>
 
-#include "comparisons/measures/metrics/impacts.hpp"
+#include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/input/page_scene.hpp"
+#include "analytic/scene/input/scene_file.hpp"
+#include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/measures/results/build.hpp"
 
 namespace rockstack {
@@ -17,6 +20,14 @@ std::string processor() {
   for (std::string line; std::getline(stream, line);)
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   return "unknown";
+}
+
+Json motion_fields(const GroundMotion& motion) {
+  const auto& [interval, samples, source, made_up, pulse] = motion;
+  if (!pulse) return std::tuple(interval, samples, source, made_up, Json());
+  const auto& [shape, amplitude, period, start, cycles, phase] = *pulse;
+  return std::tuple(interval, samples, source, made_up,
+                    std::tuple(shape, amplitude, period, start, cycles, phase));
 }
 
 }  // namespace
@@ -33,39 +44,48 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
   return facts;
 }
 
-Json scene_json(const Scene& scene) {
-  std::string ground = scene.horizontal.source;
-  if (!scene.vertical.empty()) ground += (ground.empty() ? "" : "; ") + scene.vertical.source + ", vertical";
-  const auto block_json = [](const Block& block) {
-    return Json{
-        {"width", 2 * block.half_width}, {"height", 2 * block.half_height}, {"mass", block.mass},
-        {"inertia", block.inertia},      {"offset_x", block.offset_x},      {"offset_y", block.offset_y}};
-  };
-  return {{"title", scene.title},
-          {"blocks", scene.blocks.size()},
-          {"stack", mapped(scene.blocks, block_json)},
-          {"gravity", scene.gravity},
-          {"duration", scene.duration},
-          {"ground", ground},
-          {"chatter_speed", chatter_speed(scene)},
-          {"settling_duration", settling_duration(scene)},
-          {"law", name(scene.law)},
-          {"friction", friction_of(scene)}};
+// Members are bound by their number, so that a struct with another one does not compile until it counts here.
+Json scene_fields(const Scene& scene) {
+  const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
+               point_restitution, restitution_law, springs, initial, horizontal, vertical, depth] = scene;
+  const Json each = mapped(blocks, [](const Block& block) -> Json {
+    const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
+    return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
+  });
+  const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
+  const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
+  return {
+      {"title", title},
+      {"duration", duration},
+      {"gravity", gravity},
+      {"inclination", inclination},
+      {"law", law},
+      {"equations", equations},
+      {"restitution", restitution},
+      {"blocks", each},
+      {"friction", friction},
+      {"point_restitution", point_restitution},
+      {"restitution_law", restitution_law},
+      {"springs", std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential)},
+      {"initial", std::tuple(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities)},
+      {"horizontal", motion_fields(horizontal)},
+      {"vertical", motion_fields(vertical)},
+      {"depth", depth}};
 }
 
-RecordedScene recorded_scene(const Json& json) {
-  RecordedScene scene{json.at("title").get<std::string>(),  {},
-                      json.at("gravity").get<double>(),     json.at("duration").get<double>(),
-                      json.at("ground").get<std::string>(), json.at("chatter_speed").get<double>(),
-                      json.at("law").get<std::string>(),    json.at("friction").get<std::vector<double>>()};
-  for (const Json& block : json.at("stack"))
-    scene.stack.push_back({block.at("width").get<double>() / 2, block.at("height").get<double>() / 2,
-                           block.at("mass").get<double>(), block.at("inertia").get<double>(),
-                           block.at("offset_x").get<double>(), block.at("offset_y").get<double>()});
-  if (scene.stack.empty() || scene.stack.size() > max_blocks)
-    throw std::invalid_argument(
-        fmt::format("stack has {} blocks: must have 1 to {}", scene.stack.size(), max_blocks));
-  return scene;
+std::string ground_words(const Scene& scene) {
+  const std::string& along = scene.horizontal.source;
+  if (scene.vertical.empty()) return along;
+  return along + (along.empty() ? "" : "; ") + scene.vertical.source + ", vertical";
+}
+
+Scene recorded_scene(const Json& json, const std::string& text, const std::string& place) {
+  const std::string page = json.value("page", "");
+  Node root = page.empty() ? parse_toml(text, place) : scene_document(parse_json(page, place + ": "), place);
+  const auto is_apart = [](const Node& table) { return table.name == "ground" || table.name == "measured"; };
+  if (page.empty()) std::erase_if(root.children, is_apart);
+  MotionLibrary library;
+  return make_scene({std::move(root), {}, json.value("title", "")}, library);
 }
 
 }  // namespace rockstack

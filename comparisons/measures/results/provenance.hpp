@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/scene/input/json.hpp"
+#include "analytic/scene/scene.hpp"
 #include "engines/worker/worker_engine.hpp"
 
 namespace rockstack {
@@ -9,26 +10,16 @@ namespace rockstack {
 /// these engines, compiler flags, processor.
 std::map<std::string, std::string> environment(const std::vector<const WorkerEngine*>& engines);
 
-/// What results say of a scene as it was run, overrides included: title, blocks, gravity, duration, what
-/// moves the ground, the law, and the speed and time below which impacts are chatter. SI units.
-Json scene_json(const Scene& scene);
+/// All of a scene that a run's results may depend on, by its members; numbers as JSON has them, which is to
+/// the bit.
+Json scene_fields(const Scene& scene);
 
-/// What figures and pages need of that. SI units.
-struct RecordedScene {
-  std::string title;
-  std::vector<Block> stack;      ///< bottom to top
-  double gravity = 0;            ///< m/s²
-  double duration = 0;           ///< s
-  std::string ground;            ///< what moves it; empty where nothing does
-  double chatter_speed = 0;      ///< relative speed under which impacts are chatter, rad/s
-  std::string law;               ///< of the exact motion
-  std::vector<double> friction;  ///< of each interface
+/// What moves the ground of a scene, in words; empty where nothing does.
+std::string ground_words(const Scene& scene);
 
-  int blocks() const { return static_cast<int>(stack.size()); }
-};
-
-/// The scene that scene_json() has told. @throws std::invalid_argument where it is none, or JSON's own
-/// exception.
-RecordedScene recorded_scene(const Json& json);
+/// The scene that results hold as "page", as page_text() has it. Older ones may have its file's text alone,
+/// and "title": it is read without its ground then, whose records may be gone. @throws InputError that begins
+/// with `place`.
+Scene recorded_scene(const Json& json, const std::string& text, const std::string& place);
 
 }  // namespace rockstack

@@ -5,6 +5,7 @@
 
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/input/json_reader.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 
 namespace rockstack {
 namespace {
@@ -20,6 +21,15 @@ RecordedRun read_run(const std::filesystem::path& folder, bool replicated) {
   });
   run.replicates.insert(run.replicates.begin(), run.row);
   return run;
+}
+
+/// What the title does not change, nor samples of the ground, whose last digits another compiler may round
+/// otherwise.
+Json asked_fields(Scene scene) {
+  scene.title.clear();
+  scene.horizontal.samples.clear();
+  scene.vertical.samples.clear();
+  return scene_fields(scene);
 }
 
 using Key = std::vector<std::string>;
@@ -80,10 +90,11 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
       results.environment[key] = value.is_string() ? value.get<std::string>() : value.dump();
     for (const Json& scene : json.at("scenes")) {
       RecordedResults::Facts& question = results.scenes[scene.at("name").get<std::string>()];
-      // What the scene's name, text and number of replicates do not change.
-      for (const char* key :
-           {"stack", "gravity", "duration", "ground", "law", "friction", "draw_steps", "draw_scene"})
+      for (const char* key : {"ground", "draw_steps", "draw_scene"})
         if (scene.contains(key)) question[key] = scene.at(key).dump();
+      if (scene.value("page", "").empty()) continue;
+      const Json asked = asked_fields(recorded_scene(scene, "", file.string()));
+      for (const auto& [key, value] : asked.items()) question[key] = value.dump();
     }
     return json.at("rows").get<std::vector<RunMetrics>>();
   });

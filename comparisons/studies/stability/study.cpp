@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include "analytic/scene/files/file_text.hpp"
+#include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/suites/shipped.hpp"
 
@@ -59,15 +62,20 @@ std::string first_beyond(std::initializer_list<Check> checks) {
   return "";
 }
 
-/// The stack with that many blocks: cut off, or its top block over and over.
-Scene stacked(Scene scene, std::size_t blocks) {
-  const double angle = scene.initial.angles.empty() ? 0 : scene.initial.angles.back();
-  const double velocity = scene.initial.velocities.empty() ? 0 : scene.initial.velocities.back();
-  scene.blocks.resize(blocks, scene.blocks.back());
-  scene.initial.angles.resize(blocks, angle);
-  scene.initial.velocities.resize(blocks, velocity);
-  validate(scene);
-  return scene;
+/// Makes the stack one of that many blocks: cut off, or its top block over and over.
+void restack(std::size_t blocks, NamedScene& scene) {
+  Json page = parse_json(page_text(scene.document, scene.scene), "");
+  for (const char* key : {"/blocks", "/initial/angles", "/initial/velocities"})
+    if (const Json::json_pointer place(key); page.contains(place)) {
+      auto& list = page[place].get_ref<Json::array_t&>();
+      list.resize(blocks, list.back());
+    }
+  scene.text = scene_text(page);
+  scene.document = scene_document(page, scene.name);
+  Scene made = recorded_scene({{"page", page.dump()}}, "", scene.name);
+  made.horizontal = scene.scene.horizontal;  // with their sources
+  made.vertical = scene.scene.vertical;
+  scene.scene = std::move(made);
 }
 
 /// Keys of a scene, each an array of its values along the axis.
@@ -117,8 +125,8 @@ std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& alon
         changes.push_back(fmt::format("{}={}", key.name, value));
     }
     scenes.push_back(read_named_scene(scene, changes));
-    if (blocks > 0) scenes.back().scene = stacked(scenes.back().scene, blocks), scenes.back().document = {};
     scenes.back().name += fmt::format("-{}", along.values[i]);
+    if (blocks > 0) restack(blocks, scenes.back());
   }
   return scenes;
 }

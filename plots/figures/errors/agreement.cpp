@@ -37,7 +37,7 @@ bool is_shown(const Run& run) {
 }
 
 JudgedScene scale_of(const Comparison& comparison, const ComparedScene& scene) {
-  return {scene.name, least_height(scene.stack), scene.duration, comparison.tolerance};
+  return {scene.name, least_height(scene.blocks), scene.duration, comparison.tolerance};
 }
 
 /// Runs of engines alone, those of the set that the verdict ranks first before all others.

@@ -56,7 +56,7 @@ struct Quantity {
 
 std::vector<Quantity> quantities_of(const ComparedScene& scene) {
   std::vector<Quantity> list;
-  for (int k = 1; k <= scene.blocks(); ++k)
+  for (int k = 1; k <= scene.block_count(); ++k)
     list.push_back({fmt::format("peak_{}", k), fmt::format("largest |{}| (rad)", angle_name(k)), k});
   list.push_back({"impacts", "impacts"});
   return list;

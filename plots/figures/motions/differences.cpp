@@ -140,15 +140,15 @@ Drawing differences(const SceneSubject& subject) {
   const std::vector<Run>& runs = shown.engines;
   if (runs.empty()) return subject.nothing("No exact run of this scene to compare with.");
   constexpr int most_blocks = 4;  // with a panel each
-  const bool many = are_many(runs),
-             together = many || scene.blocks() > most_blocks || (subject.on_slide && scene.blocks() > 1);
+  const bool many = are_many(runs), together = many || scene.block_count() > most_blocks ||
+                                               (subject.on_slide && scene.block_count() > 1);
   const std::size_t curves =
-      runs.size() * (many ? runs.size() : 2 * static_cast<std::size_t>(scene.blocks()));
+      runs.size() * (many ? runs.size() : 2 * static_cast<std::size_t>(scene.block_count()));
   Legend legend = legend_of(runs, curve_style);
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   const std::vector<Departure> departures = mapped(runs, [&](const Run& run) {
-    return read_departure(run, scene.blocks(), room_for_marks * axis.end, bins_for(curves), together);
+    return read_departure(run, scene.block_count(), room_for_marks * axis.end, bins_for(curves), together);
   });
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));
   add_panels(sheet, subject, departures, axis, together);

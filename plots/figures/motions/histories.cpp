@@ -116,7 +116,7 @@ std::string axes_of(const std::vector<Run>& runs, const std::vector<Curve>& curv
 /// One panel of all runs, the exact one first.
 void add_angles(Sheet& sheet, const SceneSubject& subject, const std::vector<Run>& runs, int block,
                 const TimeAxis& axis, bool lowest) {
-  const int blocks = subject.scene.blocks();
+  const int blocks = subject.scene.block_count();
   const double tall = subject.height(panel_height(blocks), blocks * panel_height(blocks));
   const std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block, axis.end);
   const std::string words = angle_name(block + 1) + " (rad)", stem = fmt::format("angle_{}", block + 1);
@@ -190,7 +190,7 @@ void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Cur
 
 /// All runs in one panel a block; `all`: the answer is of each, else of the first, exact where there is one.
 Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, bool all) {
-  const int blocks = subject.scene.blocks();
+  const int blocks = subject.scene.block_count();
   if (runs.empty()) return subject.nothing("No run of this scene was done.");
   Legend legend = legend_of(runs, curve_style);
   const TimeAxis axis = subject.time_axis(runs, legend);
@@ -204,7 +204,7 @@ Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, boo
 /// Each engine's coarsest and finest run on the exact curve.
 Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
                    const std::vector<StepLine>& lines) {
-  const int blocks = subject.scene.blocks();
+  const int blocks = subject.scene.block_count();
   std::vector<Run> runs = exact;
   for (const StepLine& line : lines)
     for (const Run& run : ends_of(line)) runs.push_back(run);

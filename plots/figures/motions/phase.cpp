@@ -53,7 +53,7 @@ Drawing phase(const SceneSubject& subject) {
   const RunSelection shown = subject.shown();
   const std::vector<Run> runs = all_runs(shown);
   if (runs.empty()) return subject.nothing("No run of this scene was done.");
-  const auto curves = static_cast<double>(shown.engines.size() + 1) * scene.blocks();
+  const auto curves = static_cast<double>(shown.engines.size() + 1) * scene.block_count();
   constexpr double finest = 3e-4, few = 8;  // more curves must be coarser for the file to stay small
   const double tolerance = finest * std::max(1.0, curves / few);
   const Run& first = runs.front();
@@ -61,9 +61,10 @@ Drawing phase(const SceneSubject& subject) {
       legend_of(runs, curve_style),
       fmt::format("{} goes as far as {:.3g} rad", first.exact() ? "The exact motion" : run_phrase(first),
                   largest_magnitude(history_of(first)->angles)));
-  const double usual = panel_height(scene.blocks()), height = subject.height(usual, scene.blocks() * usual);
+  const double usual = panel_height(scene.block_count()),
+               height = subject.height(usual, scene.block_count() * usual);
   const double end = time_axis(scene, runs).end;
-  for (int k = 0; k < scene.blocks(); ++k)
+  for (int k = 0; k < scene.block_count(); ++k)
     add_block(sheet, runs, k, height,
               mapped(runs, [&](const Run& run) { return read_orbit(run, k, end, tolerance); }));
   return sheet.finish();

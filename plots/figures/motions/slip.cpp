@@ -110,13 +110,13 @@ Drawing slip(const SceneSubject& subject) {
   std::vector<Run> runs = all_runs(subject.shown());
   std::erase_if(runs, [](const Run& run) { return !run.tells_slips(); });
   const double end = time_axis(scene, runs).end;
-  std::vector<SlipPanel> panels = read_slips(runs, scene.blocks(), end);
+  std::vector<SlipPanel> panels = read_slips(runs, scene.block_count(), end);
   const bool exact = runs.front().exact();
   std::string answer = (exact ? "At most: " : "At most, without an exact motion: ") +
-                       slip_phrase(runs.front(), scene.blocks());
-  if (exact) answer += "; " + flights_of(runs.front(), scene.blocks(), end);
+                       slip_phrase(runs.front(), scene.block_count());
+  if (exact) answer += "; " + flights_of(runs.front(), scene.block_count(), end);
   const auto words = [](int number) { return fmt::format("gap {} (mm)", number); };
-  const auto gaps = read_panels(runs, &History::gaps, scene.blocks(), words, millimetres, end);
+  const auto gaps = read_panels(runs, &History::gaps, scene.block_count(), words, millimetres, end);
   panels.insert(panels.end(), gaps.begin(), gaps.end());
   const auto is_still = [&](const SlipPanel& panel) {
     return std::ranges::all_of(
@@ -133,13 +133,13 @@ Drawing friction(const SceneSubject& subject) {
     if (run.exact() || run.has_own_friction()) runs.push_back(run);
   const auto words = [](int number) { return angle_name(number) + " (rad)"; };
   const double end = time_axis(scene, runs).end;
-  std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.blocks(), words, 1, end);
-  const std::vector<SlipPanel> slips = read_slips(runs, scene.blocks(), end);
+  std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.block_count(), words, 1, end);
+  const std::vector<SlipPanel> slips = read_slips(runs, scene.block_count(), end);
   panels.insert(panels.end(), slips.begin(), slips.end());
   std::string answer = "Largest slips: ";
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (runs[i].tells_slips())
-      answer += slip_phrase(runs[i], scene.blocks()) + (i + 1 < runs.size() ? "; " : "");
+      answer += slip_phrase(runs[i], scene.block_count()) + (i + 1 < runs.size() ? "; " : "");
   return drawn(subject, runs, panels, answer);
 }
 

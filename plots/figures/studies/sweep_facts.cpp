@@ -6,15 +6,13 @@
 namespace rockstack::plots {
 namespace {
 
-constexpr double standard_gravity = 9.81;  // of scenes that do not say, m/s²
-
 /// What makes a block's motion dimensionless: it uplifts at a = g tan α and turns with p = √(3g/4R) (Housner
 /// 1963, for a rectangle).
 void add_scales(SweepFacts& facts, const Json& scene) {
   const Json blocks = scene.value("blocks", Json::array());
   if (blocks.size() != 1 || !blocks[0].contains("width") || !blocks[0].contains("height")) return;
   const double width = blocks[0].at("width").get<double>(), height = blocks[0].at("height").get<double>();
-  const double gravity = scene.value("gravity", standard_gravity);
+  const double gravity = scene.value("gravity", Scene().gravity);
   facts.least_acceleration = gravity * width / height;
   facts.frequency_parameter = std::sqrt(3 * gravity / (4 * std::hypot(width, height) / 2));
 }
@@ -40,7 +38,7 @@ std::optional<StruckBlock> struck_block(const Json& sweep) {
   const Json& block = scene.at("blocks")[0];
   if (block.contains("inertia")) return std::nullopt;
   StruckBlock struck{block.at("height").get<double>() / block.at("width").get<double>(),
-                     scene.value("gravity", standard_gravity), 0};
+                     scene.value("gravity", Scene().gravity), 0};
   if (!ground.contains("vertical")) return struck;
   const Json& vertical = ground.at("vertical");
   const std::vector<double> across = values_of(sweep, "ground.horizontal.amplitude");

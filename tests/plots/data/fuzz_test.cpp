@@ -67,10 +67,9 @@ TEST(ResultsMutations, StacksOfNoBlocksAndOfTooManyAreRefused) {
   for (const int blocks : {0, max_blocks + 1}) {
     testing::write_sample(folder, {.impacts = 0});
     auto json = Json::parse(testing::bytes_of(folder / "comparison.json"));
-    Json& stack = json["scenes"][0]["stack"];
-    const Json block = stack[0];
-    stack = Json::array();
-    for (int k = 0; k < blocks; ++k) stack.push_back(block);
+    Json page = Json::parse(json["scenes"][0]["page"].get<std::string>());
+    page["blocks"] = std::vector(static_cast<std::size_t>(blocks), page["blocks"][0]);
+    json["scenes"][0]["page"] = page.dump();
     std::ofstream(folder / "comparison.json") << json;
     EXPECT_THROW(read_comparison(folder), InputError) << blocks;
   }

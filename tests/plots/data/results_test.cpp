@@ -147,6 +147,41 @@ TEST(Results, AMalformedDescriptionIsNamedByItsFile) {
   }
 }
 
+// Results from before hold the text of the scene's file alone; its record may be gone.
+TEST(Results, WithoutAPageASceneIsThatOfItsFileWithoutItsGround) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, testing::Sample{});
+  auto json = Json::parse(testing::bytes_of(folder / "comparison.json"));
+  Json& entry = json["scenes"][0];
+  entry.erase("page");
+  entry["title"] = "From before";
+  entry["ground"] = "gone.csv (a record)";
+  entry["toml"] =
+      "duration = 5\nlaw = \"unilateral\"\n[[blocks]]\nwidth = 1\nheight = 2\ndensity = 500\n"
+      "[contact]\nfriction = 0.3\n[ground.horizontal]\nrecord = \"gone.csv\"\n[measured]\nfile = \"gone\"\n";
+  std::ofstream(folder / "comparison.json") << json;
+  const Comparison comparison = read_comparison(folder);
+  const ComparedScene& scene = comparison.scenes.front();
+  EXPECT_EQ(scene.heading, "From before, law unilateral");
+  EXPECT_EQ(scene.ground, "gone.csv (a record)");
+  EXPECT_EQ(scene.block_count(), 1);
+  EXPECT_EQ(friction_of(scene), std::vector{0.3});
+  EXPECT_TRUE(scene.page.empty());
+}
+
+TEST(Results, AHeadingNamesTheLawAndWhatEnginesDoWithout) {
+  const fs::path folder = testing::fresh_folder();
+  testing::write_sample(folder, testing::Sample{});
+  EXPECT_EQ(read_comparison(folder).scenes[0].heading, "A made-up scene, law consistent");
+  auto json = Json::parse(testing::bytes_of(folder / "comparison.json"));
+  Json page = Json::parse(json["scenes"][0]["page"].get<std::string>());
+  page["restitution"] = {0.9, 1};
+  json["scenes"][0]["page"] = page.dump();
+  std::ofstream(folder / "comparison.json") << json;
+  EXPECT_EQ(read_comparison(folder).scenes[0].heading,
+            "A made-up scene, law consistent with restitution 0.9, 1, engines without");
+}
+
 TEST(Results, DurationsCarryAUnitThatSuitsThem) {
   EXPECT_EQ(duration_text(1.5), "1.5 s");
   EXPECT_EQ(duration_text(1e-3), "1 ms");

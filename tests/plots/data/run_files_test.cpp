@@ -90,6 +90,7 @@ TEST(Contacts, TellOfASceneWhetherItsFiguresHaveSlips) {
 TEST(Contacts, VariantsAreNamedByWhatTheyChange) {
   plots::Run run;
   run.engine = "friction=0.3";
+  run.solver = "taylor";
   EXPECT_TRUE(run.is_variant() && run.has_own_friction());
   EXPECT_EQ(line_label(run), "exact, friction 0.3");
   run.engine = "unilateral";

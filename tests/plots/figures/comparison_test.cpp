@@ -41,7 +41,7 @@ void expect_figures(const fs::path& folder) {
     EXPECT_LT(fs::file_size(fs::path(stem).concat(".svg")), 400'000u) << figure->name;
     const testing::Picture picture = testing::read_picture(fs::path(stem).concat(".svg"));
     EXPECT_EQ(testing::collisions(picture), std::vector<std::string>()) << figure->name;
-    EXPECT_TRUE(picture.says(scene.heading())) << figure->name;
+    EXPECT_TRUE(picture.says(scene.heading)) << figure->name;
   }
 }
 

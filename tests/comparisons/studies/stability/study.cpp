@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "analytic/scene/input/json_reader.hpp"
+#include "analytic/scene/input/page_scene.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rockstack {
@@ -182,6 +184,10 @@ TEST(StabilityStudies, StackTheTopBlockAsOftenAsAskedFor) {
   ASSERT_EQ(column.blocks.size(), 3U);
   EXPECT_EQ(column.blocks[2].half_height, column.blocks[0].half_height);
   EXPECT_EQ(column.initial.angles, (std::vector<double>{0.05, 0.05, 0.05}));
+  const NamedScene& again = study.suite.scenes[1];
+  const Json held{{"page", page_text(again.document, column)}};
+  EXPECT_EQ(scene_fields(recorded_scene(held, "", "results")), scene_fields(column));
+  EXPECT_EQ(recorded_scene(Json::object(), again.text, "results").blocks.size(), 3U);
 }
 
 TEST(StabilityStudies, SayHowManyBlocksThereMayBe) {

@@ -39,6 +39,14 @@ fs::path lesson_folder(const std::string& text) {
   return folder;
 }
 
+/// A page as it is made where there is no em++.
+std::string without_solver(const fs::path& file) {
+  std::string page = testing::bytes_of(file);
+  if (const std::size_t solver = page.find("<script type=\"application/gzip\""); solver != std::string::npos)
+    page.erase(solver, page.find("</body>") - solver);
+  return page;
+}
+
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -160,7 +168,7 @@ TEST(Lesson, ItsSlidesAreWhatIsSeenAndMarkedInItsTextAndFitTheScreen) {
       "<section><h2>Questions</h2><p>Few.</p>"
       "<details class=\"question\"><summary>Why?</summary><p>So.</p></details></section>");
   write_lesson(folder, read_comparison(folder));
-  const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "slides.html"), R"(
+  const testing::Answer answer = testing::ask_browser(without_solver(folder / "slides.html"), R"(
     const { slides } = slideShow, small = slides.filter((one) => {
       one.classList.add("now");
       const held = one.scrollHeight <= one.clientHeight + 1;
@@ -189,16 +197,13 @@ TEST(Lesson, ItsSlidesAreWhatIsSeenAndMarkedInItsTextAndFitTheScreen) {
   EXPECT_EQ(answer.result["drawn"], true) << "what is printed of a player is its picture";
 }
 
-// As a page made where there is no em++: its player moves, and what would ask the solver is not offered.
+// Its player moves, and what would ask the solver is not offered.
 TEST(Lesson, WithoutASolverItsPageHasThePlayerAlone) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder =
       lesson_folder("<section>{{player:sample}}<div class=\"try\" hidden><p>Try it.</p></div></section>");
   write_lesson(folder, read_comparison(folder));
-  std::string page = testing::bytes_of(folder / "lesson.html");
-  if (const std::size_t solver = page.find("<script type=\"application/gzip\""); solver != std::string::npos)
-    page.erase(solver, page.find("</body>") - solver);
-  const testing::Answer answer = testing::ask_browser(page, R"js(
+  const testing::Answer answer = testing::ask_browser(without_solver(folder / "lesson.html"), R"js(
     player.find("play").click();
     for (let i = 0; i < 500 && player.frames < 3; ++i) await wait(20);
     return { moves: player.frames >= 3, offered: document.querySelectorAll(".release").length, tries: document.querySelectorAll(".try:not([hidden])")
