@@ -55,9 +55,7 @@ bool alike_at(std::size_t sample, const History& one, const History& other, doub
 /// The likeness of a branch to an earlier one that begins first.
 std::optional<Likeness> likeness(const Scene& scene, const Branch& branch,
                                  const std::vector<Branch>& earlier) {
-  double height = 0;
-  for (const Block& block : scene.blocks) height += 2 * block.half_height;
-  const double length = height * alike;
+  const double length = stack_height(scene) * alike;
   std::optional<Likeness> found;
   for (std::size_t i = 0; i < earlier.size(); ++i) {
     const History &one = branch.history, &other = earlier[i].history;

@@ -10,14 +10,16 @@ Block make_block(double width, double height, double density) {
   return {width / 2, height / 2, mass, rectangle_inertia(mass, width / 2, height / 2)};
 }
 
-double interface_half_width(const std::vector<Block>& blocks, int interface) {
+double interface_half_width(const Scene& scene, int interface) {
   const auto k = static_cast<std::size_t>(interface);
-  const double own = blocks[k].half_width;
-  return k == 0 ? own : std::min(own, blocks[k - 1].half_width);
+  const double own = scene.blocks[k].half_width;
+  return k == 0 ? own : std::min(own, scene.blocks[k - 1].half_width);
 }
 
-double interface_half_width(const Scene& scene, int interface) {
-  return interface_half_width(scene.blocks, interface);
+double stack_height(const Scene& scene) {
+  double height = 0;
+  for (const Block& block : scene.blocks) height += 2 * block.half_height;
+  return height;
 }
 
 double slenderness(const Scene& scene, int block) {

@@ -164,8 +164,10 @@ inline Gravity gravity_of(const Scene& scene) {
 }
 
 /// Half-width of interface k, from 0: that of the narrower block that meets there; the ground is endless.
-double interface_half_width(const std::vector<Block>& blocks, int interface);
 double interface_half_width(const Scene& scene, int interface);
+
+/// Height of all blocks on each other, H, m.
+double stack_height(const Scene& scene);
 
 /// The angle of a block's unstable balance over its pivot on level ground, atan(w/h) with w that of its lower
 /// interface; the larger one where the centre of mass is off the middle. rad.

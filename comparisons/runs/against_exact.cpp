@@ -250,10 +250,8 @@ SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, 
 /// stays there stands.
 bool moves_at_end(const Scene& scene, const History& history) {
   constexpr double slow = 0.01;  // √(g/H)
-  double height = 0;
-  for (const Block& block : scene.blocks) height += 2 * block.half_height;
   return largest_magnitude(history.velocities_at(history.size() - 1)) >
-         slow * std::sqrt(scene.gravity / height);
+         slow * std::sqrt(scene.gravity / stack_height(scene));
 }
 
 void add_parts(const Scene& scene, const History& exact, const CandidateMotion& candidate, double horizon,

@@ -15,9 +15,7 @@ void vary_flight(Scene& scene, const Next& next) {
   InitialState& initial = scene.initial;
   const auto first = std::ranges::find_if(initial.gaps, [](double gap) { return gap > 0; });
   if (first == initial.gaps.end()) return;
-  double height = 0;
-  for (const Block& block : scene.blocks) height += 2 * block.half_height;
-  const double rate = std::sqrt(scene.gravity / height);
+  const double rate = std::sqrt(scene.gravity / stack_height(scene));
   for (auto* values : {&initial.slip_velocities, &initial.gap_velocities})
     values->resize(scene.blocks.size());
   for (auto k = static_cast<std::size_t>(first - initial.gaps.begin()); k < scene.blocks.size(); ++k) {

@@ -68,7 +68,7 @@ Json stops_of(const Scene& scene, const History& history) {
     const bool bounce = event.kind == EventKind::impact || event.kind == EventKind::touch;
     if (bounce) {
       const auto interface = static_cast<std::size_t>(event.interface) - 1;
-      const double width = interface_width(scene.blocks, interface);
+      const double width = interface_width(scene, interface);
       const bool lands_on_springs =
           event.kind == EventKind::touch && event.from.contacts[interface] == Contact::apart;
       chatter = !lands_on_springs && approach_speed(event, width) < chatter_speed(scene) * width;

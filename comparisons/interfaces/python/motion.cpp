@@ -94,9 +94,8 @@ py::dict events(const HeldMotion& motion) {
   columns["consistency"] = mapped(list, [](const Event& event) { return name(event.consistency); });
   columns["approach"] = copied(mapped(list, [&](const Event& event) {
     const auto interface = static_cast<std::size_t>(event.interface - 1);
-    return is_impact(event.kind)
-               ? approach_speed(event, interface_width(motion.scene->scene.blocks, interface))
-               : std::nan("");
+    return is_impact(event.kind) ? approach_speed(event, interface_width(motion.scene->scene, interface))
+                                 : std::nan("");
   }));
   return columns;
 }

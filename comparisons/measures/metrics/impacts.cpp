@@ -7,17 +7,11 @@
 namespace rockstack {
 namespace {
 
-double stack_height(const Scene& scene) {
-  double height = 0;
-  for (const Block& block : scene.blocks) height += 2 * block.half_height;
-  return height;
-}
-
 /// What an interface does between two samples of sampled motion.
 class SampledInterface {
  public:
   SampledInterface(const Scene& scene, const History& history, std::size_t interface)
-      : history_(history), interface_(interface), width_(interface_width(scene.blocks, interface)) {}
+      : history_(history), interface_(interface), width_(interface_width(scene, interface)) {}
 
   /// Whether it is apart by more than blocks may hover, up to the next sample, and goes up or down.
   bool flies(std::size_t sample, double slowest) const {
@@ -147,8 +141,8 @@ bool is_impact(EventKind kind) {
   return kind == EventKind::impact || kind == EventKind::closure || kind == EventKind::rest;
 }
 
-double interface_width(const std::vector<Block>& blocks, std::size_t interface) {
-  return 2 * interface_half_width(blocks, static_cast<int>(interface));
+double interface_width(const Scene& scene, std::size_t interface) {
+  return 2 * interface_half_width(scene, static_cast<int>(interface));
 }
 
 double approach_speed(const Event& event, double width) {
@@ -161,7 +155,7 @@ std::vector<ImpactTime> reported_impacts(const Scene& scene, const History& hist
   for (const Event& event : history.events) {
     if (!is_impact(event.kind)) continue;
     const auto interface = static_cast<std::size_t>(event.interface - 1);
-    const double width = interface_width(scene.blocks, interface), approach = approach_speed(event, width);
+    const double width = interface_width(scene, interface), approach = approach_speed(event, width);
     if (approach < slowest * width) continue;
     impacts.push_back({event.time, event.interface, side_of(relative_at(event.after, interface), slowest),
                        approach, event.from.contacts[interface] == Contact::apart});
@@ -197,7 +191,7 @@ Difference gap_difference(const Scene& scene, const History& first, const Histor
   for (std::size_t i = 0; i < apart.times.size(); ++i) {
     const std::span row(apart.values.data() + i * apart.blocks, apart.blocks);
     for (std::size_t k = apart.blocks; k-- > 0;) {
-      row[k] = interface_width(scene.blocks, k) * std::abs(relative_at(row, k));
+      row[k] = interface_width(scene, k) * std::abs(relative_at(row, k));
       if (!gaps) continue;
       const double gap = first.row(first.gaps, i)[k], other = second.row(second.gaps, i)[k];
       if (gap > 0 && std::isfinite(gap - other)) row[k] += std::abs(gap - other);

@@ -22,7 +22,7 @@ struct ImpactTime {
 double chatter_speed(const Scene& scene);
 
 /// Width of the faces that meet at an interface, from 0, m.
-double interface_width(const std::vector<Block>& blocks, std::size_t interface);
+double interface_width(const Scene& scene, std::size_t interface);
 
 /// Speed at which the gap closes where an impact strikes, m/s: the one that the solver reports, or that of an
 /// interface of this width which turns about its pivot.
