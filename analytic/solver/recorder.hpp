@@ -100,17 +100,23 @@ class Recorder {
                   Consistency consistency = Consistency::consistent) {
     event_limit_.note_event(time, history_.events.size());
     ++events_;
-    if (options_.events == EventsKept::summed) {
-      if (!sums_up(time, kind, interface, from, after.pattern, consistency))
-        history_.events.push_back({time, kind, interface, from, after.pattern, {}, {}, {}, consistency});
-      return;
-    }
+    const bool summed = options_.events == EventsKept::summed;
+    if (summed && sums_up(time, kind, interface, from, after.pattern, consistency)) return;
+    BasicEvent<Real>& event = history_.events.emplace_back();  // moving one would cost more
+    event.time = time;
+    event.kind = kind;
+    event.interface = interface;
+    event.from = from;
+    event.to = after.pattern;
+    event.consistency = consistency;
+    if (summed) return;
     const auto list = [&](const Vector<Real, N>& relative_values) {
       const Vector<Real, N> values = absolute(relative_values);
       return std::vector<Real>(values.begin(), values.end());
     };
-    history_.events.push_back({time, kind, interface, from, after.pattern, list(after.angles), list(before),
-                               list(after.velocities), consistency});
+    event.angles = list(after.angles);
+    event.before = list(before);
+    event.after = list(after.velocities);
   }
 
   /// The samples that are left up to the end, where the last step has led.
