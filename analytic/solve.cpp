@@ -36,9 +36,9 @@ History solve_in_double(const Scene& scene, const SolveOptions& options, Branchi
 template <class Real>
 History contacts_in(const Scene& scene, const SolveOptions& options, Branching* branching) {
   try {
-    return to_double(history_of(scene, solve_contacts<Real>(scene, options, branching)));
+    return to_double(solve_contacts<Real>(scene, options, branching));
   } catch (const UnfinishedContacts<Real>& unfinished) {
-    throw Unfinished(unfinished.what(), to_double(history_of(scene, unfinished.history)));
+    throw Unfinished(unfinished.what(), to_double(unfinished.history));
   }
 }
 

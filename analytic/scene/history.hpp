@@ -69,6 +69,9 @@ struct BasicEvent {
   std::size_t count = 1;
   /// How fast the gap closes where an impact strikes, m/s; of laws that leave pivots alone.
   std::optional<Real> approach = {};
+  /// Three rows of x and y of each block's centre of mass: its place, as in BasicHistory, m, and its
+  /// velocities just before and just after, m/s; of laws that leave pivots, else empty.
+  std::vector<Real> centres = {};
 };
 
 /// An opening angle, or the margin of a closed interface, that touched zero to rounding: whether there was an

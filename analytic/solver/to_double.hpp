@@ -60,7 +60,8 @@ History to_double(const BasicHistory<Real>& history) {
   for (const BasicEvent<Real>& event : history.events)
     result.events.push_back({in_double(event.time), event.kind, event.interface, event.from, event.to,
                              in_double(event.angles), in_double(event.before), in_double(event.after),
-                             event.consistency, event.count, in_double(event.approach)});
+                             event.consistency, event.count, in_double(event.approach),
+                             in_double(event.centres)});
   result.grazes = in_double(history.grazes);
   result.choices = in_double(history.choices);
   result.slips = in_double(history.slips);

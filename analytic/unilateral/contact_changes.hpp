@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "analytic/scene/history.hpp"
 #include "analytic/unilateral/contact/contact_modes.hpp"
 #include "analytic/unilateral/first_change.hpp"
 

@@ -5,7 +5,6 @@
 #include "analytic/scene/branching.hpp"
 #include "analytic/unilateral/contact/expansion.hpp"
 #include "analytic/unilateral/contact_changes.hpp"
-#include "analytic/unilateral/contact_history.hpp"
 #include "analytic/unilateral/springs/spring_contacts.hpp"
 
 namespace rockstack {

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/solve_options.hpp"
 #include "analytic/steps/force_extremes.hpp"
-#include "analytic/unilateral/contact_history.hpp"
+#include "analytic/unilateral/contact/contact_problem.hpp"
 #include "analytic/unilateral/springs/spring_contacts.hpp"
 
 namespace rockstack {
 
-/// Takes what an interface bears into account. A normal force up to `rounding` is zero, and nothing rubs.
+/// Takes what an interface bears into account. A normal force up to `rounding` is zero, and nothing rubs. No
+/// interface pulls, or rubs more than its friction, so that first times stay infinite.
 template <class Real>
 void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tangential, const Real& rounding,
                   const Real& time) {
@@ -32,13 +34,35 @@ Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int int
   return gap;
 }
 
+template <class Real>
+std::vector<Real> angles_of(const Poses<Real>& poses) {
+  return mapped(poses, &Pose<Real>::angle);
+}
+
+/// Adds x and y of each block to a list.
+template <class Real>
+void add_centres(const Poses<Real>& poses, std::vector<Real>& list) {
+  for (const Pose<Real>& pose : poses) list.insert(list.end(), {pose.x, pose.y});
+}
+
+/// Reaction of a joint to the force that holds it.
+template <class Real>
+BasicReaction<Real> reaction_of(const ContactModel<Real>& stack, int interface, const Joint<Real>& joint,
+                                const ContactForce<Real>& force) {
+  const int corner = joint.corner_below ? interface - 1 : interface;
+  const Real pivot = joint.side() * stack.half_width(corner) - (joint.corner_below ? joint.offset : Real(0));
+  const Real centre = joint.touch == Contact::closed ? Real(-force.moment / force.normal) : pivot;
+  return {force.normal, force.tangential, force.normal > 0 ? centre : std::numeric_limits<Real>::quiet_NaN()};
+}
+
 /// Keeps the history of a motion that goes by step by step: its events, and what the options ask for.
 template <class Real>
 class ContactRecorder {
  public:
-  /// Keeps references to `stack` and `options`.
+  /// Keeps references to all.
   ContactRecorder(const Scene& scene, const ContactModel<Real>& stack, const SolveOptions& options)
-      : stack_(stack), options_(options), offsets_(scene.initial.offsets) {
+      : scene_(scene), stack_(stack), options_(options) {
+    history_.blocks = stack.size();
     Real mass = 0;
     for (const Block& block : stack.blocks) mass += block.mass;
     rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * mass * scene.gravity;
@@ -84,7 +108,7 @@ class ContactRecorder {
     note_impulses(impulses, time);
   }
 
-  void note_event(ContactEvent<Real> event) { history_.events.push_back(std::move(event)); }
+  void note_event(BasicEvent<Real> event) { history_.events.push_back(std::move(event)); }
   /// How many are kept.
   std::size_t events() const { return history_.events.size(); }
 
@@ -94,14 +118,12 @@ class ContactRecorder {
     if (options_.end) add_sample(state, springs, duration);
   }
 
-  /// The motion up to where it has come.
-  ContactHistory<Real> history(const ContactState<Real>& last, const Real& end_time) && {
+  /// The motion up to where it has come, with the joints as they are shown there.
+  BasicHistory<Real> history(const Joints<Real>& last) && {
+    const std::vector<double>& offsets = scene_.initial.offsets;
     if (options_.peaks)
-      for (std::size_t k = 0; k < last.joints.size(); ++k)
-        history_.slips_left.push_back(last.joints[k].offset -
-                                      (offsets_.empty() ? Real(0) : Real(offsets_[k])));
-    history_.last = last.bodies;
-    history_.end_time = end_time;
+      for (std::size_t k = 0; k < last.size(); ++k)
+        history_.slips_left.push_back(last[k].offset - (offsets.empty() ? Real(0) : Real(offsets[k])));
     return std::move(history_);
   }
 
@@ -154,17 +176,34 @@ class ContactRecorder {
 
   void add_sample(ContactState<Real> state, const SpringContacts<Real>& springs, double time) {
     place(stack_, state.joints, state.bodies);
-    ContactSample<Real> sample{.time = Real(time),
-                               .bodies = state.bodies,
-                               .joints = springs.shown(std::move(state.joints)),
-                               .springs = springs.states(state.bodies)};
-    if (!springs.empty()) sample.spring_accelerations = springs.accelerations(state.bodies);
+    history_.times.push_back(Real(time));
+    for (const Pose<Real>& pose : state.bodies.at) history_.angles.push_back(pose.angle);
+    for (const Pose<Real>& rate : state.bodies.rate) history_.velocities.push_back(rate.angle);
+    add_centres(state.bodies.at, history_.centres);
+    add_centres(state.bodies.rate, history_.centre_velocities);
+    add_reactions(state, springs, time);
+    const Joints<Real> joints = springs.shown(std::move(state.joints));
+    history_.patterns.push_back(pattern_of(joints));
     for (int k = 0; k < stack_.size(); ++k) {
-      const Joint<Real>& joint = sample.joints[k];
-      sample.slips.push_back(joint.offset);
-      sample.gaps.push_back(joint.touches() ? Real(0) : gap_of(stack_, sample.bodies, k));
+      history_.slips.push_back(joints[k].offset);
+      history_.gaps.push_back(joints[k].touches() ? Real(0) : gap_of(stack_, state.bodies, k));
     }
-    history_.samples.push_back(std::move(sample));
+  }
+
+  /// Adds what interfaces carry at a sample, and what their springs hold.
+  void add_reactions(const ContactState<Real>& state, const SpringContacts<Real>& springs, double time) {
+    const Gravity gravity = gravity_of(scene_);
+    FreeVector<Real> free =
+        uniform<Real>(stack_.size(), Real(gravity.along - acceleration(scene_.horizontal, time)),
+                      Real(-gravity.across - acceleration(scene_.vertical, time)));
+    if (!springs.empty()) free += springs.accelerations(state.bodies);
+    const ModeResponse<Real> response =
+        respond<Real>({stack_, state.bodies, free, ContactLevel::accelerations}, state.joints);
+    const std::vector<SpringState<Real>> held = springs.states(state.bodies);
+    for (int k = 0; k < stack_.size(); ++k)
+      history_.reactions.push_back(
+          stack_.soft(k) ? held[k].reaction : reaction_of(stack_, k, state.joints[k], response.forces[k]));
+    for (const auto& [reaction, energy] : held) history_.spring_energies.push_back(energy);
   }
 
   void note_peaks(const ModeSeries<Real>& series, const Real& end_s) {
@@ -205,13 +244,13 @@ class ContactRecorder {
     }
   }
 
+  const Scene& scene_;
   const ContactModel<Real>& stack_;
   const SolveOptions& options_;
-  std::vector<double> offsets_;  ///< at the start, or none
   std::size_t next_sample_ = 0;
   Real rounding_{};            ///< of forces, N
   Real negligible_impulse_{};  ///< N·s
-  ContactHistory<Real> history_;
+  BasicHistory<Real> history_;
 };
 
 }  // namespace rockstack

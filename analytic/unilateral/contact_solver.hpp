@@ -47,9 +47,8 @@ class ContactSolver {
   }
 
   /// Up to the end, or to where the motion could not go on.
-  ContactHistory<Real> history() && {
-    state_.joints = springs_.shown(std::move(state_.joints));
-    return std::move(recorder_).history(state_, pieces_.finished() ? Real(scene_.duration) : time());
+  BasicHistory<Real> history() && {
+    return std::move(recorder_).history(springs_.shown(std::move(state_.joints)));
   }
 
  private:
@@ -272,8 +271,12 @@ class ContactSolver {
   /// An event between joints as they are shown.
   void note(EventKind kind, int interface, const Joints<Real>& from, const Poses<Real>& before,
             Consistency consistency = Consistency::consistent, std::optional<Real> approach = {}) {
-    recorder_.note_event({time(), kind, interface, from, springs_.shown(state_.joints), state_.bodies.at,
-                          before, state_.bodies.rate, consistency, std::move(approach)});
+    const auto& [at, after] = state_.bodies;
+    std::vector<Real> centres;
+    for (const Poses<Real>* poses : {&at, &before, &after}) add_centres(*poses, centres);
+    recorder_.note_event({time(), kind, interface, pattern_of(from),
+                          pattern_of(springs_.shown(state_.joints)), angles_of(at), angles_of(before),
+                          angles_of(after), consistency, 1, std::move(approach), std::move(centres)});
   }
 
   [[noreturn]] static void stop(const char* what, const Real& time) {

@@ -5,7 +5,7 @@
 namespace rockstack {
 
 template <class Real>
-ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options, Branching* branching) {
+BasicHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options, Branching* branching) {
   ContactSolver<Real> solver(scene, options, branching);
   try {
     solver.run();
@@ -15,8 +15,8 @@ ContactHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& opti
   return std::move(solver).history();
 }
 
-template ContactHistory<double> solve_contacts(const Scene&, const SolveOptions&, Branching*);
-template ContactHistory<long double> solve_contacts(const Scene&, const SolveOptions&, Branching*);
+template BasicHistory<double> solve_contacts(const Scene&, const SolveOptions&, Branching*);
+template BasicHistory<long double> solve_contacts(const Scene&, const SolveOptions&, Branching*);
 
 bool double_does(const Scene& scene) {
   return keeps_digits(ContactModel<>(scene.blocks, friction_of(scene)), 10);

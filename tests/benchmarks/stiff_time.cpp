@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "analytic/solver/to_double.hpp"
 #include "analytic/unilateral/solve_contacts.hpp"
 #include "engines/engine.hpp"
 #include "tests/analytic/unilateral/solve_unilateral.hpp"
@@ -43,10 +44,7 @@ Scene sprung_scene(double stiffness, double damping_ratio) {
 
 template <class Real>
 std::vector<double> angles_by(const Scene& scene, const std::vector<double>& samples) {
-  std::vector<double> angles;
-  for (const auto& sample : solve_contacts<Real>(scene, {.sample_times = samples}).samples)
-    angles.push_back(static_cast<double>(sample.bodies.at.front().angle));
-  return angles;
+  return in_double(solve_contacts<Real>(scene, {.sample_times = samples}).angles);
 }
 
 struct Contender {

@@ -51,6 +51,16 @@ struct Joint {
 template <class Real>
 using Joints = ShortVector<Joint<Real>>;
 
+template <class Real>
+Pattern pattern_of(const Joints<Real>& joints) {
+  Pattern pattern = closed_pattern(static_cast<int>(joints.size()));
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    pattern.contacts[k] = joints[k].touch;
+    if (joints[k].touches()) pattern.slides[k] = static_cast<std::int8_t>(joints[k].slip);
+  }
+  return pattern;
+}
+
 /// A block as a free body in the frame of the ground: its centre of mass from the middle of the ground's
 /// interface, and its angle, clockwise positive; or the rates of the three. SI units.
 template <class Real = double>

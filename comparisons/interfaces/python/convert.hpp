@@ -50,7 +50,7 @@ concept A = std::is_same_v<std::remove_const_t<Value>, Kind>;
 
 auto fields_of(A<Event> auto& event) {
   return std::tie(event.time, event.kind, event.interface, event.from, event.to, event.angles, event.before,
-                  event.after, event.consistency, event.count, event.approach);
+                  event.after, event.consistency, event.count, event.approach, event.centres);
 }
 
 auto fields_of(A<History> auto& history) {

@@ -18,9 +18,9 @@ TEST(Columns, OfUnequalBlocksAllHaveAnAnswerThatObeys) {
     const Scene scene = testing::unequal_column(seed);
     if (scene.blocks.size() > few_blocks) continue;
     SCOPED_TRACE(seed);
-    const ContactHistory<> history =
+    const History history =
         solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 50, scene.duration)});
-    EXPECT_EQ(testing::breaches(scene, history).fault, "");
+    EXPECT_EQ(testing::contact_breaches(scene, history).fault, "");
     const testing::ImpactTally tally = testing::impacts_by_momenta(scene, history);
     EXPECT_EQ(tally.broken, 0);
     impacts += tally.impacts;
@@ -36,9 +36,9 @@ TEST(Columns, WhosePartsFlyWhileOthersCloseObeyToo) {
   for (const std::uint64_t seed : {142, 737}) {
     SCOPED_TRACE(seed);
     const Scene scene = testing::unequal_column(seed);
-    const ContactHistory<> history =
+    const History history =
         solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 50, scene.duration)});
-    EXPECT_EQ(testing::breaches(scene, history).fault, "");
+    EXPECT_EQ(testing::contact_breaches(scene, history).fault, "");
     EXPECT_EQ(testing::impacts_by_momenta(scene, history).broken, 0);
   }
 }

@@ -10,10 +10,8 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-bool all_finite(const Poses<>& poses) {
-  return std::all_of(poses.begin(), poses.end(), [](const Pose<>& pose) {
-    return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.angle);
-  });
+bool all_finite(const Bodies<>& bodies) {
+  return vector_of(bodies.at).allFinite() && vector_of(bodies.rate).allFinite();
 }
 
 double kinetic(Scene scene, const Poses<>& rates) {
@@ -23,7 +21,7 @@ double kinetic(Scene scene, const Poses<>& rates) {
 
 /// How deep a block is in the one below, in shares of the largest length in the scene. Blocks that lie on
 /// each other's sides have no gap.
-double depth(const Scene& scene, const ContactHistory<>::Sample& sample) {
+double depth(const Scene& scene, const Sample& sample) {
   double length = 0;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
     length = std::max({length, std::abs(sample.bodies.at[k].x), std::abs(sample.bodies.at[k].y),
@@ -38,20 +36,19 @@ double depth(const Scene& scene, const ContactHistory<>::Sample& sample) {
   return -least / length;
 }
 
-std::string broken(const Scene& scene, const ContactHistory<>& history) {
+std::string broken(const Scene& scene, const History& history) {
   double time = 0;
-  for (const ContactEvent<>& event : history.events) {
-    if (!std::isfinite(event.time) || !all_finite(event.at) || !all_finite(event.before) ||
-        !all_finite(event.after))
+  for (const Event& event : history.events) {
+    if (!std::isfinite(event.time) || !all_finite(bodies_before(event)) || !all_finite(bodies_after(event)))
       return "an event holds a number that is none";
     if (event.time < time) return "an event lies before the one it follows";
     time = event.time;
   }
   if (time > scene.duration * (1 + 1e-12)) return "an event lies after the end";
-  const bool ends = !history.events.empty() && ends_motion(history.events.back().kind);
-  if (!ends && history.end_time < scene.duration * (1 - 1e-12)) return "the motion ends before its duration";
-  for (const auto& sample : history.samples) {
-    if (!all_finite(sample.bodies.at) || !all_finite(sample.bodies.rate)) return "a sample is no number";
+  if (!ends_early(history) && history.times.back() < scene.duration * (1 - 1e-12))
+    return "the motion ends before its duration";
+  for (const auto& sample : samples_of(history)) {
+    if (!all_finite(sample.bodies)) return "a sample is no number";
     if (depth(scene, sample) > 1e-9) return "a block sinks into the one below";
   }
   return {};
@@ -59,20 +56,20 @@ std::string broken(const Scene& scene, const ContactHistory<>& history) {
 
 }  // namespace
 
-Breaches breaches(const Scene& scene, const ContactHistory<>& history) {
+Breaches contact_breaches(const Scene& scene, const History& history) {
   Breaches found;
   found.fault = broken(scene, history);
   found.events = history.events.size();
   const bool still = scene.horizontal.empty() && scene.vertical.empty();
   double left = std::numeric_limits<double>::infinity();
-  for (const ContactEvent<>& event : history.events) {
-    const double before = kinetic(scene, event.before);
-    const double total = energy(scene, {event.at, event.before});
-    found.impact_gain =
-        std::max(found.impact_gain, (kinetic(scene, event.after) - before) / (epsilon * before + 1e-300));
+  for (const Event& event : history.events) {
+    const double before = kinetic(scene, bodies_before(event).rate);
+    const double total = energy(scene, bodies_before(event));
+    found.impact_gain = std::max(
+        found.impact_gain, (kinetic(scene, bodies_after(event).rate) - before) / (epsilon * before + 1e-300));
     if (still)
       found.flight_drift = std::max(found.flight_drift, (total - left) / (epsilon * std::abs(total)));
-    left = energy(scene, {event.at, event.after});
+    left = energy(scene, bodies_after(event));
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "analytic/solve.hpp"
+#include "analytic/unilateral/solve_contacts.hpp"
 #include "tests/analytic/extremes/laws.hpp"
 #include "tests/analytic/extremes/scenes.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
@@ -35,7 +36,7 @@ TEST(SlipperyExtremes, NoMotionGainsEnergyOrSinksOrHoldsNumbersThatAreNone) {
     if (!is_moderate(scene)) continue;
     const auto times = regular_times(scene.duration / 50, scene.duration);
     const testing::Breaches found =
-        testing::breaches(scene, solve_unilateral(scene, {.sample_times = times}));
+        testing::contact_breaches(scene, solve_unilateral(scene, {.sample_times = times}));
     EXPECT_EQ(found.fault, "") << seed;
     EXPECT_LE(found.impact_gain, few) << seed;
     EXPECT_LE(found.flight_drift, few) << seed;
@@ -49,7 +50,7 @@ TEST(SlipperyExtremes, NeitherFewDigitsNorAJamMakeEnergy) {
   constexpr double few = 1000;
   for (const std::uint64_t seed : {130, 201, 463}) {
     const Scene scene = slippery_extreme_scene(seed);
-    const testing::Breaches found = testing::breaches(scene, solve_unilateral(scene));
+    const testing::Breaches found = testing::contact_breaches(scene, solve_unilateral(scene));
     EXPECT_EQ(found.fault, "") << seed;
     EXPECT_LE(found.impact_gain, few) << seed;
     EXPECT_LE(found.flight_drift, few) << seed;
@@ -63,7 +64,7 @@ TEST(SlipperyExtremes, DecisionsThatAnImpactEndsMakeNoEnergy) {
   Scene scene = slippery_extreme_scene(343);
   for (const int i : {7, 12}) {
     scene.duration = 0.0003 * (1 + i * 0.037);
-    EXPECT_LE(testing::breaches(scene, solve_unilateral(scene)).flight_drift, few) << i;
+    EXPECT_LE(testing::contact_breaches(scene, solve_unilateral(scene)).flight_drift, few) << i;
   }
 }
 
@@ -73,7 +74,7 @@ TEST(SlipperyExtremes, AJointThatClosesAgainHasNotParted) {
   constexpr double few = 1000;
   Scene scene = slippery_extreme_scene(426);
   scene.duration = 0.0125;
-  EXPECT_LE(testing::breaches(scene, solve_unilateral(scene)).flight_drift, few);
+  EXPECT_LE(testing::contact_breaches(scene, solve_unilateral(scene)).flight_drift, few);
 }
 
 // A block under one of 10ⁿ times its mass takes n digits from the forces between them, of 16 in double and of
@@ -114,8 +115,8 @@ TEST(SlipperyExtremes, ALargerStackDoesTheSameMoreSlowly) {
       motion->pulse->period *= 2;
       motion->pulse->start *= 2;
     }
-    const ContactHistory<> one = solve_unilateral(scene);
-    const ContactHistory<> other = solve_unilateral(large);
+    const History one = solve_unilateral(scene);
+    const History other = solve_unilateral(large);
     ASSERT_EQ(one.events.size(), other.events.size()) << seed;
     for (std::size_t i = 0; i < one.events.size(); ++i)
       EXPECT_EQ(2 * one.events[i].time, other.events[i].time) << seed;

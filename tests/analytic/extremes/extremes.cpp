@@ -48,7 +48,7 @@ struct Shared {
 void note(Shared& shared, const Scene& scene) {
   const std::vector<double> times = regular_times(scene.duration / 50, scene.duration);
   const Breaches found = scene.law == Law::unilateral
-                             ? breaches(scene, solve_unilateral(scene, {.sample_times = times}))
+                             ? contact_breaches(scene, solve_unilateral(scene, {.sample_times = times}))
                              : breaches(scene, solve(scene, {.sample_times = times}));
   shared.events += found.events;
   shared.impact_gain = std::max(shared.impact_gain, found.impact_gain);

@@ -24,7 +24,7 @@ Breaches breaches(const Scene& scene, const History& history);
 
 /// Breaches of a motion with friction: no event gains kinetic energy, none is gained between events on still
 /// ground, and no block sinks into another. Roundings are those of the whole stack's energies.
-Breaches breaches(const Scene& scene, const ContactHistory<>& history);
+Breaches contact_breaches(const Scene& scene, const History& history);
 
 /// By how much a rounding in the solver's operations may weigh more than one of the scene's own numbers. The
 /// momentum of a block about its own pivot, m r × the velocity that what is below it has at height H, is

@@ -9,7 +9,7 @@ namespace {
 QuadHistory reference_of_contacts(const Scene& scene, const SolveOptions& options) {
   ContactSolver<Quad> solver(scene, options);
   solver.run();
-  return history_of(scene, std::move(solver).history());
+  return std::move(solver).history();
 }
 
 }  // namespace

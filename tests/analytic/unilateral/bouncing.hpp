@@ -43,21 +43,21 @@ inline Scene random_bounces(std::uint64_t seed, bool rubs) {
 }
 
 /// Whether an event gains kinetic energy, beyond rounding.
-inline bool gains(const Scene& scene, const ContactEvent<>& event) {
-  const double before = energy(scene, {event.at, event.before});
-  return energy(scene, {event.at, event.after}) > before + 1e-10 * std::abs(before);
+inline bool gains(const Scene& scene, const Event& event) {
+  const double before = energy(scene, bodies_before(event));
+  return energy(scene, bodies_after(event)) > before + 1e-10 * std::abs(before);
 }
 
 /// Ends a motion where Moreau's time steps with the same laws do, within what steps of first order leave. How
 /// many impacts it has.
-inline std::size_t expect_as_stepped(const Scene& scene, const ContactHistory<>& exact, double step) {
-  const Bodies<> stepped = time_stepped(scene, step);
+inline std::size_t expect_as_stepped(const Scene& scene, const History& exact, double step) {
+  const Bodies<> stepped = time_stepped(scene, step), last = bodies_at_end(exact);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    EXPECT_NEAR(exact.last.at[k].x, stepped.at[k].x, 100 * step);
-    EXPECT_NEAR(exact.last.at[k].y, stepped.at[k].y, 100 * step);
-    EXPECT_NEAR(exact.last.at[k].angle, stepped.at[k].angle, 300 * step);
+    EXPECT_NEAR(last.at[k].x, stepped.at[k].x, 100 * step);
+    EXPECT_NEAR(last.at[k].y, stepped.at[k].y, 100 * step);
+    EXPECT_NEAR(last.at[k].angle, stepped.at[k].angle, 300 * step);
   }
-  return static_cast<std::size_t>(std::ranges::count(exact.events, EventKind::impact, &ContactEvent<>::kind));
+  return static_cast<std::size_t>(std::ranges::count(exact.events, EventKind::impact, &Event::kind));
 }
 
 /// The lower corner of a block that leans and meets the ground, at (x, y) from its centre: what impulses

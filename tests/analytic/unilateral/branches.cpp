@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analytic/unilateral/contact/contact_kinematics.hpp"
 #include "tests/analytic/unilateral/equal_widths.hpp"
 #include "tests/analytic/unilateral/momentum_laws.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
@@ -247,26 +248,26 @@ TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
     for (const Branch& branch : tree.branches) {
       Branching branching;
       for (const Fork& fork : branch.forks) branching.list.push_back(fork.taken);
-      const ContactHistory<> history = solve_contacts<double>(scene, options, &branching);
+      const History history = solve(scene, options, &branching);
       const testing::ImpactTally tally = testing::impacts_by_momenta(scene, history);
       impacts += tally.impacts;
       EXPECT_EQ(tally.broken, 0);
-      for (std::size_t i = 0; i + 1 < history.samples.size(); i += 2) {
-        const auto& first = history.samples[i];
-        const auto& second = history.samples[i + 1];
-        EXPECT_LT(overlap_of(scene, first.bodies.at), 1e-9) << first.time;
-        const auto between = [&](const ContactEvent<>& event) {
-          return event.time >= first.time - moment && event.time <= second.time + moment;
+      for (std::size_t i = 0; i + 1 < history.size(); i += 2) {
+        const Bodies<> first = bodies_at(history, i), second = bodies_at(history, i + 1);
+        const double start = history.times[i], end = history.times[i + 1];
+        EXPECT_LT(overlap_of(scene, first.at), 1e-9) << start;
+        const auto between = [&](const Event& event) {
+          return event.time >= start - moment && event.time <= end + moment;
         };
         if (std::ranges::any_of(history.events, between)) continue;
-        const double middle = (first.time + second.time) / 2, time = second.time - first.time;
+        const double middle = (start + end) / 2, time = end - start;
         const Point<double> free(-acceleration(scene.horizontal, middle) * time,
                                  -(scene.gravity + acceleration(scene.vertical, middle)) * time);
         ++forces;
-        EXPECT_TRUE(testing::obeys_laws(scene, {second.bodies.at, second.bodies.rate,
-                                                testing::difference(second.bodies.rate, first.bodies.rate),
-                                                free, mass * scene.gravity * time}))
-            << first.time;
+        EXPECT_TRUE(
+            testing::obeys_laws(scene, {second.at, second.rate, testing::difference(second.rate, first.rate),
+                                        free, mass * scene.gravity * time}))
+            << start;
       }
     }
   }

@@ -53,14 +53,12 @@ double slope(const std::vector<std::pair<double, double>>& points) {
   return above / below;
 }
 
-bool slips_and_flies(const ContactHistory<>& history) {
+bool slips_and_flies(const History& history) {
   bool slips = false;
   bool flies = false;
-  for (const ContactEvent<>& event : history.events) {
-    for (const Joint<>& joint : event.to) {
-      slips |= joint.slip != 0;
-      flies |= !joint.touches();
-    }
+  for (const Event& event : history.events) {
+    slips |= name(event.to).find_first_of("<>") != std::string::npos;
+    flies |= name(event.to).find('-') != std::string::npos;
   }
   return slips && flies;
 }
@@ -74,12 +72,12 @@ TEST(UnilateralConvergence, TimeStepsOfMoreauApproachItWithOrderOne) {
   double squares = 0;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
     const Scene scene = thrown(seed);
-    const ContactHistory<> history = solve_unilateral(scene);
+    const History history = solve_unilateral(scene);
     EXPECT_TRUE(slips_and_flies(history)) << seed;
-    ASSERT_EQ(history.end_time, scene.duration) << seed;
+    ASSERT_FALSE(ends_early(history)) << seed;
     std::vector<std::pair<double, double>> errors;
     for (const double step : {1e-3, 0.8e-3, 0.125e-3, 0.1e-3}) {
-      const double error = distance(history.last, testing::time_stepped(scene, step));
+      const double error = distance(bodies_at_end(history), testing::time_stepped(scene, step));
       // No step of any scene leaves out more: the bound C, in m/s and rad/s.
       EXPECT_LT(error, 2 * step) << seed << ' ' << step;
       errors.emplace_back(std::log(step), std::log(error));
@@ -103,7 +101,7 @@ TEST(UnilateralConvergence, SweepsOfTheTimeStepperHaveEnded) {
     const Bodies<> stepped = testing::time_stepped(scene, step);
     const Bodies<> swept = testing::time_stepped(scene, step, 1e-12);
     EXPECT_LT(distance(stepped, swept), left_out) << seed;
-    EXPECT_LT(left_out, 1e-3 * distance(solve_unilateral(scene).last, stepped)) << seed;
+    EXPECT_LT(left_out, 1e-3 * distance(bodies_at_end(solve_unilateral(scene)), stepped)) << seed;
   }
 }
 

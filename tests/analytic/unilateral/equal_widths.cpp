@@ -25,15 +25,16 @@ double distance(const Bodies<>& one, const Bodies<>& other) {
 }
 
 /// The first sample at which motions differ by more, s.
-double parting(const ContactHistory<>& one, const ContactHistory<>& other, double largest) {
-  const std::size_t size = std::min(one.samples.size(), other.samples.size());
+double parting(const History& one, const History& other, double largest) {
+  const std::size_t size = std::min(one.size(), other.size());
   for (std::size_t i = 0; i < size; ++i)
-    if (distance(one.samples[i].bodies, other.samples[i].bodies) > largest) return one.samples[i].time;
-  return one.samples.size() == other.samples.size() ? never : std::min(one.end_time, other.end_time);
+    if (distance(bodies_at(one, i), bodies_at(other, i)) > largest) return one.times[i];
+  if (one.size() == other.size()) return never;
+  return (one.size() == size ? one : other).events.back().time;
 }
 
-double first_of_several(const ContactHistory<>& history) {
-  for (const ContactEvent<>& event : history.events)
+double first_of_several(const History& history) {
+  for (const Event& event : history.events)
     if (event.consistency != Consistency::consistent) return event.time;
   return never;
 }
@@ -44,9 +45,11 @@ void for_all_ways(const Scene& scene, const Do& work) {
   for (unsigned wider = 0; wider < 1U << (scene.blocks.size() - 1); ++wider) work(wider);
 }
 
-Reason judged(const Scene& scene, const ContactHistory<>& exact, double step) {
+Reason judged(const Scene& scene, const History& exact, double step) {
   const double bound = 5 * step;
-  const auto off = [&](double length) { return distance(exact.last, time_stepped(scene, length, 1e-10)); };
+  const auto off = [&](double length) {
+    return distance(bodies_at_end(exact), time_stepped(scene, length, 1e-10));
+  };
   if (off(step) < bound) return Reason::agree;
   for (const double part : {4.0, 16.0, 64.0})
     if (off(step / part) < bound / 4) return Reason::coarse;
@@ -54,7 +57,8 @@ Reason judged(const Scene& scene, const ContactHistory<>& exact, double step) {
   const Bodies<> stepped = time_stepped(scene, step / 4, 1e-10);
   double nearest = never;
   for_all_ways(scene, [&](unsigned wider) {
-    nearest = std::min(nearest, distance(stepped, solve_unilateral(widened(scene, wider, 1e-9)).last));
+    nearest =
+        std::min(nearest, distance(stepped, bodies_at_end(solve_unilateral(widened(scene, wider, 1e-9)))));
   });
   return nearest < bound ? Reason::several : Reason::unexplained;
 }
@@ -111,15 +115,15 @@ Scene widened(Scene scene, unsigned wider, double share) {
 std::string LimitTally::add(std::uint64_t seed, double share) {
   const Scene scene = equal_widths(seed);
   const SolveOptions options{.sample_times = regular_times(scene.duration / 200, scene.duration)};
-  const ContactHistory<> equal = solve_unilateral(scene, options);
-  std::vector<ContactHistory<>> limits;
+  const History equal = solve_unilateral(scene, options);
+  std::vector<History> limits;
   for_all_ways(scene, [&](unsigned wider) {
     limits.push_back(solve_unilateral(widened(scene, wider, share), options));
   });
   const double largest = 30 * std::sqrt(share);
   double limits_part = never;
   double equal_parts = never;
-  for (const ContactHistory<>& limit : limits) {
+  for (const History& limit : limits) {
     limits_part = std::min(limits_part, parting(limits.front(), limit, largest));
     equal_parts = std::min(equal_parts, parting(equal, limit, largest));
   }

@@ -47,9 +47,9 @@ TEST(Flights, BlocksThrownTogetherFlyAsOneWithNoForceBetweenThem) {
     const double g = scene.gravity, landing = (2 + std::sqrt(4 + 2 * g * height)) / g;
     scene.duration = 0.9 * landing;
     const std::vector<double> times = regular_times(scene.duration / 7, scene.duration);
-    const ContactHistory<> history = solve_unilateral(scene, {.sample_times = times});
+    const History history = solve_unilateral(scene, {.sample_times = times});
     EXPECT_TRUE(history.events.empty());
-    for (const ContactSample<double>& sample : history.samples) {
+    for (const Sample& sample : samples_of(history)) {
       const double t = sample.time;
       EXPECT_NEAR(sample.gaps[0], height + 2 * t - g * t * t / 2, exactly);
       EXPECT_NEAR(sample.slips[1], along * t, exactly);
@@ -57,7 +57,7 @@ TEST(Flights, BlocksThrownTogetherFlyAsOneWithNoForceBetweenThem) {
       for (std::size_t k = 0; k < three.size(); ++k)
         EXPECT_NEAR(sample.bodies.rate[k].angle, 0, testing::round_off);
     }
-    for (const BasicReaction<double>& force : history_of(scene, history).reactions) {
+    for (const Reaction& force : history.reactions) {
       EXPECT_NEAR(force.normal, 0, exactly);
       EXPECT_NEAR(force.tangential, 0, exactly);
     }
@@ -71,14 +71,14 @@ TEST(Flights, AFlatStackBouncesAsOneBlockDoes) {
       Scene scene = with_law(flat_drop(three, e, 1), law);
       const double fall = std::sqrt(2 * height / scene.gravity), end = fall * (1 + e) / (1 - e);
       scene.duration = end + 0.1;
-      const ContactHistory<> history = solve_unilateral(scene);
+      const History history = solve_unilateral(scene);
       double time = fall;
       for (std::size_t n = 0; n < 8; ++n) {
         EXPECT_NEAR(history.events.at(n).time, time, exactly) << e;
         EXPECT_EQ(name(history.events[n].to), "-CC");
         time += 2 * std::pow(e, n + 1.0) * fall;
       }
-      const ContactEvent<>& last = history.events.back();
+      const Event& last = history.events.back();
       EXPECT_EQ(last.kind, EventKind::rest);
       EXPECT_NEAR(last.time, end, exactly) << e;
       EXPECT_LE(history.events.size(), 2 + std::log(1e-14) / std::log(e)) << e;
@@ -92,13 +92,13 @@ TEST(Flights, ASlidingBlockThatTheLandingStopsStaysOnItsFaceInFlight) {
   Scene scene = flat_drop({block(1, 0.5), block(0.8, 0.5)}, e, 2);
   scene.initial.slip_velocities = {0, -0.2};
   const double fall = std::sqrt(2 * height / scene.gravity);
-  const ContactHistory<> history = solve_unilateral(scene);
+  const History history = solve_unilateral(scene);
   ASSERT_GT(history.events.size(), 3U);
   EXPECT_NEAR(history.events[0].time, fall, exactly);
   EXPECT_EQ(name(history.events[0].from), "-C<");
   EXPECT_EQ(name(history.events[0].to), "-C");
   EXPECT_NEAR(history.events[1].time, fall * (1 + 2 * e), exactly);
-  for (const ContactEvent<>& event : history.events) EXPECT_FALSE(gains(scene, event)) << event.time;
+  for (const Event& event : history.events) EXPECT_FALSE(gains(scene, event)) << event.time;
   EXPECT_EQ(history.events.back().kind, EventKind::rest);
   EXPECT_NEAR(history.events.back().time, fall * (1 + e) / (1 - e), exactly);
 }
@@ -111,11 +111,11 @@ TEST(Flights, ThreeBlocksThatKeepAllOfTheirEnergyHaveFewImpacts) {
   scene.restitution_law = RestitutionLaw::poisson;
   scene.initial.gaps = {0.1, 0, 0.3};
   scene.initial.gap_velocities = {-0.94, 0, 0.52};
-  const ContactHistory<> history = solve_unilateral(scene);
+  const History history = solve_unilateral(scene);
   EXPECT_LT(history.events.size(), 100U);
-  const double start = energy(scene, {history.events.at(0).at, history.events[0].before});
-  EXPECT_NEAR(energy(scene, history.last), start, 1e-9 * start);
-  for (const ContactEvent<>& event : history.events) EXPECT_EQ(name(event.to), "-C-");
+  const double start = energy(scene, bodies_before(history.events.at(0)));
+  EXPECT_NEAR(energy(scene, bodies_at_end(history)), start, 1e-9 * start);
+  for (const Event& event : history.events) EXPECT_EQ(name(event.to), "-C-");
 }
 
 /// Impacts until all is slow, and when it is, s.
@@ -163,12 +163,12 @@ TEST(Flights, ChatterOfTwoContactsEndsBySpeedNotByHeight) {
   scene.initial.gaps = {0.3, 0.1};
   const Chatter expected =
       chatter(scene.blocks[0].mass, scene.blocks[1].mass, 0.5, scene.gravity, {0.3, 0.1}, 1e-6);
-  const ContactHistory<> history = solve_unilateral(scene);
-  const auto impacts = std::ranges::count(history.events, EventKind::impact, &ContactEvent<>::kind);
+  const History history = solve_unilateral(scene);
+  const auto impacts = std::ranges::count(history.events, EventKind::impact, &Event::kind);
   EXPECT_GE(impacts, expected.impacts);
   EXPECT_EQ(history.events.back().kind, EventKind::rest);
   EXPECT_NEAR(history.events.back().time, expected.time, 1e-6);
-  for (const ContactEvent<>& event : history.events) EXPECT_FALSE(gains(scene, event)) << event.time;
+  for (const Event& event : history.events) EXPECT_FALSE(gains(scene, event)) << event.time;
 }
 
 }  // namespace

@@ -113,22 +113,23 @@ Poses<> difference(const Poses<>& one, const Poses<>& other) {
   return poses_of<double>(vector_of(one) - vector_of(other));
 }
 
-ImpactTally impacts_by_momenta(const Scene& scene, const ContactHistory<>& history) {
+ImpactTally impacts_by_momenta(const Scene& scene, const History& history) {
   double mass = 0, height = 0;
   for (const Block& block : scene.blocks) mass += block.mass, height += 2 * block.half_height;
   const double fall = std::sqrt(scene.gravity * height);
   ImpactTally tally;
   for (std::size_t k = 0; k < history.events.size(); ++k) {
-    const ContactEvent<>& event = history.events[k];
+    const Event& event = history.events[k];
     const double next = k + 1 < history.events.size() ? history.events[k + 1].time : scene.duration;
-    const Poses<> change = difference(event.after, event.before);
+    const Bodies<> after = bodies_after(event);
+    const Poses<> change = difference(after.rate, bodies_before(event).rate);
     double scale = 0;
     for (std::size_t body = 0; body < change.size(); ++body)
       scale += scene.blocks[body].mass * std::hypot(change[body].x, change[body].y);
     if (scale < 1e-3 * mass * fall) continue;
     ++tally.impacts;
-    if (!obeys_laws(scene, {event.at, event.after, change, {0, 0}, scale}) ||
-        !nothing_approaches(scene, {event.at, event.after}, {1e-9 * fall, next - event.time}))
+    if (!obeys_laws(scene, {after.at, after.rate, change, {0, 0}, scale}) ||
+        !nothing_approaches(scene, after, {1e-9 * fall, next - event.time}))
       ++tally.broken;
   }
   return tally;

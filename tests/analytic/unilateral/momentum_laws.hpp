@@ -34,6 +34,6 @@ Poses<> difference(const Poses<>& one, const Poses<>& other);
 struct ImpactTally {
   int impacts = 0, broken = 0;
 };
-ImpactTally impacts_by_momenta(const Scene& scene, const ContactHistory<>& history);
+ImpactTally impacts_by_momenta(const Scene& scene, const History& history);
 
 }  // namespace rockstack::testing

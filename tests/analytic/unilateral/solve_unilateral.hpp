@@ -1,90 +1,80 @@
 #pragma once
 
-#include "analytic/solver/to_double.hpp"
-#include "analytic/unilateral/solve_contacts.hpp"
+#include <span>
+
+#include "analytic/solve.hpp"
+#include "analytic/unilateral/contact/contact_model.hpp"
 
 namespace rockstack {
 
-/// One letter an interface from the ground up, L, C or R, and "-" where it is apart; an arrow after it shows
-/// the way that the block above slides.
-template <class Real>
-std::string name(const Joints<Real>& joints) {
-  std::string text;
-  for (const Joint<Real>& joint : joints) {
-    text += joint.touch == Contact::apart ? '-' : "LCR"[static_cast<int>(joint.touch) + 1];
-    if (joint.touches() && joint.slip != 0) text += joint.slip > 0 ? '>' : '<';
+/// The motion of a scene under its law or, where that keeps pivots, law `unilateral`. Where no samples are
+/// asked for, there is one of its end.
+inline History solve_unilateral(Scene scene, SolveOptions options = {}) {
+  if (!leaves_pivots(scene.law)) scene.law = Law::unilateral;
+  options.end = options.end || options.sample_times.empty();
+  return solve(scene, options);
+}
+
+/// Poses of blocks, or rates of them, of x and y in turn and of angles.
+inline Poses<> poses_of(std::span<const double> centres, std::span<const double> angles) {
+  Poses<> poses;
+  for (std::size_t k = 0; k < angles.size(); ++k)
+    poses.push_back({centres[2 * k], centres[2 * k + 1], angles[k]});
+  return poses;
+}
+
+inline Bodies<> bodies_before(const Event& event) {
+  const std::span<const double> centres = event.centres;
+  return {poses_of(centres, event.angles), poses_of(centres.subspan(centres.size() / 3), event.before)};
+}
+
+inline Bodies<> bodies_after(const Event& event) {
+  const std::span<const double> centres = event.centres;
+  return {poses_of(centres, event.angles), poses_of(centres.subspan(centres.size() / 3 * 2), event.after)};
+}
+
+inline Bodies<> bodies_at(const History& history, std::size_t sample) {
+  const std::size_t first = 2 * sample * static_cast<std::size_t>(history.blocks);
+  return {poses_of(std::span(history.centres).subspan(first), history.angles_at(sample)),
+          poses_of(std::span(history.centre_velocities).subspan(first), history.velocities_at(sample))};
+}
+
+/// A row of a history.
+struct Sample {
+  double time;
+  Bodies<> bodies;
+  std::span<const double> slips, gaps;
+  std::span<const Reaction> reactions;
+  std::span<const SpringEnergy> springs;  ///< under law `compliant` alone
+};
+
+inline std::vector<Sample> samples_of(const History& history) {
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    samples.push_back({history.times[i],
+                       bodies_at(history, i),
+                       history.row(history.slips, i),
+                       history.row(history.gaps, i),
+                       history.row(history.reactions, i),
+                       {}});
+    if (!history.spring_energies.empty()) samples.back().springs = history.row(history.spring_energies, i);
   }
-  return text;
+  return samples;
 }
 
-template <class Real>
-Poses<double> in_double(const Poses<Real>& poses) {
-  Poses<double> result;
-  for (const Pose<Real>& pose : poses)
-    result.push_back(
-        {static_cast<double>(pose.x), static_cast<double>(pose.y), static_cast<double>(pose.angle)});
-  return result;
+/// Whether an event ends a motion before its scene's end.
+inline bool ends_early(const History& history) {
+  return !history.events.empty() && ends_motion(history.events.back().kind);
 }
 
-template <class Real>
-Bodies<> in_double(const Bodies<Real>& bodies) {
-  return {in_double(bodies.at), in_double(bodies.rate)};
+/// Bodies where a motion ends. Precondition: it ends early, or its last sample is of its end.
+inline Bodies<> bodies_at_end(const History& history) {
+  return ends_early(history) ? bodies_after(history.events.back()) : bodies_at(history, history.size() - 1);
 }
 
-template <class Real>
-Joints<double> in_double(const Joints<Real>& joints) {
-  Joints<double> result;
-  for (const Joint<Real>& joint : joints)
-    result.push_back(
-        {joint.touch, joint.slip, joint.corner_below, joint.settled, static_cast<double>(joint.offset)});
-  return result;
-}
-
-template <class Real>
-std::vector<SpringState<double>> in_double(const std::vector<SpringState<Real>>& states) {
-  const auto number = [](const Real& value) { return static_cast<double>(value); };
-  std::vector<SpringState<double>> result;
-  for (const auto& [reaction, energy] : states)
-    result.push_back({{number(reaction.normal), number(reaction.tangential), number(reaction.centre)},
-                      {number(energy.elastic), number(energy.damped), number(energy.rubbed)}});
-  return result;
-}
-
-/// A motion in double precision. What is ordered or equal stays so.
-template <class Real>
-ContactHistory<> in_double(const ContactHistory<Real>& history) {
-  ContactHistory<> result;
-  result.samples.reserve(history.samples.size());
-  for (const ContactSample<Real>& sample : history.samples)
-    result.samples.push_back({static_cast<double>(sample.time), in_double(sample.bodies),
-                              in_double(sample.joints), in_double(sample.slips), in_double(sample.gaps),
-                              in_double(sample.springs),
-                              sample.spring_accelerations.template cast<double>()});
-  result.events.reserve(history.events.size());
-  for (const ContactEvent<Real>& event : history.events)
-    result.events.push_back({static_cast<double>(event.time), event.kind, event.interface,
-                             in_double(event.from), in_double(event.to), in_double(event.at),
-                             in_double(event.before), in_double(event.after), event.consistency});
-  result.peaks = in_double(history.peaks);
-  result.slips_left = in_double(history.slips_left);
-  result.lifts = in_double(history.lifts);
-  result.forces = in_double(history.forces);
-  result.impulses = in_double(history.impulses);
-  result.last = in_double(history.last);
-  result.end_time = static_cast<double>(history.end_time);
-  return result;
-}
-
-/// The motion of solve_contacts(), in double or, where that does not do, in long double. @throws likewise.
-inline ContactHistory<> solve_unilateral(const Scene& scene, const SolveOptions& options = {}) {
-  validate(scene);
-  validate(options);
-  if (double_does(scene)) return solve_contacts<double>(scene, options);
-  try {
-    return in_double(solve_contacts<long double>(scene, options));
-  } catch (const UnfinishedContacts<long double>& unfinished) {
-    throw UnfinishedContacts(unfinished.what(), in_double(unfinished.history));
-  }
+/// Whether nothing slides or is apart.
+inline bool all_stick(const Pattern& pattern) {
+  return name(pattern).find_first_of("-<>") == std::string::npos;
 }
 
 /// Kinetic energy and that of weight, J, in the frame of the ground, from the middle of its interface.

@@ -168,7 +168,7 @@ void add_corners(const Scene& scene, std::vector<Body>& bodies, std::size_t k, d
 Bodies<> time_stepped(const Scene& scene, double step, double stop) {
   Scene start = scene;
   start.duration = 1e-9 * scene.duration;
-  const Bodies<> first = solve_unilateral(start, {.sample_times = {0}}).samples.front().bodies;
+  const Bodies<> first = bodies_at(solve_unilateral(start, {.sample_times = {0}}), 0);
   std::vector<Body> bodies;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];

@@ -11,14 +11,6 @@
 namespace rockstack::testing {
 namespace {
 
-/// One letter an interface.
-template <class Contacts, class Side>
-std::string pattern_of(const Contacts& contacts, std::size_t size, const Side& side) {
-  std::string text;
-  for (std::size_t k = 0; k < size; ++k) text += "LCR"[side(contacts[k]) + 1];
-  return text;
-}
-
 double closing_speed(const Event& event) {
   if (event.kind == EventKind::opening || event.kind == EventKind::topple) return never;
   double least = never;
@@ -59,6 +51,23 @@ Parting asked_of_impact(const Scene& scene, const Event& event) {
   return Parting::none;
 }
 
+Moment moment_of(const Event& event) {
+  std::vector<double> rates = event.before;
+  rates.insert(rates.end(), event.after.begin(), event.after.end());
+  return {name(event.kind), event.interface, name(event.to), event.time, event.angles, rates};
+}
+
+std::vector<Moment> moments_of_samples(const History& history) {
+  std::vector<Moment> moments;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const auto angles = history.angles_at(i);
+    const auto rates = history.velocities_at(i);
+    moments.push_back(
+        {"", 0, "", history.times[i], {angles.begin(), angles.end()}, {rates.begin(), rates.end()}});
+  }
+  return moments;
+}
+
 /// Leaves out what comes at the end or after it.
 Track up_to_its_end(Track track) {
   for (std::vector<Moment>* moments : {&track.events, &track.samples})
@@ -66,15 +75,12 @@ Track up_to_its_end(Track track) {
   return track;
 }
 
-Track track_of(const Scene& scene, const History& history) {
+Track track_of_pivots(const Scene& scene, const History& history) {
   Track track;
+  track.samples = moments_of_samples(history);
   for (const Event& event : history.events) {
-    std::vector<double> rates = event.before;
-    rates.insert(rates.end(), event.after.begin(), event.after.end());
-    const auto side = [](Contact contact) { return sign(contact); };
-    track.events.push_back({name(event.kind), event.interface,
-                            pattern_of(event.to, event.angles.size(), side), event.time, event.angles, rates,
-                            closing_speed(event)});
+    track.events.push_back(moment_of(event));
+    track.events.back().speed = closing_speed(event);
     note_end(track, event.time, asked_of_impact(scene, event));
   }
   for (const Demand& demand : history.forces) {
@@ -83,39 +89,19 @@ Track track_of(const Scene& scene, const History& history) {
   }
   for (const Event& event : history.events)
     track.opens = track.opens || (event.kind == EventKind::opening && event.time == track.end);
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const auto angles = history.angles_at(i);
-    const auto rates = history.velocities_at(i);
-    track.samples.push_back(
-        {"", 0, "", history.times[i], {angles.begin(), angles.end()}, {rates.begin(), rates.end()}});
-  }
   return up_to_its_end(std::move(track));
 }
 
-std::vector<double> angles_of(const Poses<>& poses) {
-  std::vector<double> angles(poses.size());
-  std::transform(poses.begin(), poses.end(), angles.begin(), [](const Pose<>& pose) { return pose.angle; });
-  return angles;
-}
-
-Track track_of(const ContactHistory<>& history) {
+Track track_of_joints(const History& history) {
   Track track;
-  for (const ContactEvent<>& event : history.events) {
-    const auto sticks = [](const Joint<>& joint) { return joint.touches() && joint.slip == 0; };
-    if (!std::all_of(event.to.begin(), event.to.end(), sticks)) {
+  track.samples = moments_of_samples(history);
+  for (const Event& event : history.events) {
+    if (!all_stick(event.to)) {
       track.end = event.time;
       break;
     }
-    std::vector<double> rates = angles_of(event.before);
-    const std::vector<double> after = angles_of(event.after);
-    rates.insert(rates.end(), after.begin(), after.end());
-    const auto side = [](const Joint<>& joint) { return joint.side(); };
-    track.events.push_back({name(event.kind), event.interface, pattern_of(event.to, event.to.size(), side),
-                            event.time, angles_of(event.at), rates});
+    track.events.push_back(moment_of(event));
   }
-  for (const auto& sample : history.samples)
-    track.samples.push_back(
-        {"", 0, "", sample.time, angles_of(sample.bodies.at), angles_of(sample.bodies.rate)});
   return up_to_its_end(std::move(track));
 }
 /// By what deviations are measured.
@@ -143,7 +129,7 @@ class Sizes {
 std::optional<Track> consistent_track(Scene scene, const std::vector<double>& times) {
   scene.law = Law::consistent;
   try {
-    return track_of(scene, solve(scene, {.sample_times = times, .validity = true}));
+    return track_of_pivots(scene, solve(scene, {.sample_times = times, .validity = true}));
   } catch (const Unfinished&) {
     return std::nullopt;
   }
@@ -151,9 +137,9 @@ std::optional<Track> consistent_track(Scene scene, const std::vector<double>& ti
 
 Track joint_track(const Scene& scene, const std::vector<double>& times) {
   try {
-    return track_of(solve_unilateral(scene, {.sample_times = times}));
-  } catch (const UnfinishedContacts<>& unfinished) {
-    return track_of(unfinished.history);
+    return track_of_joints(solve_unilateral(scene, {.sample_times = times}));
+  } catch (const Unfinished& unfinished) {
+    return track_of_joints(unfinished.history);
   }
 }
 double unit_time(const Scene& scene) {

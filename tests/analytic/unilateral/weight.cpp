@@ -15,9 +15,10 @@ TEST(UnilateralWeight, ABlockSlidesDownInclinedGround) {
     Scene scene = testing::with_friction(testing::single(1, 0.8, 1), friction);
     scene.inclination = inclination;
     const double pull = scene.gravity * (std::sin(std::abs(inclination)) - friction * std::cos(inclination));
-    const ContactHistory<> history = solve_unilateral(scene, {.validity = true});
+    const History history = solve_unilateral(scene, {.validity = true});
     ASSERT_EQ(history.events.size(), 1U);
-    EXPECT_NEAR(history.last.at[0].x, std::copysign(pull / 2, inclination), round_off * scene.gravity);
+    EXPECT_NEAR(bodies_at_end(history).at[0].x, std::copysign(pull / 2, inclination),
+                round_off * scene.gravity);
     const Demand& force = history.forces[0];
     const double weight = scene.blocks[0].mass * scene.gravity * std::cos(inclination);
     EXPECT_NEAR(force.least_normal, weight, round_off * weight);
@@ -40,8 +41,8 @@ TEST(UnilateralWeight, InclinedGroundIsAPushAndLessGravity) {
     level.horizontal = testing::pulse_of(PulseShape::rectangle, -gravity.along, 2 * level.duration);
     level.vertical =
         testing::pulse_of(PulseShape::rectangle, gravity.across - level.gravity, 2 * level.duration);
-    const ContactHistory<> one = solve_unilateral(inclined);
-    const ContactHistory<> other = solve_unilateral(level);
+    const History one = solve_unilateral(inclined);
+    const History other = solve_unilateral(level);
     for (std::size_t i = 0; i < std::min(one.events.size(), other.events.size()); ++i) {
       if (one.events[i].kind != other.events[i].kind) break;
       ++events;
@@ -60,20 +61,18 @@ TEST(UnilateralWeight, ACentreOfMassOffTheMiddleTurnsAboutTheCorner) {
     block.offset_x = offset_x;
     block.offset_y = -0.3;
     scene.initial.angles = {0.1};
-    const ContactHistory<> history = solve_unilateral(scene);
+    const History history = solve_unilateral(scene);
     const double arm_x = -0.5 + offset_x;
     const double arm_y = 1 - 0.3;
     const double inertia = block.inertia + block.mass * (arm_x * arm_x + arm_y * arm_y);
     const double lever = arm_x * std::cos(0.1) + arm_y * std::sin(0.1);
     const double turning = block.mass * scene.gravity * lever / inertia;
+    const Bodies<> last = bodies_at_end(history);
     // To the next order in t, θ⁗ t²/12 of it, which is below 10⁻⁵.
-    EXPECT_NEAR(history.last.rate[0].angle, turning * scene.duration,
-                1e-5 * std::abs(turning) * scene.duration);
-    EXPECT_NEAR(history.last.at[0].x,
-                0.5 + arm_x * std::cos(history.last.at[0].angle) + arm_y * std::sin(history.last.at[0].angle),
+    EXPECT_NEAR(last.rate[0].angle, turning * scene.duration, 1e-5 * std::abs(turning) * scene.duration);
+    EXPECT_NEAR(last.at[0].x, 0.5 + arm_x * std::cos(last.at[0].angle) + arm_y * std::sin(last.at[0].angle),
                 round_off);
-    EXPECT_NEAR(history.last.at[0].y,
-                arm_y * std::cos(history.last.at[0].angle) - arm_x * std::sin(history.last.at[0].angle),
+    EXPECT_NEAR(last.at[0].y, arm_y * std::cos(last.at[0].angle) - arm_x * std::sin(last.at[0].angle),
                 round_off);
   }
 }

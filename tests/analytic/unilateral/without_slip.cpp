@@ -70,7 +70,7 @@ TEST(UnilateralWithoutSlip, DemandsAndPeaksAreThoseOfLawConsistent) {
     scene.law = Law::consistent;
     const History one = solve(scene, {.validity = true, .peaks = true});
     if (!stays_within(one.forces, friction) || !stays_within(one.impulses, friction)) continue;
-    const ContactHistory<> other =
+    const History other =
         solve_unilateral(testing::with_friction(scene, friction), {.validity = true, .peaks = true});
     // Pivots know no ground but the lowest block's.
     if (!other.events.empty() && other.events.back().kind == EventKind::strike) continue;

@@ -63,13 +63,12 @@ TEST(WinklerBed, HasItsMomentBeforeAndAfterUplift) {
   constexpr double stiffness = 4e6;
   Scene scene = on_a_bed(stiffness, 0, 1.5);
   scene.horizontal = testing::pulse_of(PulseShape::sine, 0.6 * scene.gravity, 0.6);
-  const ContactHistory<> history =
-      solve_unilateral(scene, {.sample_times = regular_times(0.005, scene.duration)});
+  const History history = solve_unilateral(scene, {.sample_times = regular_times(0.005, scene.duration)});
   const double b = scene.blocks.front().half_width;
   int whole = 0;
   int lifted = 0;
-  for (const auto& sample : history.samples) {
-    const BasicReaction<double>& reaction = sample.springs.front().reaction;
+  for (const auto& sample : samples_of(history)) {
+    const Reaction& reaction = sample.reactions.front();
     const double angle = sample.bodies.at[0].angle;
     const double moment = reaction.normal * reaction.centre;
     const double lean = std::sin(std::abs(angle));
@@ -84,7 +83,7 @@ TEST(WinklerBed, HasItsMomentBeforeAndAfterUplift) {
   EXPECT_GT(lifted, 20);
   const auto count = [&](EventKind kind) {
     return std::count_if(history.events.begin(), history.events.end(),
-                         [&](const ContactEvent<>& event) { return event.kind == kind; });
+                         [&](const Event& event) { return event.kind == kind; });
   };
   EXPECT_GE(count(EventKind::part), 2);
   EXPECT_GE(count(EventKind::touch), 1);
@@ -96,17 +95,17 @@ TEST(WinklerBed, BearsAnEccentricWeightByATriangle) {
   for (const double offset : {-0.12, -0.05, 0.02, 0.12}) {
     Scene scene = on_a_bed(4e7, 1e5, 1);
     scene.blocks.front().offset_x = offset;
-    const ContactHistory<> history = solve_unilateral(scene, {.sample_times = {0, 1}});
+    const History history = solve_unilateral(scene, {.sample_times = {0, 1}});
     EXPECT_TRUE(history.events.empty());
-    const BasicReaction<double>& reaction = history.samples.front().springs.front().reaction;
+    const Reaction& reaction = history.reactions.front();
     const double weight = scene.blocks.front().mass * scene.gravity;
-    const double angle = history.samples.front().bodies.at[0].angle;
+    const double angle = bodies_at(history, 0).at[0].angle;
     EXPECT_NEAR(reaction.normal, weight, 1e-10 * weight);
     // The centre of mass is above the foot by half a metre, which leans with it.
     EXPECT_NEAR(reaction.centre * std::cos(angle), offset * std::cos(angle) + 0.5 * std::sin(angle), 1e-12);
-    EXPECT_NEAR(history.samples.back().bodies.at[0].angle, angle, 1e-12);
+    EXPECT_NEAR(bodies_at(history, 1).at[0].angle, angle, 1e-12);
     const bool triangle = std::abs(reaction.centre) > 0.25 / 3;
-    EXPECT_EQ(history.samples.front().joints.front().touch == Contact::closed, !triangle) << offset;
+    EXPECT_EQ(is_closed(history.patterns.front()), !triangle) << offset;
   }
 }
 
@@ -116,7 +115,7 @@ TEST(WinklerBed, KeepsItsEnergyOrTellsIt) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Scene scene = testing::bedded_scene(seed);
     if (!scene.horizontal.empty() || !scene.vertical.empty()) continue;
-    const ContactHistory<> history =
+    const History history =
         solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 20, scene.duration)});
     double scale = 0;
     for (const Block& block : scene.blocks) scale += 2 * block.mass * scene.gravity * block.half_height;
@@ -124,12 +123,12 @@ TEST(WinklerBed, KeepsItsEnergyOrTellsIt) {
                                    [](double stiffness) { return std::isinf(stiffness); });
     double last = INFINITY;
     double damped = 0;
-    for (const auto& sample : history.samples) {
+    for (const auto& sample : samples_of(history)) {
       double now = energy(scene, sample.bodies);
       double taken = 0;
       for (const auto& springs : sample.springs) {
-        now += springs.energy.elastic + springs.energy.damped + springs.energy.rubbed;
-        taken += springs.energy.damped;
+        now += springs.elastic + springs.damped + springs.rubbed;
+        taken += springs.damped;
       }
       EXPECT_LE(now, last + 1e-11 * scale) << seed << ' ' << sample.time;
       if (!rigid && std::isfinite(last)) {
@@ -143,7 +142,7 @@ TEST(WinklerBed, KeepsItsEnergyOrTellsIt) {
     if (!rigid && std::all_of(dampings.begin(), dampings.end(), [](double c) { return c == 0; })) {
       EXPECT_NEAR(damped, 0, 1e-11 * scale) << seed;
     }
-    for (const ContactEvent<>& event : history.events) parted += event.kind == EventKind::part ? 1 : 0;
+    for (const Event& event : history.events) parted += event.kind == EventKind::part ? 1 : 0;
   }
   EXPECT_GT(parted, 20);
 }
@@ -156,15 +155,14 @@ TEST(WinklerBed, StopsABlockThatStartsAtItsSurface) {
     scene.initial.angles = {angle};
     scene.friction = {0};
     scene.initial.preloaded = false;
-    const ContactHistory<> history =
-        solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
+    const History history = solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
     const double scale = 2 * scene.blocks[0].mass * scene.gravity * scene.blocks[0].half_height;
-    const double first = energy(scene, history.samples.front().bodies);
-    for (const auto& sample : history.samples) {
-      EXPECT_NEAR(energy(scene, sample.bodies) + sample.springs[0].energy.elastic, first, 1e-11 * scale)
+    const double first = energy(scene, bodies_at(history, 0));
+    for (const auto& sample : samples_of(history)) {
+      EXPECT_NEAR(energy(scene, sample.bodies) + sample.springs[0].elastic, first, 1e-11 * scale)
           << angle << ' ' << sample.time;
     }
-    EXPECT_NE(history.samples[4].bodies.at[0].angle, angle);
+    EXPECT_NE(bodies_at(history, 4).at[0].angle, angle);
   }
 }
 
@@ -188,12 +186,12 @@ TEST(WinklerBed, PartsAndLandsFlat) {
   Scene scene = on_a_bed(1e7, 2e4, 2);
   scene.vertical.samples = {30, 30, -30, -30, 0};
   scene.vertical.interval = 0.05;
-  const ContactHistory<> history = solve_unilateral(scene);
+  const History history = solve_unilateral(scene);
   ASSERT_GE(history.events.size(), 2U);
   EXPECT_EQ(history.events[0].kind, EventKind::part);
   EXPECT_EQ(name(history.events[0].from) + name(history.events[0].to), "C-");
   EXPECT_EQ(name(history.events[1].from) + name(history.events[1].to), "-C");
-  EXPECT_NEAR(history.last.at[0].angle, 0, 1e-12);
+  EXPECT_NEAR(bodies_at_end(history).at[0].angle, 0, 1e-12);
 }
 
 }  // namespace

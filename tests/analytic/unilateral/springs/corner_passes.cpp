@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analytic/unilateral/springs/spring_rounding.hpp"
+#include "analytic/unilateral/springs/spring_series.hpp"
 #include "tests/analytic/unilateral/scenes.hpp"
 #include "tests/analytic/unilateral/solve_unilateral.hpp"
 #include "tests/analytic/unilateral/springs/random_springs.hpp"
@@ -177,19 +178,18 @@ TEST(CornerPass, NeitherLosesEnergyNorMakesAnyInRandomScenes) {
   int frictionless = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const Scene scene = sliding_scene(seed);
-    const ContactHistory<> history =
-        solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
+    const History history = solve_unilateral(scene, {.sample_times = regular_times(0.01, scene.duration)});
     const double rounding = 1e-11 * testing::weight_times_height(scene);
-    const double first = testing::energy_with_losses(scene, history.samples.front());
+    const double first = testing::energy_with_losses(scene, samples_of(history).front());
     double taken = 0;
-    for (const auto& sample : history.samples) {
+    for (const auto& sample : samples_of(history)) {
       EXPECT_NEAR(testing::energy_with_losses(scene, sample), first, rounding) << seed << ' ' << sample.time;
       double now = 0;
-      for (const auto& springs : sample.springs) now += springs.energy.damped + springs.energy.rubbed;
+      for (const auto& springs : sample.springs) now += springs.damped + springs.rubbed;
       EXPECT_GE(now, taken - rounding) << seed << ' ' << sample.time;
       taken = now;
     }
-    for (const ContactEvent<>& event : history.events) {
+    for (const Event& event : history.events) {
       if (event.kind != EventKind::corner) continue;
       ++passes;
       frictionless += scene.friction[static_cast<std::size_t>(event.interface - 1)] == 0 ? 1 : 0;

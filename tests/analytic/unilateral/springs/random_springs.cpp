@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "tests/analytic/solver/stacks.hpp"
-#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 namespace {
@@ -76,10 +75,9 @@ Scene soft_scene(std::uint64_t seed, bool beds) {
   return scene;
 }
 
-double energy_with_losses(const Scene& scene, const ContactHistory<>::Sample& sample) {
+double energy_with_losses(const Scene& scene, const Sample& sample) {
   double sum = energy(scene, sample.bodies);
-  for (const auto& springs : sample.springs)
-    sum += springs.energy.elastic + springs.energy.damped + springs.energy.rubbed;
+  for (const auto& springs : sample.springs) sum += springs.elastic + springs.damped + springs.rubbed;
   return sum;
 }
 

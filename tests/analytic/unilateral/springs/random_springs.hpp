@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "analytic/unilateral/contact_history.hpp"
+#include "tests/analytic/unilateral/solve_unilateral.hpp"
 
 namespace rockstack::testing {
 
@@ -19,7 +19,7 @@ Scene bedded_scene(std::uint64_t seed);
 Scene soft_scene(std::uint64_t seed, bool beds);
 
 /// The energy of a sample, with what springs hold and what dashpots and friction have taken, J.
-double energy_with_losses(const Scene& scene, const ContactHistory<>::Sample& sample);
+double energy_with_losses(const Scene& scene, const Sample& sample);
 
 /// Weight times height of an upright stack, J.
 double weight_times_height(const Scene& scene);

@@ -30,7 +30,7 @@ TEST(CornerSprings, RestoreWhatADampedImpactLeaves) {
     scene.initial.preloaded = false;
     scene.vertical.samples = {-10, -10, 10, 10, 0};
     scene.vertical.interval = 0.1;
-    const ContactHistory<> history = solve_unilateral(scene);
+    const History history = solve_unilateral(scene);
     const auto touch = std::find_if(history.events.begin(), history.events.end(), [](const auto& event) {
       return event.kind == EventKind::touch && event.time > 0.4;
     });
@@ -42,7 +42,9 @@ TEST(CornerSprings, RestoreWhatADampedImpactLeaves) {
         : ratio < 1 ? std::exp(-ratio / root *
                                (std::numbers::pi - std::atan2(2 * ratio * root, 1 - 2 * ratio * ratio)))
                     : std::exp(-ratio / root * std::log((ratio + root) / (ratio - root)));
-    EXPECT_NEAR(-history.events.back().after[0].y / touch->before[0].y, expected, 1e-10) << ratio;
+    EXPECT_NEAR(-bodies_after(history.events.back()).rate[0].y / bodies_before(*touch).rate[0].y, expected,
+                1e-10)
+        << ratio;
   }
 }
 
@@ -52,13 +54,13 @@ TEST(CornerSprings, CarryABlockUpAndDownAtItsFrequency) {
   scene.vertical = testing::pulse_of(PulseShape::rectangle, scene.gravity / 5, 1);
   const double frequency = std::sqrt(2 * 1e7 / scene.blocks.front().mass);
   const std::vector<double> times = regular_times(0.01, scene.duration);
-  const ContactHistory<> history = solve_unilateral(scene, {.sample_times = times});
-  const double rest = history.samples.front().bodies.at[0].y;
+  const History history = solve_unilateral(scene, {.sample_times = times});
+  const double rest = bodies_at(history, 0).at[0].y;
   EXPECT_NEAR(rest, 0.5 - scene.gravity / (frequency * frequency), 1e-15);
   EXPECT_TRUE(history.events.empty());
   const double depth = scene.gravity / 5 / (frequency * frequency);
   // Positions round to 10⁻¹⁶ m each step, of which there are some hundreds.
-  for (const auto& sample : history.samples)
+  for (const auto& sample : samples_of(history))
     EXPECT_NEAR(sample.bodies.at[0].y - rest, -depth * (1 - std::cos(frequency * sample.time)), 1e-10 * depth)
         << sample.time;
 }
@@ -69,7 +71,7 @@ TEST(CornerSprings, SlideAsFarAsOnRigidGround) {
   Scene scene = on_springs(1, 0.05, 1e7, 0, 1);
   scene.friction = {0.4};
   scene.initial.slip_velocities = {1};
-  const ContactHistory<> history = solve_unilateral(scene, {.peaks = true});
+  const History history = solve_unilateral(scene, {.peaks = true});
   // The slider stops while the block moves on against the springs and back: within μ mg/(2k) of that.
   const double elastic = 0.4 * scene.blocks[0].mass * scene.gravity / (2 * 1e7);
   EXPECT_NEAR(history.slips_left[0], 1 / (2 * 0.4 * scene.gravity), 2 * elastic);
@@ -85,12 +87,12 @@ TEST(CornerSprings, AStackThatHasSettledRests) {
     // Stiff enough not to fall over: at 10⁷ N/m a tonne a stack of metres has 2kb² > mgh.
     for (double& stiffness : scene.springs.stiffness) stiffness *= 100;
     scene.inclination = seed % 2 == 0 ? 0 : 1e-3;
-    const ContactHistory<> history =
+    const History history =
         solve_unilateral(scene, {.sample_times = {0, scene.duration / 2, scene.duration}});
     EXPECT_TRUE(history.events.empty()) << seed << ' ' << name(history.events.front().kind);
-    for (const auto& sample : history.samples)
+    for (const auto& sample : samples_of(history))
       for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-        const Pose<>& start = history.samples.front().bodies.at[k];
+        const Pose<> start = bodies_at(history, 0).at[k];
         const double rounding = 1e-11;
         EXPECT_NEAR(sample.bodies.at[k].x, start.x, rounding) << seed;
         EXPECT_NEAR(sample.bodies.at[k].y, start.y, rounding) << seed;
@@ -112,18 +114,18 @@ TEST(CornerSprings, EnergyIsKeptOrTold) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Scene scene = testing::springy_scene(seed);
     if (!scene.horizontal.empty() || !scene.vertical.empty()) continue;
-    const ContactHistory<> history =
+    const History history =
         solve_unilateral(scene, {.sample_times = regular_times(scene.duration / 20, scene.duration)});
     const double scale = testing::weight_times_height(scene);
-    double last = testing::energy_with_losses(scene, history.samples.front());
-    for (const auto& sample : history.samples) {
+    double last = testing::energy_with_losses(scene, samples_of(history).front());
+    for (const auto& sample : samples_of(history)) {
       const double now = testing::energy_with_losses(scene, sample);
       EXPECT_LE(now, last + 1e-11 * scale) << seed << ' ' << sample.time;
       if (!all_soft(scene)) last = now;
       EXPECT_GE(now, last - 1e-11 * scale) << seed << ' ' << sample.time;
     }
-    for (const auto& springs : history.samples.back().springs)
-      lost = std::max(lost, (springs.energy.damped + springs.energy.rubbed) / scale);
+    for (const auto& springs : history.row(history.spring_energies, history.size() - 1))
+      lost = std::max(lost, (springs.damped + springs.rubbed) / scale);
     soft += all_soft(scene) ? 1 : 0;
   }
   EXPECT_GE(soft, 5);
@@ -143,8 +145,8 @@ TEST(CornerSprings, MirrorImagesMoveAlike) {
   int events = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Scene scene = testing::springy_scene(seed);
-    const ContactHistory<> one = solve_unilateral(scene);
-    const ContactHistory<> other = solve_unilateral(mirrored(scene));
+    const History one = solve_unilateral(scene);
+    const History other = solve_unilateral(mirrored(scene));
     const std::size_t count = std::min<std::size_t>({one.events.size(), other.events.size(), 12});
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(one.events[i].kind, other.events[i].kind) << seed << ' ' << i;
@@ -153,7 +155,7 @@ TEST(CornerSprings, MirrorImagesMoveAlike) {
     }
     if (one.events.size() > 12) continue;
     for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-      EXPECT_NEAR(one.last.at[k].angle, -other.last.at[k].angle, 1e-8) << seed;
+      EXPECT_NEAR(bodies_at_end(one).at[k].angle, -bodies_at_end(other).at[k].angle, 1e-8) << seed;
   }
   EXPECT_GT(events, 60);
 }
@@ -164,13 +166,13 @@ TEST(CornerSprings, StiffOnesComeToRigidFaces) {
   scene.law = Law::compliant;
   scene.friction = {0.9, 0.9};
   scene.springs = {{1e7, INFINITY}, {1e5, 0}};
-  const ContactHistory<> rigid = solve_unilateral(scene);
+  const History rigid = solve_unilateral(scene);
   double before = INFINITY;
   for (const double stiffness : {1e9, 1e10, 1e11}) {
     scene.springs.stiffness[1] = stiffness;
     scene.springs.damping[1] = 2 * std::sqrt(stiffness * 1000);
-    const ContactHistory<> soft = solve_unilateral(scene);
-    const double difference = std::abs(soft.last.at[1].angle - rigid.last.at[1].angle);
+    const History soft = solve_unilateral(scene);
+    const double difference = std::abs(bodies_at_end(soft).at[1].angle - bodies_at_end(rigid).at[1].angle);
     EXPECT_LT(difference, before / 2) << stiffness;
     before = difference;
   }
@@ -206,13 +208,13 @@ TEST(CornerSprings, PartOnceFromADepthNearRounding) {
   block.offset_x = block.half_width - arm;
   scene.horizontal.samples = {-acceleration, -acceleration};
   scene.horizontal.interval = scene.duration;
-  const ContactHistory<> history = solve_unilateral(scene, {.sample_times = {0}});
+  const History history = solve_unilateral(scene, {.sample_times = {0}, .end = true});
   ASSERT_EQ(history.events.size(), 1);
   EXPECT_EQ(history.events.front().kind, EventKind::part);
   // It turns about the other corner, which gives way along the face as it takes up the ground's motion.
   const double turning = (acceleration * block.half_height - scene.gravity * arm) /
                          (block.inertia / block.mass + block.half_height * block.half_height + arm * arm);
-  const double angle = history.last.at[0].angle - history.samples.front().bodies.at[0].angle;
+  const double angle = bodies_at_end(history).at[0].angle - bodies_at(history, 0).at[0].angle;
   EXPECT_NEAR(angle / (turning * scene.duration * scene.duration / 2), 1, 0.01);
 }
 

@@ -94,16 +94,16 @@ TEST_P(Unloaded, UprightColumnsStayUpright) {
   testing::Draw draw(3);
   for (int i = 0; i < 30; ++i) {
     Scene scene = set_down(draw, 3, 0, GetParam());
-    const ContactHistory<> whole = solve_unilateral(scene);
-    for (const ContactEvent<>& event : whole.events)
+    const History whole = solve_unilateral(scene);
+    for (const Event& event : whole.events)
       EXPECT_TRUE(event.kind == EventKind::part || event.kind == EventKind::touch) << i << name(event.kind);
     if (!whole.events.empty()) scene.duration = whole.events.front().time;
-    const ContactHistory<> history = solve_unilateral(scene);
+    const History history = solve_unilateral(scene);
     const Column coarse = column_at(scene, scene.duration, 8000);
     const Column fine = column_at(scene, scene.duration, 16000);
     double below = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Pose<>& at = history.last.at[k];
+      const Pose<> at = bodies_at_end(history).at[k];
       const double height = below + scene.blocks[k].half_height + fine.height[k];
       EXPECT_NEAR(at.y, height, std::abs(fine.height[k] - coarse.height[k]) / 15 + 1e-12) << i << ' ' << k;
       EXPECT_NEAR(at.x, 0, 1e-15) << i;
@@ -120,9 +120,9 @@ TEST_P(Unloaded, StacksThatLeanTogetherSetOff) {
   int events = 0;
   for (int i = 0; i < 60; ++i) {
     const Scene scene = set_down(draw, 2 + i % 2, draw.between(-0.15, 0.15), GetParam());
-    const ContactHistory<> history = solve_unilateral(scene, {.sample_times = {0, scene.duration}});
-    const double change = testing::energy_with_losses(scene, history.samples.back()) -
-                          testing::energy_with_losses(scene, history.samples.front());
+    const History history = solve_unilateral(scene, {.sample_times = {0, scene.duration}});
+    const double change = testing::energy_with_losses(scene, samples_of(history).back()) -
+                          testing::energy_with_losses(scene, samples_of(history).front());
     EXPECT_NEAR(change, 0, 1e-11 * testing::weight_times_height(scene)) << i;
     events += static_cast<int>(history.events.size());
   }
@@ -140,8 +140,8 @@ TEST(UnloadedBed, ASliderWithoutForceDoesNotStickAndSlipWithoutEnd) {
   scene.friction = {0.195, 0.144, 0.441};
   scene.springs.bed_stiffness = {2.86e6, 3.98e6, 2.13e6};
   scene.springs.bed_damping = {8.54e3, 7.13e4, 2.66e4};
-  const ContactHistory<> history = solve_unilateral(scene);
-  EXPECT_EQ(history.end_time, scene.duration);
+  const History history = solve_unilateral(scene);
+  EXPECT_FALSE(ends_early(history));
   EXPECT_LT(history.events.size(), 100U);
 }
 
