@@ -21,7 +21,7 @@ Joint<Real> end_of(const ContactModel<Real>& stack, int interface, Joint<Real> j
 template <class Real>
 bool parts(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
            const Joint<Real>& joint, const Real& speed) {
-  return kinematics_of(stack, bodies, interface, joint).gap_row.dot(vector_of(bodies.rate)) > speed;
+  return kinematics_of(stack, bodies, interface, joint).gap_row.dot(vector_of(bodies.velocity)) > speed;
 }
 
 /// How fast the gap of a joint that comes to touch closes, m/s: at the end of it where that is fastest.
@@ -32,7 +32,7 @@ Real closing_speed(const ContactModel<Real>& stack, const Bodies<Real>& bodies, 
   for (const int side : {-1, 1}) {
     if (joint.pivots() && side != joint.side()) continue;
     const Joint<Real> end = end_of(stack, interface, joint, side);
-    const Real opening = kinematics_of(stack, bodies, interface, end).gap_row.dot(vector_of(bodies.rate));
+    const Real opening = kinematics_of(stack, bodies, interface, end).gap_row.dot(vector_of(bodies.velocity));
     fastest = std::max<Real>(fastest, -opening);
   }
   return fastest;
@@ -101,7 +101,7 @@ class ContactChatter {
     if (surely_fast(touching, mode, after, free)) return mode;
     const FreeVector<Real> acceleration =
         respond<Real>({stack_, after, free, ContactLevel::accelerations}, mode).motion;
-    const FreeVector<Real> rates = vector_of(after.rate);
+    const FreeVector<Real> rates = vector_of(after.velocity);
     Joints<Real> result = mode;
     const bool one_flies =
         std::count_if(mode.begin(), mode.end(), std::mem_fn(&Joint<Real>::touches)) == stack_.size() - 1;
@@ -132,10 +132,10 @@ class ContactChatter {
   bool surely_fast(const Joints<Real>& touching, const Joints<Real>& mode, const Bodies<Real>& after,
                    const FreeVector<Real>& free) const {
     if (!std::ranges::all_of(mode, std::mem_fn(&Joint<Real>::sticks))) return false;
-    const Real most = most_turning(stack_, after.rate, free);
+    const Real most = most_turning(stack_, after.velocity, free);
     for (std::size_t k = 0; k < mode.size(); ++k) {
       if (touching[k].touch == mode[k].touch) continue;
-      const Real speed = abs(relative_angle(after.rate, k));
+      const Real speed = abs(relative_angle(after.velocity, k));
       if (!(speed > slow_speed_ && speed * speed > 2 * resolution_ * most)) return false;
     }
     return true;
@@ -144,11 +144,11 @@ class ContactChatter {
   bool parts_slowly(int interface, const Joint<Real>& touching, const Joint<Real>& mode,
                     const Bodies<Real>& after, const FreeVector<Real>& acceleration, bool alone) const {
     const bool bounces = alone && !mode.touches() && stack_.restitution > 0 &&
-                         (touching.pivots() || abs(relative_angle(after.rate, interface)) <= slow_speed_);
+                         (touching.pivots() || abs(relative_angle(after.velocity, interface)) <= slow_speed_);
     const auto slow = [&](const Real& speed, const Real& back, const Real& unit) {
       return speed <= slow_speed_ * unit || (!bounces && speed * speed <= -2 * resolution_ * unit * back);
     };
-    const FreeVector<Real> rates = vector_of(after.rate);
+    const FreeVector<Real> rates = vector_of(after.velocity);
     if (mode.pivots() && touching.touch == Contact::closed) {
       const FreeRow<Real> turn = angle_row<Real>(stack_, interface);
       return slow(abs(turn.dot(rates)), mode.side() * turn.dot(acceleration), 1);
@@ -177,7 +177,7 @@ template <class Real>
 void land(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface, bool below,
           const Real& speed, Joints<Real>& joints) {
   Joint<Real>& joint = joints[interface];
-  const Real angle = relative_angle(bodies.at, interface);
+  const Real angle = relative_angle(bodies.pose, interface);
   joint.slip = 0;
   if (abs(angle) <= flat_angle<Real>) {
     joint.touch = Contact::closed;
@@ -202,7 +202,7 @@ bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, in
   joint.corner_below = !joint.corner_below;
   joint.offset = offset_of(stack, bodies, interface, joint);
   const ContactKinematics<Real> rows = kinematics_of(stack, bodies, interface, joint);
-  const FreeVector<Real> rates = vector_of(bodies.rate);
+  const FreeVector<Real> rates = vector_of(bodies.velocity);
   const Real speed = rows.gap_row.dot(rates);
   const Real rounding = tolerance<Real>(1e-13) * (rows.gap_row.cwiseAbs().dot(rates.cwiseAbs()));
   if (speed > rounding) {
@@ -216,11 +216,11 @@ bool pass_corner(const ContactModel<Real>& stack, const Bodies<Real>& bodies, in
 template <class Real>
 void land_negligible(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface,
                      const Real& gap, const Real& speed, Joints<Real>& joints) {
-  const FreeVector<Real> rates = vector_of(bodies.rate);
+  const FreeVector<Real> rates = vector_of(bodies.velocity);
   for (const bool below : {true, false}) {
     if (below && interface == 0) continue;
     for (const int side : {-1, 1}) {
-      if (side * relative_angle(bodies.at, interface) < -flat_angle<Real>) continue;
+      if (side * relative_angle(bodies.pose, interface) < -flat_angle<Real>) continue;
       const CornerOnFace<Real> corner = stack.corner(interface, side, below);
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, corner);
       if (abs(rows.gap) <= gap && rows.gap_row.dot(rates) <= speed &&
@@ -238,7 +238,8 @@ void close_negligible(const ContactModel<Real>& stack, const ContactChatter<Real
     const Real gap = chatter.negligible_gap() * stack.half_width(k);
     if (!joints[k].touches() && !stack.soft(k))
       land_negligible(stack, bodies, k, gap, chatter.bounced_speed(k), joints);
-    if (chatter.negligibly_open(joints[k], relative_angle(bodies.at, k), relative_angle(bodies.rate, k)))
+    if (chatter.negligibly_open(joints[k], relative_angle(bodies.pose, k),
+                                relative_angle(bodies.velocity, k)))
       joints[k].touch = Contact::closed;
   }
 }

@@ -30,13 +30,13 @@ template <class Real>
 Poses<Real> held_rates(const ContactModel<Real>& smooth, const Joints<Real>& joints,
                        const Bodies<Real>& bodies) {
   return poses_of<Real>(
-      respond<Real>({smooth, bodies, vector_of(bodies.rate), ContactLevel::velocities}, joints).motion);
+      respond<Real>({smooth, bodies, vector_of(bodies.velocity), ContactLevel::velocities}, joints).motion);
 }
 
 /// A mode after an impact in which what does not slide as it should sticks.
 template <class Real>
 Joints<Real> with_slips(const ContactModel<Real>& stack, Joints<Real> mode, const Bodies<Real>& bodies) {
-  const FreeVector<Real> rates = vector_of(bodies.rate);
+  const FreeVector<Real> rates = vector_of(bodies.velocity);
   for (int k = 0; k < stack.size(); ++k) {
     Joint<Real>& joint = mode[k];
     if (!joint.touches() || joint.slip == 0) continue;
@@ -53,7 +53,7 @@ Joints<Real> with_slips(const ContactModel<Real>& stack, Joints<Real> mode, cons
 template <class Real>
 Joints<Real> bounced(const ContactModel<Real>& stack, Joints<Real> mode, const Bodies<Real>& after) {
   if (stack.restitution == 0) return mode;
-  const FreeVector<Real> rates = vector_of(after.rate);
+  const FreeVector<Real> rates = vector_of(after.velocity);
   for (int k = 0; k < stack.size(); ++k) {
     Joint<Real>& joint = mode[k];
     if (!joint.touches()) continue;
@@ -121,7 +121,7 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
                                               const ContactChatter<Real>& chatter,
                                               const Joints<Real>& touching, Bodies<Real> bodies,
                                               const FreeVector<Real>& free, const Choose& choose) {
-  const FreeVector<Real> before = vector_of(bodies.rate);
+  const FreeVector<Real> before = vector_of(bodies.velocity);
   const ContactProblem<Real> problem{stack, bodies, before, ContactLevel::impacts};
   const TouchingContacts<Real> contacts(problem, touching);
   auto found = find_mode(contacts, touching);
@@ -133,7 +133,7 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
   if (!mode) return std::nullopt;
   ContactCollision<Real> impact{*found, response.forces, *std::move(mode), {}};
   if (several) impact.consistency = Consistency::several;
-  bodies.rate = poses_of(response.motion);
+  bodies.velocity = poses_of(response.motion);
   Joints<Real> met = touching;
   pass_faces(stack, bodies, impact.mode, met);
   impact.mode = bounced(stack, impact.mode, bodies);
@@ -147,9 +147,9 @@ std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
       impact.kind = EventKind::closure;
     }
     impact.mode = held;
-    bodies.rate = held_rates(smooth, impact.mode, bodies);
+    bodies.velocity = held_rates(smooth, impact.mode, bodies);
   }
-  impact.rates = without_roundings(stack, poses_of(before), bodies.rate);
+  impact.rates = without_roundings(stack, poses_of(before), bodies.velocity);
   const auto still = [](const Joint<Real>& joint) {
     return joint.touch == Contact::closed && joint.slip == 0;
   };

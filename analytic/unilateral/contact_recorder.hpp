@@ -22,7 +22,7 @@ void note_bearing(BasicDemand<Real>& demand, const Real& normal, const Real& tan
 template <class Real>
 Real gap_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies, int interface) {
   Real gap = std::numeric_limits<Real>::infinity();
-  if (abs(relative_angle(bodies.at, interface)) >= pi<Real> / 2) return gap;
+  if (abs(relative_angle(bodies.pose, interface)) >= pi<Real> / 2) return gap;
   for (const bool below : {false, true})
     for (const int side : {-1, 1}) {
       if (below && interface == 0) continue;
@@ -104,7 +104,7 @@ class ContactRecorder {
     if (!options_.validity) return;
     note_impulses(impulses, time);
     for (const int k : sticking_pairs(mode))
-      impulses[k] = on_other_face(impulses[k], mode[k], relative_angle(bodies.at, k));
+      impulses[k] = on_other_face(impulses[k], mode[k], relative_angle(bodies.pose, k));
     note_impulses(impulses, time);
   }
 
@@ -177,10 +177,10 @@ class ContactRecorder {
   void add_sample(ContactState<Real> state, const SpringContacts<Real>& springs, double time) {
     place(stack_, state.joints, state.bodies);
     history_.times.push_back(Real(time));
-    for (const Pose<Real>& pose : state.bodies.at) history_.angles.push_back(pose.angle);
-    for (const Pose<Real>& rate : state.bodies.rate) history_.velocities.push_back(rate.angle);
-    add_centres(state.bodies.at, history_.centres);
-    add_centres(state.bodies.rate, history_.centre_velocities);
+    for (const Pose<Real>& pose : state.bodies.pose) history_.angles.push_back(pose.angle);
+    for (const Pose<Real>& rate : state.bodies.velocity) history_.velocities.push_back(rate.angle);
+    add_centres(state.bodies.pose, history_.centres);
+    add_centres(state.bodies.velocity, history_.centre_velocities);
     add_reactions(state, springs, time);
     const Joints<Real> joints = springs.shown(std::move(state.joints));
     history_.patterns.push_back(pattern_of(joints));

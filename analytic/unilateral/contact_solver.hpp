@@ -91,7 +91,8 @@ class ContactSolver {
   void jam() {
     note_burst();
     const Real length = std::min<Real>(32 * shortest_step_, pieces_.remaining());
-    state_.bodies.at = poses_of<Real>(vector_of(state_.bodies.at) + length * vector_of(state_.bodies.rate));
+    state_.bodies.pose =
+        poses_of<Real>(vector_of(state_.bodies.pose) + length * vector_of(state_.bodies.velocity));
     pieces_.go(length);
     place(stack_, state_.joints, state_.bodies);
     longest_ = unit_time_ / 4;
@@ -101,7 +102,8 @@ class ContactSolver {
   /// Goes up to s of a step.
   void advance_to(const ModeSeries<Real>& series, const SpringSeries<Real>& springs, const Real& s) {
     Bodies<Real> next = series.at(s);
-    if (!vector_of(next.rate).allFinite()) stop("velocities have become too large for numbers at", time());
+    if (!vector_of(next.velocity).allFinite())
+      stop("velocities have become too large for numbers at", time());
     recorder_.note_step(state_.joints, series, springs_, springs, s, time());
     const Bodies<Real> before = std::exchange(state_.bodies, std::move(next));
     place(stack_, state_.joints, state_.bodies);
@@ -119,7 +121,7 @@ class ContactSolver {
       const int interface = springs_.points()[guard.point].interface;
       if (guard.change == SpringChange::fall) {
         ended_ = true;
-        return note(EventKind::fall, interface + 1, before, state_.bodies.rate);
+        return note(EventKind::fall, interface + 1, before, state_.bodies.velocity);
       }
       if (guard.change == SpringChange::pass) passes[interface] = true;
       springs_.apply(guard, state_.bodies);
@@ -128,7 +130,7 @@ class ContactSolver {
     const Joints<Real> after = springs_.shown(state_.joints);
     for (std::size_t k = 0; k < before.size(); ++k)
       if (const auto kind = change_of(before[k], after[k], passes[k]))
-        note(*kind, static_cast<int>(k) + 1, before, state_.bodies.rate);
+        note(*kind, static_cast<int>(k) + 1, before, state_.bodies.velocity);
     if (std::any_of(state_.joints.begin(), state_.joints.end(), std::mem_fn(&Joint<Real>::touches)))
       decide(Joints<Real>(state_.joints), state_.bodies, 0);
   }
@@ -140,7 +142,7 @@ class ContactSolver {
       const auto end = ending(guard.change);
       if (!end) continue;
       ended_ = true;
-      return note(*end, guard.interface + 1, springs_.shown(before), state_.bodies.rate);
+      return note(*end, guard.interface + 1, springs_.shown(before), state_.bodies.velocity);
     }
     Joints<Real> touching = state_.joints;
     const int interface = found.guards.front().interface + 1;
@@ -150,25 +152,25 @@ class ContactSolver {
     state_.joints = std::move(touching);
     project_onto_joints();
     if (std::ranges::find(found.guards, Change::corner, &Guard<Real>::change) != found.guards.end())
-      note(EventKind::corner, interface, springs_.shown(before), state_.bodies.rate);
+      note(EventKind::corner, interface, springs_.shown(before), state_.bodies.velocity);
     decide(before, series.at(found.s + look_ahead_.time / series.length), look_ahead_.time);
   }
 
   /// Puts bodies onto joints, and takes from velocities what joints do not leave.
   void project_onto_joints() {
-    const Poses<Real> rates = state_.bodies.rate;
+    const Poses<Real> rates = state_.bodies.velocity;
     place(stack_, state_.joints, state_.bodies);
-    state_.bodies.rate = held_rates(smooth_, state_.joints, {state_.bodies.at, rates});
+    state_.bodies.velocity = held_rates(smooth_, state_.joints, {state_.bodies.pose, rates});
     place(stack_, state_.joints, state_.bodies);
   }
 
   /// An impact of joints that touch.
   void resolve_impact(const Joints<Real>& before, Joints<Real> touching, int interface) {
     look_ahead_.note_impact();
-    const Poses<Real> rates = state_.bodies.rate;
+    const Poses<Real> rates = state_.bodies.velocity;
     close_negligible(stack_, chatter_, state_.bodies, touching);
     place(stack_, touching, state_.bodies);
-    state_.bodies.rate = rates;
+    state_.bodies.velocity = rates;
     const Real approach = closing_speed(stack_, state_.bodies, interface - 1, touching[interface - 1]);
     const auto impact =
         collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
@@ -177,7 +179,7 @@ class ContactSolver {
                 });
     if (!impact) stop("no impulses end an impact at", time());
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
-    state_ = {{state_.bodies.at, impact->rates}, impact->mode};
+    state_ = {{state_.bodies.pose, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
     fresh_.mark_impact(touching, impact->mode, time(), stack_.restitution > 0);
     note(impact->kind, interface, springs_.shown(before), rates, impact->consistency, approach);
@@ -209,7 +211,7 @@ class ContactSolver {
     // Other modes are sought only where an event can tell of them.
     const bool others =
         (branching_ != nullptr || !same_modes(before, *mode)) && choose_branch(*contacts, joints, *mode);
-    const Poses<Real> rates = state_.bodies.rate;
+    const Poses<Real> rates = state_.bodies.velocity;
     state_.joints = *mode;
     fresh_.mark(touching, joined, state_.joints, time());
     const bool stays = same_modes(touching, *mode) && same_modes(joints, *mode) &&
@@ -217,7 +219,7 @@ class ContactSolver {
     if (on_joints && stays) {
       // The contacts that hold them are known.
       const FreeVector<Real> velocities = vector_of(rates);
-      state_.bodies.rate = poses_of<Real>(respond(*contacts, *mode, &velocities).motion);
+      state_.bodies.velocity = poses_of<Real>(respond(*contacts, *mode, &velocities).motion);
       place(stack_, state_.joints, state_.bodies);
     } else {
       project_onto_joints();
@@ -235,7 +237,7 @@ class ContactSolver {
 
   /// The impulse that lets the motion go on where no forces do: that of a vanishing step of Moreau's.
   Joints<Real> follow_without_solution(const Joints<Real>& joints) {
-    const Poses<Real> rates = state_.bodies.rate;
+    const Poses<Real> rates = state_.bodies.velocity;
     const FreeVector<Real> velocities = vector_of(rates);
     const FreeVector<Real> kicked = velocities + look_ahead_.shortest * free_acceleration(0, state_.bodies);
     const auto mode = find_mode<Real>({stack_, state_.bodies, kicked, ContactLevel::velocities}, joints);
@@ -245,9 +247,9 @@ class ContactSolver {
     recorder_.note_impact(*mode, state_.bodies, response.forces, time());
     // The mode is that of the kicked velocities. Where its impulses on those without the kick would gain
     // energy, what joints do not leave is taken without friction.
-    state_.bodies.rate = twice_energy(stack_, response.motion) <= twice_energy(stack_, velocities)
-                             ? poses_of(response.motion)
-                             : held_rates(smooth_, *mode, state_.bodies);
+    state_.bodies.velocity = twice_energy(stack_, response.motion) <= twice_energy(stack_, velocities)
+                                 ? poses_of(response.motion)
+                                 : held_rates(smooth_, *mode, state_.bodies);
     state_.joints = *mode;
     if (!same_modes(joints, state_.joints))
       note(EventKind::impact, lowest_change(joints, state_.joints), springs_.shown(joints), rates,

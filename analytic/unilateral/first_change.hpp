@@ -63,7 +63,7 @@ class RecentChanges {
       back.touch = fresh.parted_from.touch;
       back.corner_below = fresh.parted_from.corner_below;
       if (fresh.parted_to == Contact::apart) {
-        const FreeVector<Real> rates = vector_of(bodies.rate);
+        const FreeVector<Real> rates = vector_of(bodies.velocity);
         const ContactKinematics<Real> rows = kinematics_of(stack, bodies, static_cast<int>(k), back);
         if (fresh.struck && abs(rows.gap_row.dot(rates)) > slow) continue;
         const Real slip = rows.slip_row.dot(rates);

@@ -23,7 +23,7 @@ class UnfinishedContacts : public std::runtime_error {
 /// blocks rub, and their equations are nonlinear; springs of the scene act. Other number types:
 /// ContactSolver<Real> in contact_solver.hpp. `branching` leads it where contact leaves several motions.
 /// Precondition: scene and options pass validate(), and double is asked for where double_does().
-/// @throws UnfinishedContacts<> where events do not come to an end; std::domain_error where masses or sizes
+/// @throws UnfinishedContacts where events do not come to an end; std::domain_error where masses or sizes
 /// are so far apart that contact forces keep fewer than six digits.
 template <class Real>
 BasicHistory<Real> solve_contacts(const Scene& scene, const SolveOptions& options,

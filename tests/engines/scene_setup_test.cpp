@@ -73,11 +73,11 @@ TEST(Placement, IsTheStartOfTheExactMotion) {
     const auto bodies = initial_contacts(contact_model_of<double>(scene), initial).bodies;
     const auto blocks = place(scene);
     for (std::size_t k = 0; k < size; ++k) {
-      EXPECT_NEAR(blocks[k].x, bodies.at[k].x, 1e-13) << seed;
-      EXPECT_NEAR(blocks[k].y, bodies.at[k].y, 1e-13) << seed;
-      EXPECT_NEAR(blocks[k].velocity_x, bodies.rate[k].x, 1e-13) << seed;
-      EXPECT_NEAR(blocks[k].velocity_y, bodies.rate[k].y, 1e-13) << seed;
-      EXPECT_EQ(blocks[k].angular_velocity, bodies.rate[k].angle) << seed;
+      EXPECT_NEAR(blocks[k].x, bodies.pose[k].x, 1e-13) << seed;
+      EXPECT_NEAR(blocks[k].y, bodies.pose[k].y, 1e-13) << seed;
+      EXPECT_NEAR(blocks[k].velocity_x, bodies.velocity[k].x, 1e-13) << seed;
+      EXPECT_NEAR(blocks[k].velocity_y, bodies.velocity[k].y, 1e-13) << seed;
+      EXPECT_EQ(blocks[k].angular_velocity, bodies.velocity[k].angle) << seed;
     }
   }
 }

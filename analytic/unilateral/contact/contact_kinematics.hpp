@@ -23,8 +23,10 @@ template <class Real>
 ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
                                       const CornerOnFace<Real>& corner) {
   using Plane = Point<Real>;
-  const Pose<Real> face = pose_of(bodies.at, corner.face), face_rate = pose_of(bodies.rate, corner.face);
-  const Pose<Real> body = pose_of(bodies.at, corner.body), body_rate = pose_of(bodies.rate, corner.body);
+  const Pose<Real> face = pose_of(bodies.pose, corner.face),
+                   face_rate = pose_of(bodies.velocity, corner.face);
+  const Pose<Real> body = pose_of(bodies.pose, corner.body),
+                   body_rate = pose_of(bodies.velocity, corner.body);
   const Plane tangent = turned<Real>({Real(1), Real(0)}, face.angle);
   const Plane normal(-tangent.y(), tangent.x());
   const Plane arm = turned<Real>(Plane(corner.x, corner.y) - stack.centre(corner.body), body.angle);
@@ -89,9 +91,9 @@ void place_upper(const ContactModel<Real>& stack, const Joint<Real>& joint, int 
                  Bodies<Real>& bodies) {
   using Plane = Point<Real>;
   const CornerOnFace<Real> point = stack.held_point(k, joint);
-  const Pose<Real> lower = pose_of(bodies.at, k - 1), lower_rate = pose_of(bodies.rate, k - 1);
-  Pose<Real>& upper = bodies.at[k];
-  Pose<Real>& upper_rate = bodies.rate[k];
+  const Pose<Real> lower = pose_of(bodies.pose, k - 1), lower_rate = pose_of(bodies.velocity, k - 1);
+  Pose<Real>& upper = bodies.pose[k];
+  Pose<Real>& upper_rate = bodies.velocity[k];
   if (joint.touch == Contact::closed) {
     upper.angle = lower.angle;
     upper_rate.angle = lower_rate.angle;
@@ -121,7 +123,7 @@ void place(const ContactModel<Real>& stack, Joints<Real>& joints, Bodies<Real>& 
     Real slip_rate = 0;
     if (joint.slip != 0) {
       const ContactKinematics<Real> rows = kinematics_of(stack, bodies, k, joint);
-      slip_rate = rows.slip_row.dot(vector_of(bodies.rate));
+      slip_rate = rows.slip_row.dot(vector_of(bodies.velocity));
       joint.offset = rows.slip - slip_from_offset(stack, k, joint);
     }
     place_upper(stack, joint, k, slip_rate, bodies);

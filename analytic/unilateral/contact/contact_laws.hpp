@@ -149,7 +149,7 @@ template <class Real>
 bool changes_face(const ContactProblem<Real>& problem, const ShortVector<ContactForce<Real>>& forces, int k,
                   const Joint<Real>& joint, const Real& rounding) {
   if (!joint.touches() || joint.slip != 0) return slides_off(joint);
-  const auto other = on_other_face(forces[k], joint, relative_angle(problem.bodies.at, k));
+  const auto other = on_other_face(forces[k], joint, relative_angle(problem.bodies.pose, k));
   const int against = joint.corner_below ? joint.side() : -joint.side();
   return against * other.tangential > problem.stack.friction[k] * other.normal + rounding;
 }

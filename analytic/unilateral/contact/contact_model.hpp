@@ -75,7 +75,7 @@ using Poses = ShortVector<Pose<Real>>;
 /// Positions and velocities of all blocks.
 template <class Real = double>
 struct Bodies {
-  Poses<Real> at, rate;
+  Poses<Real> pose, velocity;
 };
 
 /// Three numbers a block: x, y and angle.

@@ -14,11 +14,11 @@ void add_slips(const ContactModel<Real>& stack, const std::vector<double>& slip_
     const Real slip = joint.touches() ? slip_velocities[k] : 0;
     joint.slip = (slip > 0) - (slip < 0);
     meet_face(stack, k, joint);
-    const Real angle = pose_of(state.bodies.at, stack.held_point(k, joint).face).angle;
+    const Real angle = pose_of(state.bodies.pose, stack.held_point(k, joint).face).angle;
     carried.x += slip * cos(angle);
     carried.y -= slip * sin(angle);
-    state.bodies.rate[k].x += carried.x;
-    state.bodies.rate[k].y += carried.y;
+    state.bodies.velocity[k].x += carried.x;
+    state.bodies.velocity[k].y += carried.y;
   }
 }
 
@@ -27,11 +27,11 @@ template <class Real>
 void lift(const ContactModel<Real>& stack, int block, const Real& gap, const Point<Real>& velocity,
           ContactState<Real>& state) {
   const CornerOnFace<Real> held = stack.held_point(block, state.joints[block]);
-  const Point<Real> off = turned<Real>({Real(0), gap}, pose_of(state.bodies.at, held.face).angle);
-  const Pose<Real> below = pose_of(state.bodies.at, block - 1);
-  const Pose<Real> below_rate = pose_of(state.bodies.rate, block - 1);
-  Pose<Real>& at = state.bodies.at[block];
-  Pose<Real>& rate = state.bodies.rate[block];
+  const Point<Real> off = turned<Real>({Real(0), gap}, pose_of(state.bodies.pose, held.face).angle);
+  const Pose<Real> below = pose_of(state.bodies.pose, block - 1);
+  const Pose<Real> below_rate = pose_of(state.bodies.velocity, block - 1);
+  Pose<Real>& at = state.bodies.pose[block];
+  Pose<Real>& rate = state.bodies.velocity[block];
   at.x += off.x();
   at.y += off.y();
   const Point<Real> change = quarter_turned<Real>({at.x - below.x, at.y - below.y}) * below_rate.angle +
@@ -61,13 +61,13 @@ ContactState<Real> initial_contacts(const ContactModel<Real>& stack, const Initi
     joint.touch = contact_of((deciding > 0) - (deciding < 0));
     joint.offset = offsets[k];
     joint.corner_below = joint.pivots() && corner_is_below<Real>(stack, k, joint.offset, joint.side());
-    state.bodies.at[k].angle = below = angle;
-    state.bodies.rate[k].angle = below_rate = rate;
+    state.bodies.pose[k].angle = below = angle;
+    state.bodies.velocity[k].angle = below_rate = rate;
   }
   for (int k = 0; k < stack.size(); ++k) {
     place_upper<Real>(stack, state.joints[k], k, 0, state.bodies);
     if (gaps[k] == 0) continue;
-    state.bodies.rate[k].angle = initial.velocities[k];
+    state.bodies.velocity[k].angle = initial.velocities[k];
     lift<Real>(stack, k, gaps[k], {Real(slips[k]), Real(rises[k])}, state);
   }
   add_slips(stack, slips, state);

@@ -129,8 +129,8 @@ struct ModeSeries {
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const auto centre = tangent(bodies[k].centre, s);
       const auto angle = tangent(bodies[k].angle, s);
-      result.at[k] = {centre.height.x(), centre.height.y(), angle.height};
-      result.rate[k] = {centre.slope.x() / length, centre.slope.y() / length, angle.slope / length};
+      result.pose[k] = {centre.height.x(), centre.height.y(), angle.height};
+      result.velocity[k] = {centre.slope.x() / length, centre.slope.y() / length, angle.slope / length};
     }
     return result;
   }

@@ -19,7 +19,7 @@ class SeriesMaker {
     series_.along.resize(joints.size());
     for (std::size_t k = 0; k < joints.size(); ++k) {
       BodySeries<Real>& body = series_.bodies[k];
-      const Pose<Real>& at = start.at[k];
+      const Pose<Real>& at = start.pose[k];
       body.centre[0] = {at.x, at.y};
       body.angle[0] = at.angle;
       body.up.terms = max_terms<Real>;
@@ -44,7 +44,7 @@ class SeriesMaker {
     series_.force_unit = 1 / (length * length);
     for (std::size_t k = 0; k < joints_.size(); ++k) {
       BodySeries<Real>& body = series_.bodies[k];
-      const Pose<Real>& rate = start_.rate[k];
+      const Pose<Real>& rate = start_.velocity[k];
       body.centre[1] = {rate.x * length, rate.y * length};
       body.up[1] = Point<Real>::Zero();
       turn<Real>(body, 1, rate.angle * length);

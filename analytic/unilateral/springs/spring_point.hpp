@@ -70,7 +70,7 @@ GrowingBed<Real> bed_at(const ContactModel<Real>& stack, const SpringPoint<Real>
                         const Bodies<Real>& bodies) {
   const SpringLaw<Real>& law = stack.springs[point.interface];
   const auto rows = bed_rows(stack, point, bodies);
-  const FreeVector<Real> rates = vector_of(bodies.rate);
+  const FreeVector<Real> rates = vector_of(bodies.velocity);
   GrowingBed<Real> bed;
   bed.stretch = stretch_of(point.bed);
   for (std::size_t end = 0; end < 2; ++end) {
@@ -93,7 +93,7 @@ PointForce<Real> force_of(const ContactModel<Real>& stack, const SpringPoint<Rea
                           const Bodies<Real>& bodies, const ContactKinematics<Real>& rows) {
   if (!point.pushes()) return {0, 0};
   const SpringLaw<Real>& law = stack.springs[point.interface];
-  const FreeVector<Real> rates = vector_of(bodies.rate);
+  const FreeVector<Real> rates = vector_of(bodies.velocity);
   PointForce<Real> force{-(law.stiffness * rows.gap + law.damping * rows.gap_row.dot(rates)), 0};
   if (point.is_bed()) {
     const GrowingBed<Real> bed = bed_at(stack, point, bodies);

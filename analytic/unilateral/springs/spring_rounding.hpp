@@ -33,7 +33,7 @@ struct SpringRounding {
   SpringRounding(const ContactModel<Real>& stack, const Bodies<Real>& bodies) {
     const Real height = stack.height();
     Real fastest = 0;
-    for (const Pose<Real>& rate : bodies.rate)
+    for (const Pose<Real>& rate : bodies.velocity)
       fastest = std::max<Real>(fastest, abs(rate.x) + abs(rate.y) + height * abs(rate.angle));
     place = tolerance<Real>(2e-15) * height;
     speed = tolerance<Real>(2e-15) * fastest;

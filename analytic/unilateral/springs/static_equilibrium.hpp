@@ -90,7 +90,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
         -Real(block.mass) * Real(gravity.across), Real(0);
   }
   const auto foot = [&](std::size_t k) -> Point<Real> {
-    const Pose<Real>& at = bodies.at[k];
+    const Pose<Real>& at = bodies.pose[k];
     return Point<Real>(at.x, at.y) +
            turned<Real>(Point<Real>(0, -stack.half_height(k)) - stack.centre(k), at.angle);
   };
@@ -104,10 +104,10 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     SquareMatrix<Real> motions = SquareMatrix<Real>::Zero(weight.size(), size);
     for (std::size_t c = 0; c < soft.size(); ++c) {
       const Point<Real> about = foot(soft[c]);
-      for (std::size_t k = soft[c]; k < bodies.at.size(); ++k) {
+      for (std::size_t k = soft[c]; k < bodies.pose.size(); ++k) {
         const std::size_t row = 3 * k, column = 3 * c;
         const Point<Real> turn =
-            quarter_turned<Real>({bodies.at[k].x - about.x(), bodies.at[k].y - about.y()});
+            quarter_turned<Real>({bodies.pose[k].x - about.x(), bodies.pose[k].y - about.y()});
         motions(row, column) = motions(row + 1, column + 1) = motions(row + 2, column + 2) = 1;
         motions(row, column + 2) = turn.x();
         motions(row + 1, column + 2) = turn.y();
@@ -136,7 +136,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
         Eigen::PartialPivLU<SquareMatrix<Real>>(stiffness).solve(motions.transpose() * forces);
     for (std::size_t c = soft.size(); c-- > 0;)
       move_above<Real>(soft[c], foot(soft[c]), {change[3 * c], change[3 * c + 1]}, change[3 * c + 2],
-                       bodies.at);
+                       bodies.pose);
     const Real largest = change.template lpNorm<Eigen::Infinity>();
     // Newton's method ends where rounding does: changes are negligible, and no longer fall.
     if (largest <= 8 * std::numeric_limits<Real>::epsilon() * height && largest >= before / 2) break;
@@ -148,7 +148,7 @@ std::optional<Poses<Real>> find_equilibrium(const Scene& scene, const ContactMod
     const PointForce<Real> force = force_of(stack, point, bodies, kinematics_of(stack, bodies, point));
     if (!(force.normal > 0) || abs(force.tangential) > law.friction * force.normal) return std::nullopt;
   }
-  return bodies.at;
+  return bodies.pose;
 }
 
 /// How far a soft interface gives way under a weight, m; how many of its points bear it.
@@ -186,9 +186,9 @@ void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, 
   if (!ends.front()->pushes()) std::swap(ends.front(), ends.back());
   const SpringPoint<Real>& first = *ends.front();
   const int face = corner_of(stack, first).face;
-  const Real angle = pose_of(bodies.at, face).angle;
+  const Real angle = pose_of(bodies.pose, face).angle;
   Real mass = 0;
-  for (std::size_t k = interface; k < bodies.at.size(); ++k) mass += Real(stack.blocks[k].mass);
+  for (std::size_t k = interface; k < bodies.pose.size(); ++k) mass += Real(stack.blocks[k].mass);
   const Point<Real> load = turned<Real>({mass * Real(gravity.along), -mass * Real(gravity.across)}, -angle);
   const auto [depth, count] = give_way<Real>(stack, bodies, -load.y(), ends);
   const Real most = -law.friction * load.y();
@@ -198,11 +198,11 @@ void preload_interface(const Gravity& gravity, const ContactModel<Real>& stack, 
   if (first.slide != 0)
     for (SpringPoint<Real>* end : ends) end->slider -= stretch;
   const Point<Real> moved = turned<Real>({first.slide != 0 ? Real(0) : stretch, -depth}, angle);
-  move_above<Real>(interface, {Real(0), Real(0)}, moved, 0, bodies.at);
-  const Point<Real> turning = quarter_turned(moved) * pose_of(bodies.rate, face).angle;
-  for (std::size_t k = interface; k < bodies.at.size(); ++k) {
-    bodies.rate[k].x += turning.x();
-    bodies.rate[k].y += turning.y();
+  move_above<Real>(interface, {Real(0), Real(0)}, moved, 0, bodies.pose);
+  const Point<Real> turning = quarter_turned(moved) * pose_of(bodies.velocity, face).angle;
+  for (std::size_t k = interface; k < bodies.pose.size(); ++k) {
+    bodies.velocity[k].x += turning.x();
+    bodies.velocity[k].y += turning.y();
   }
 }
 
@@ -212,15 +212,15 @@ void preload(const Scene& scene, const ContactModel<Real>& stack, ContactState<R
              SpringPoints<Real>& points) {
   Bodies<Real>& bodies = state.bodies;
   bool still = true;
-  for (std::size_t k = 0; k < bodies.at.size(); ++k) {
-    const Pose<Real>& rate = bodies.rate[k];
+  for (std::size_t k = 0; k < bodies.pose.size(); ++k) {
+    const Pose<Real>& rate = bodies.velocity[k];
     still =
         still && state.joints[k].touch == Contact::closed && rate.x == 0 && rate.y == 0 && rate.angle == 0;
   }
   for (SpringPoint<Real>& point : points) point.at_face = false;
   const auto found = still ? find_equilibrium(scene, stack, bodies, points) : std::nullopt;
-  if (found) bodies.at = *found;
-  for (std::size_t k = 0; k < bodies.at.size(); ++k)
+  if (found) bodies.pose = *found;
+  for (std::size_t k = 0; k < bodies.pose.size(); ++k)
     if (stack.soft(k) && !found) preload_interface(gravity_of(scene), stack, k, bodies, points);
   for (SpringPoint<Real>& point : points)
     if (point.is_bed()) note_signs(stack, bodies, point);

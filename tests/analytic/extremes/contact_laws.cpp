@@ -11,7 +11,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 bool all_finite(const Bodies<>& bodies) {
-  return vector_of(bodies.at).allFinite() && vector_of(bodies.rate).allFinite();
+  return vector_of(bodies.pose).allFinite() && vector_of(bodies.velocity).allFinite();
 }
 
 double kinetic(Scene scene, const Poses<>& rates) {
@@ -24,12 +24,12 @@ double kinetic(Scene scene, const Poses<>& rates) {
 double depth(const Scene& scene, const Sample& sample) {
   double length = 0;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-    length = std::max({length, std::abs(sample.bodies.at[k].x), std::abs(sample.bodies.at[k].y),
+    length = std::max({length, std::abs(sample.bodies.pose[k].x), std::abs(sample.bodies.pose[k].y),
                        scene.blocks[k].half_width, scene.blocks[k].half_height});
   double least = 0;
   double below = 0;
   for (std::size_t k = 0; k < sample.gaps.size(); ++k) {
-    const double angle = sample.bodies.at[k].angle;
+    const double angle = sample.bodies.pose[k].angle;
     if (std::abs(angle - below) < std::numbers::pi / 2) least = std::min(least, sample.gaps[k]);
     below = angle;
   }
@@ -63,10 +63,10 @@ Breaches contact_breaches(const Scene& scene, const History& history) {
   const bool still = scene.horizontal.empty() && scene.vertical.empty();
   double left = std::numeric_limits<double>::infinity();
   for (const Event& event : history.events) {
-    const double before = kinetic(scene, bodies_before(event).rate);
+    const double before = kinetic(scene, bodies_before(event).velocity);
     const double total = energy(scene, bodies_before(event));
-    found.impact_gain = std::max(
-        found.impact_gain, (kinetic(scene, bodies_after(event).rate) - before) / (epsilon * before + 1e-300));
+    found.impact_gain = std::max(found.impact_gain, (kinetic(scene, bodies_after(event).velocity) - before) /
+                                                        (epsilon * before + 1e-300));
     if (still)
       found.flight_drift = std::max(found.flight_drift, (total - left) / (epsilon * std::abs(total)));
     left = energy(scene, bodies_after(event));

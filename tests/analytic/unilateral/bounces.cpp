@@ -38,15 +38,15 @@ TEST(Bounces, ADroppedBlockBouncesInAGeometricSeries) {
       EXPECT_EQ(impact.kind, EventKind::impact);
       EXPECT_EQ(name(impact.to), "-");
       EXPECT_NEAR(impact.time, time, close);
-      EXPECT_NEAR(bodies_before(impact).rate[0].y, -speed, close);
-      EXPECT_NEAR(bodies_after(impact).rate[0].y, e * speed, close);
+      EXPECT_NEAR(bodies_before(impact).velocity[0].y, -speed, close);
+      EXPECT_NEAR(bodies_after(impact).velocity[0].y, e * speed, close);
       speed *= e;
       time += 2 * speed / scene.gravity;
     }
     EXPECT_EQ(history.events.back().kind, EventKind::rest) << e;
     EXPECT_EQ(name(history.events.back().to), "C");
     EXPECT_NEAR(history.events.back().time, end, close) << e;
-    EXPECT_NEAR(bodies_at_end(history).at[0].y, 0.25, close);
+    EXPECT_NEAR(bodies_at_end(history).pose[0].y, 0.25, close);
   }
 }
 
@@ -88,7 +88,7 @@ TEST(Bounces, ABlockThatSlidesLosesFrictionsShareOfEachImpact) {
     scene.initial.slip_velocities = {along};
     const double g = scene.gravity, fall = std::sqrt(2 * height / g);
     const History history = solve_unilateral(scene);
-    EXPECT_NEAR(bodies_after(history.events[0]).rate[0].x, along - friction * (1 + e) * g * fall, close);
+    EXPECT_NEAR(bodies_after(history.events[0]).velocity[0].x, along - friction * (1 + e) * g * fall, close);
     const double end = fall * (1 + e) / (1 - e);
     const double left = along - friction * (1 + e) * g * fall / (1 - e);
     EXPECT_EQ(history.events.back().kind, EventKind::stick);
@@ -97,7 +97,7 @@ TEST(Bounces, ABlockThatSlidesLosesFrictionsShareOfEachImpact) {
                                       [](const auto& event) { return event.kind == EventKind::closure; });
     ASSERT_NE(closure, history.events.end());
     EXPECT_NEAR(closure->time, end, close);
-    EXPECT_NEAR(bodies_after(*closure).rate[0].x, left, close);
+    EXPECT_NEAR(bodies_after(*closure).velocity[0].x, left, close);
   }
 }
 
@@ -111,7 +111,7 @@ TEST(Bounces, ATiltedBlockTurnsByTheImpulseOnItsCorner) {
         scene.initial.slip_velocities = {along};
         const Event impact = solve_unilateral(scene).events.at(0);
         const testing::LowCorner corner(scene.blocks[0], impact.angles[0]);
-        const Pose<> before = bodies_before(impact).rate[0], after = bodies_after(impact).rate[0];
+        const Pose<> before = bodies_before(impact).velocity[0], after = bodies_after(impact).velocity[0];
         const Pose<> expected = corner.after(before, corner.newton(before, 0.7, friction));
         EXPECT_NEAR(after.x, expected.x, close) << angle << ' ' << friction << ' ' << along;
         EXPECT_NEAR(after.y, expected.y, close);
@@ -157,7 +157,7 @@ TEST(Bounces, ABlockBouncesFromCornerToCornerAsAProgramOfItsOwnHasIt) {
   }
   EXPECT_EQ(impacts, 7U);
   EXPECT_EQ(history.events.back().kind, EventKind::topple);
-  EXPECT_EQ(bodies_at_end(history).rate[0].x, 0);
+  EXPECT_EQ(bodies_at_end(history).velocity[0].x, 0);
 }
 
 // Short blocks bounce as they rock (Lipscombe & Pellegrino 1993, J. Eng. Mech. 119, 1387–1410). A block that
@@ -181,7 +181,7 @@ TEST(Bounces, RockingBlocksHopAndShortOnesAreThrownBack) {
         EXPECT_EQ(is_short, slenderness < 1 / std::numbers::sqrt2);
         EXPECT_EQ(name(impact.to), is_short ? "L" : "-");
         EXPECT_NEAR(impact.after[0], (is_short ? -e : kept) * rate, close);
-        EXPECT_NEAR(bodies_after(impact).rate[0].y, b * rate * (is_short ? e : kept + 2 * e), close);
+        EXPECT_NEAR(bodies_after(impact).velocity[0].y, b * rate * (is_short ? e : kept + 2 * e), close);
       }
     }
   }
@@ -195,13 +195,13 @@ TEST(Bounces, StacksKeepOfEachPointWhatItHad) {
   const double speed = std::sqrt(0.4 * scene.gravity);
   const Event on_top = solve_unilateral(scene).events.at(0);
   EXPECT_EQ(name(on_top.to), "C-");
-  EXPECT_NEAR(bodies_after(on_top).rate[1].y, 0.6 * speed, close);
-  EXPECT_NEAR(bodies_after(on_top).rate[0].y, 0, close);
+  EXPECT_NEAR(bodies_after(on_top).velocity[1].y, 0.6 * speed, close);
+  EXPECT_NEAR(bodies_after(on_top).velocity[0].y, 0, close);
   scene.initial.gaps = {0.2, 0};
   const Event as_one = solve_unilateral(scene).events.at(0);
   EXPECT_EQ(name(as_one.to), "-C");
-  EXPECT_NEAR(bodies_after(as_one).rate[1].y, 0.6 * speed, close);
-  EXPECT_NEAR(bodies_after(as_one).rate[0].y, 0.6 * speed, close);
+  EXPECT_NEAR(bodies_after(as_one).velocity[1].y, 0.6 * speed, close);
+  EXPECT_NEAR(bodies_after(as_one).velocity[0].y, 0.6 * speed, close);
 }
 
 // Time steps meet a point a step late at most, so that a velocity is off for a step after each of a few
@@ -296,7 +296,7 @@ TEST(Bounces, DecisionsChangeNoVelocities) {
       if (most > 1e-3) continue;
       ++compared;
       for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-        const Pose<> before = bodies_after(last).rate[k], after = bodies_before(next).rate[k];
+        const Pose<> before = bodies_after(last).velocity[k], after = bodies_before(next).velocity[k];
         EXPECT_NEAR(after.angle, before.angle, most) << next.time;
         EXPECT_NEAR(after.x, before.x, most) << next.time;
         EXPECT_NEAR(after.y, before.y, most) << next.time;

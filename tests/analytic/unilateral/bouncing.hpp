@@ -53,9 +53,9 @@ inline bool gains(const Scene& scene, const Event& event) {
 inline std::size_t expect_as_stepped(const Scene& scene, const History& exact, double step) {
   const Bodies<> stepped = time_stepped(scene, step), last = bodies_at_end(exact);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-    EXPECT_NEAR(last.at[k].x, stepped.at[k].x, 100 * step);
-    EXPECT_NEAR(last.at[k].y, stepped.at[k].y, 100 * step);
-    EXPECT_NEAR(last.at[k].angle, stepped.at[k].angle, 300 * step);
+    EXPECT_NEAR(last.pose[k].x, stepped.pose[k].x, 100 * step);
+    EXPECT_NEAR(last.pose[k].y, stepped.pose[k].y, 100 * step);
+    EXPECT_NEAR(last.pose[k].angle, stepped.pose[k].angle, 300 * step);
   }
   return static_cast<std::size_t>(std::ranges::count(exact.events, EventKind::impact, &Event::kind));
 }

@@ -45,9 +45,9 @@ class RandomStacks {
       joint.touch = static_cast<Contact>(static_cast<int>(in(0, 3)) - 1);
       joint.corner_below =
           joint.pivots() && corner_is_below<double>(made.stack, static_cast<int>(k), 0, joint.side());
-      const double below = k > 0 ? made.bodies.at[k - 1].angle : 0;
-      made.bodies.at[k].angle = below + joint.side() * in(0, 0.2);
-      made.bodies.rate[k].angle = in(-fastest, fastest);
+      const double below = k > 0 ? made.bodies.pose[k - 1].angle : 0;
+      made.bodies.pose[k].angle = below + joint.side() * in(0, 0.2);
+      made.bodies.velocity[k].angle = in(-fastest, fastest);
     }
     place(made.stack, made.joints, made.bodies);
     return made;
@@ -68,7 +68,7 @@ TEST(Bounds, NoInterfaceTurnsFasterThanItsBound) {
     for (int k = 0; k < made.stack.size(); ++k) free[3 * k + 2] = random.either() ? 0 : random.in(-5, 5);
     const auto motion =
         respond<double>({made.stack, made.bodies, free, ContactLevel::accelerations}, made.joints).motion;
-    const double most = most_turning(made.stack, made.bodies.rate, free);
+    const double most = most_turning(made.stack, made.bodies.velocity, free);
     for (int k = 0; k < made.stack.size(); ++k)
       EXPECT_LE(std::abs(angle_row<double>(made.stack, k).dot(motion)), most) << i;
   }

@@ -255,7 +255,7 @@ TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
       for (std::size_t i = 0; i + 1 < history.size(); i += 2) {
         const Bodies<> first = bodies_at(history, i), second = bodies_at(history, i + 1);
         const double start = history.times[i], end = history.times[i + 1];
-        EXPECT_LT(overlap_of(scene, first.at), 1e-9) << start;
+        EXPECT_LT(overlap_of(scene, first.pose), 1e-9) << start;
         const auto between = [&](const Event& event) {
           return event.time >= start - moment && event.time <= end + moment;
         };
@@ -264,9 +264,9 @@ TEST(Branches, ObeyTheLawsOfContactAllOfThem) {
         const Point<double> free(-acceleration(scene.horizontal, middle) * time,
                                  -(scene.gravity + acceleration(scene.vertical, middle)) * time);
         ++forces;
-        EXPECT_TRUE(
-            testing::obeys_laws(scene, {second.at, second.rate, testing::difference(second.rate, first.rate),
-                                        free, mass * scene.gravity * time}))
+        EXPECT_TRUE(testing::obeys_laws(
+            scene, {second.pose, second.velocity, testing::difference(second.velocity, first.velocity), free,
+                    mass * scene.gravity * time}))
             << start;
       }
     }

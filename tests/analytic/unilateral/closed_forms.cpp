@@ -72,9 +72,9 @@ TEST(UnilateralClosedForms, ARockingImpactKeepsItsShareOfTheVelocity) {
       Joints<double> joints(1);
       joints[0].touch = Contact::right;
       Bodies<> bodies{{{}}, {{}}};
-      bodies.rate[0].angle = -1;
+      bodies.velocity[0].angle = -1;
       place(stack, joints, bodies);
-      const FreeVector<> before = vector_of(bodies.rate);
+      const FreeVector<> before = vector_of(bodies.velocity);
       joints[0].touch = Contact::closed;
       const ContactProblem<> problem{stack, bodies, before, ContactLevel::velocities};
       const auto mode = find_mode(problem, joints);
@@ -109,7 +109,7 @@ TEST(UnilateralClosedForms, ASlidingBlockStops) {
   Scene scene = with_friction(single(1, 0.8, 3), friction);
   scene.initial.slip_velocities = {speed};
   const History history = solve_unilateral(scene);
-  EXPECT_NEAR(bodies_at_end(history).at[0].x, speed * speed / (2 * friction * scene.gravity), round_off);
+  EXPECT_NEAR(bodies_at_end(history).pose[0].x, speed * speed / (2 * friction * scene.gravity), round_off);
   EXPECT_NEAR(history.events.back().time, speed / (friction * scene.gravity), round_off);
   EXPECT_EQ(name(history.events.back().to), "C");
 }
@@ -131,10 +131,11 @@ TEST(UnilateralClosedForms, AThrownBlockFliesItsParabolaAndLandsWithFriction) {
   EXPECT_EQ(landing.kind, EventKind::impact);
   EXPECT_EQ(name(landing.to), "C>");
   EXPECT_NEAR(landing.time, (2 + std::sqrt(2.0)) * time, round_off);
-  EXPECT_NEAR(bodies_before(landing).rate[0].y, -std::sqrt(2.0) * g * time, round_off * g);
-  EXPECT_EQ(bodies_after(landing).rate[0].y, 0);
-  EXPECT_NEAR(bodies_after(landing).rate[0].x, speed - friction * std::sqrt(2.0) * g * time, round_off * g);
-  EXPECT_NEAR(bodies_after(landing).at[0].x, speed * landing.time, round_off);
+  EXPECT_NEAR(bodies_before(landing).velocity[0].y, -std::sqrt(2.0) * g * time, round_off * g);
+  EXPECT_EQ(bodies_after(landing).velocity[0].y, 0);
+  EXPECT_NEAR(bodies_after(landing).velocity[0].x, speed - friction * std::sqrt(2.0) * g * time,
+              round_off * g);
+  EXPECT_NEAR(bodies_after(landing).pose[0].x, speed * landing.time, round_off);
   const double mass = scene.blocks[0].mass;
   EXPECT_EQ(history.forces[0].least_normal, 0);
   EXPECT_EQ(history.forces[0].least_normal_time, 0);

@@ -17,9 +17,10 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 double distance(const Bodies<>& one, const Bodies<>& other) {
   double largest = 0;
-  for (std::size_t k = 0; k < one.at.size(); ++k) {
-    largest = std::max({largest, std::abs(one.at[k].x - other.at[k].x), std::abs(one.at[k].y - other.at[k].y),
-                        std::abs(one.at[k].angle - other.at[k].angle)});
+  for (std::size_t k = 0; k < one.pose.size(); ++k) {
+    largest = std::max({largest, std::abs(one.pose[k].x - other.pose[k].x),
+                        std::abs(one.pose[k].y - other.pose[k].y),
+                        std::abs(one.pose[k].angle - other.pose[k].angle)});
   }
   return largest;
 }

@@ -55,7 +55,7 @@ TEST(Flights, BlocksThrownTogetherFlyAsOneWithNoForceBetweenThem) {
       EXPECT_NEAR(sample.slips[1], along * t, exactly);
       EXPECT_NEAR(sample.slips[2], 0, exactly);
       for (std::size_t k = 0; k < three.size(); ++k)
-        EXPECT_NEAR(sample.bodies.rate[k].angle, 0, testing::round_off);
+        EXPECT_NEAR(sample.bodies.velocity[k].angle, 0, testing::round_off);
     }
     for (const Reaction& force : history.reactions) {
       EXPECT_NEAR(force.normal, 0, exactly);

@@ -78,7 +78,7 @@ double deepest(const History& history) {
   for (const auto& sample : samples_of(history)) {
     double below = 0;
     for (std::size_t k = 0; k < sample.gaps.size(); ++k) {
-      const double angle = sample.bodies.at[k].angle;
+      const double angle = sample.bodies.pose[k].angle;
       if (std::abs(angle - below) < std::numbers::pi / 2) least = std::min(least, sample.gaps[k]);
       below = angle;
     }
@@ -130,7 +130,7 @@ TEST(UnilateralLaws, NothingPullsNorRubsMoreThanItsFriction) {
         if (demand.friction > 0.99 * scene.friction[k]) ++slips;
       }
       for (const auto& sample : samples_of(history))
-        EXPECT_LE(std::abs(sample.bodies.at[k].angle), history.peaks[k] + 1e-15) << seed;
+        EXPECT_LE(std::abs(sample.bodies.pose[k].angle), history.peaks[k] + 1e-15) << seed;
     }
   }
   EXPECT_GT(partings, 20);
@@ -150,12 +150,13 @@ Momenta momenta(const Scene& scene, const Bodies<>& bodies) {
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
     mass += block.mass;
-    centre_x += block.mass * bodies.at[k].x;
-    centre_y += block.mass * bodies.at[k].y;
-    result.x += block.mass * bodies.rate[k].x;
-    result.y += block.mass * bodies.rate[k].y;
-    result.turning += block.mass * (bodies.at[k].x * bodies.rate[k].y - bodies.at[k].y * bodies.rate[k].x) -
-                      block.inertia * bodies.rate[k].angle;
+    centre_x += block.mass * bodies.pose[k].x;
+    centre_y += block.mass * bodies.pose[k].y;
+    result.x += block.mass * bodies.velocity[k].x;
+    result.y += block.mass * bodies.velocity[k].y;
+    result.turning +=
+        block.mass * (bodies.pose[k].x * bodies.velocity[k].y - bodies.pose[k].y * bodies.velocity[k].x) -
+        block.inertia * bodies.velocity[k].angle;
   }
   result.turning -= (centre_x * result.y - centre_y * result.x) / mass;
   return result;
@@ -218,15 +219,15 @@ TEST(UnilateralLaws, AMirroredSceneHasTheMirroredHistoryBitForBit) {
       EXPECT_EQ(one.events[i].time, other.events[i].time) << seed;
       EXPECT_EQ(one.events[i].kind, other.events[i].kind) << seed;
       const Bodies<> after = bodies_after(one.events[i]), image_after = bodies_after(other.events[i]);
-      expect_equal(after.at, mirrored(image_after.at), seed);
-      expect_equal(after.rate, mirrored(image_after.rate), seed);
+      expect_equal(after.pose, mirrored(image_after.pose), seed);
+      expect_equal(after.velocity, mirrored(image_after.velocity), seed);
       for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
         EXPECT_EQ(one.events[i].to.slides[k], -other.events[i].to.slides[k]);
         const Contact contact = one.events[i].to.contacts[k];
         EXPECT_EQ(other.events[i].to.contacts[k], contact == Contact::apart ? contact : opposite(contact));
       }
     }
-    expect_equal(bodies_at_end(one).at, mirrored(bodies_at_end(other).at), seed);
+    expect_equal(bodies_at_end(one).pose, mirrored(bodies_at_end(other).pose), seed);
   }
 }
 
@@ -254,7 +255,7 @@ TEST(UnilateralLaws, ALargerStackDoesTheSameMoreSlowly) {
     for (std::size_t i = 0; i < one.events.size(); ++i) {
       EXPECT_EQ(2 * one.events[i].time, other.events[i].time) << seed;
       for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-        EXPECT_EQ(4 * bodies_after(one.events[i]).at[k].x, bodies_after(other.events[i]).at[k].x) << seed;
+        EXPECT_EQ(4 * bodies_after(one.events[i]).pose[k].x, bodies_after(other.events[i]).pose[k].x) << seed;
         EXPECT_EQ(one.events[i].after[k], 2 * other.events[i].after[k]) << seed;
       }
     }

@@ -35,7 +35,7 @@ Face bottom_of_upper(const Scene& scene, const Poses<>& at, int k) {
 /// The velocity of the block above an interface against what is below, at a point.
 Point<double> relative_velocity(const Bodies<>& bodies, int k, const Point<double>& point) {
   const auto of = [&](int body) -> Point<double> {
-    const Pose<> at = pose_of(bodies.at, body), rate = pose_of(bodies.rate, body);
+    const Pose<> at = pose_of(bodies.pose, body), rate = pose_of(bodies.velocity, body);
     return {rate.x + rate.angle * (point.y() - at.y), rate.y - rate.angle * (point.x() - at.x)};
   };
   return of(k) - of(k - 1);
@@ -63,8 +63,8 @@ bool obeys_on_face(const Change& change, int k, double friction, const Point<dou
 /// event. `outward`: 1 for a top face.
 bool stays_out(const Scene& scene, const Bodies<>& bodies, int k, int owner, double corner_height,
                const Face& face, int outward, const Approach& harmless) {
-  const bool flat = std::abs(relative_angle(bodies.at, k)) < 1e-9;
-  const Face own(scene, bodies.at, owner, corner_height);
+  const bool flat = std::abs(relative_angle(bodies.pose, k)) < 1e-9;
+  const Face own(scene, bodies.pose, owner, corner_height);
   for (const int side : {-1, 1}) {
     const Point<double> corner = own.middle + side * own.half_width * own.along();
     const double beyond = std::abs((corner - face.middle).dot(face.along())) - face.half_width;
@@ -102,7 +102,7 @@ bool obeys_laws(const Scene& scene, const Change& change) {
 
 bool nothing_approaches(const Scene& scene, const Bodies<>& bodies, const Approach& harmless) {
   for (int k = 0; k < static_cast<int>(scene.blocks.size()); ++k) {
-    const Face lower = top_of_lower(scene, bodies.at, k), upper = bottom_of_upper(scene, bodies.at, k);
+    const Face lower = top_of_lower(scene, bodies.pose, k), upper = bottom_of_upper(scene, bodies.pose, k);
     if (!stays_out(scene, bodies, k, k, upper.height, lower, 1, harmless)) return false;
     if (k > 0 && !stays_out(scene, bodies, k, k - 1, lower.height, upper, -1, harmless)) return false;
   }
@@ -122,13 +122,13 @@ ImpactTally impacts_by_momenta(const Scene& scene, const History& history) {
     const Event& event = history.events[k];
     const double next = k + 1 < history.events.size() ? history.events[k + 1].time : scene.duration;
     const Bodies<> after = bodies_after(event);
-    const Poses<> change = difference(after.rate, bodies_before(event).rate);
+    const Poses<> change = difference(after.velocity, bodies_before(event).velocity);
     double scale = 0;
     for (std::size_t body = 0; body < change.size(); ++body)
       scale += scene.blocks[body].mass * std::hypot(change[body].x, change[body].y);
     if (scale < 1e-3 * mass * fall) continue;
     ++tally.impacts;
-    if (!obeys_laws(scene, {after.at, after.rate, change, {0, 0}, scale}) ||
+    if (!obeys_laws(scene, {after.pose, after.velocity, change, {0, 0}, scale}) ||
         !nothing_approaches(scene, after, {1e-9 * fall, next - event.time}))
       ++tally.broken;
   }

@@ -90,13 +90,13 @@ TEST(UnilateralPainleve, AForceThatGrowsWithoutBoundStopsTheSlipAsTimeStepsHaveI
   EXPECT_EQ(jam.to.slides[1], 0);
   EXPECT_LT(energy(scene, bodies_after(jam)), energy(scene, bodies_before(jam)));
   // Time steps come nearer in proportion to their size, 6 m/s and rad/s per s of it.
-  const Poses<> rates = bodies_at_end(history).rate;
+  const Poses<> rates = bodies_at_end(history).velocity;
   for (const double step : {1e-3, 1e-4}) {
     const Bodies<> stepped = testing::time_stepped(scene, step, 1e-12);
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR(rates[k].x, stepped.rate[k].x, 6 * step) << step;
-      EXPECT_NEAR(rates[k].y, stepped.rate[k].y, 6 * step) << step;
-      EXPECT_NEAR(rates[k].angle, stepped.rate[k].angle, 6 * step) << step;
+      EXPECT_NEAR(rates[k].x, stepped.velocity[k].x, 6 * step) << step;
+      EXPECT_NEAR(rates[k].y, stepped.velocity[k].y, 6 * step) << step;
+      EXPECT_NEAR(rates[k].angle, stepped.velocity[k].angle, 6 * step) << step;
     }
   }
 }

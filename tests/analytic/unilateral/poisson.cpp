@@ -37,7 +37,7 @@ TEST(Poisson, ADroppedBlockBouncesInAGeometricSeries) {
   for (const double e : {0.2, 0.5, 0.8, 0.95}) {
     const double end = fall * (1 + e) / (1 - e);
     const History history = solve_unilateral(by_poisson(dropped(e, height, end + 0.1)));
-    EXPECT_NEAR(bodies_after(history.events[0]).rate[0].y, e * 9.81 * fall, tight);
+    EXPECT_NEAR(bodies_after(history.events[0]).velocity[0].y, e * 9.81 * fall, tight);
     EXPECT_EQ(history.events.back().kind, EventKind::rest) << e;
     EXPECT_NEAR(history.events.back().time, end, tight) << e;
   }
@@ -53,7 +53,8 @@ TEST(Poisson, OfOneCornerWithoutFrictionIsNewtons) {
     ASSERT_EQ(newton.events.size(), poisson.events.size());
     for (std::size_t i = 0; i < std::min<std::size_t>(newton.events.size(), 3); ++i) {
       EXPECT_NEAR(newton.events[i].time, poisson.events[i].time, tight) << angle << ' ' << i;
-      expect_near(bodies_after(poisson.events[i]).rate[0], bodies_after(newton.events[i]).rate[0], tight);
+      expect_near(bodies_after(poisson.events[i]).velocity[0], bodies_after(newton.events[i]).velocity[0],
+                  tight);
     }
   }
 }
@@ -70,9 +71,9 @@ TEST(Poisson, ACornerThatRubsIsThatByHandAndOftenNotNewtons) {
         const Event impact = solve_unilateral(scene).events.at(0);
         SCOPED_TRACE(::testing::Message() << angle << ' ' << friction << ' ' << along);
         const LowCorner corner(scene.blocks[0], impact.angles[0]);
-        const Pose<> before = bodies_before(impact).rate[0];
+        const Pose<> before = bodies_before(impact).velocity[0];
         const Pose<> expected = corner.after(before, corner.poisson(before, 0.7, friction));
-        expect_near(bodies_after(impact).rate[0], expected, tight);
+        expect_near(bodies_after(impact).velocity[0], expected, tight);
         if (std::abs(corner.up(expected) + 0.7 * corner.up(before)) > 0.01) ++differ;
       }
     }
@@ -91,7 +92,7 @@ TEST(Poisson, ARodThatFrictionTurnsBackGainsEnergyByNewtonsLawAlone) {
     const Event newton = solve_unilateral(scene).events.at(0);
     const Event poisson = solve_unilateral(by_poisson(scene)).events.at(0);
     const LowCorner corner(scene.blocks[0], newton.angles[0]);
-    const Pose<> before = bodies_before(newton).rate[0];
+    const Pose<> before = bodies_before(newton).velocity[0];
     const auto gained = [&](const LowCorner::Impulse& impulse) {  // impulses times mean speeds
       const Pose<> after = corner.after(before, impulse);
       return (impulse.normal * (corner.up(before) + corner.up(after)) +
@@ -140,8 +141,8 @@ TEST(Poisson, StacksMoveAsTimeStepsDo) {
     SCOPED_TRACE(seed);
     impacts += testing::expect_as_stepped(scene, exact, step);
     scene.restitution_law = RestitutionLaw::newton;
-    const Pose<> other = bodies_at_end(solve_unilateral(scene)).at[0];
-    if (std::abs(other.angle - bodies_at_end(exact).at[0].angle) > 1000 * step) ++differ;
+    const Pose<> other = bodies_at_end(solve_unilateral(scene)).pose[0];
+    if (std::abs(other.angle - bodies_at_end(exact).pose[0].angle) > 1000 * step) ++differ;
   }
   EXPECT_GT(impacts, 30U);
   EXPECT_GT(differ, 5U);
@@ -161,7 +162,7 @@ void expect_alike(const Scene& first, const Scene& second, double until, const C
 
 /// Rates after an event are those of another one by some factors.
 void expect_after(const Event& found, const Event& expected, const Pose<>& factors) {
-  const Poses<> rates = bodies_after(found).rate, others = bodies_after(expected).rate;
+  const Poses<> rates = bodies_after(found).velocity, others = bodies_after(expected).velocity;
   for (std::size_t k = 0; k < rates.size(); ++k)
     expect_near(rates[k], {factors.x * others[k].x, factors.y * others[k].y, factors.angle * others[k].angle},
                 1e-8);

@@ -83,10 +83,10 @@ inline double energy(const Scene& scene, const Bodies<>& bodies) {
   double sum = 0;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
     const Block& block = scene.blocks[k];
-    const Pose<>& rate = bodies.rate[k];
+    const Pose<>& rate = bodies.velocity[k];
     sum += block.mass * (rate.x * rate.x + rate.y * rate.y) / 2 +
            block.inertia * rate.angle * rate.angle / 2 +
-           block.mass * (gravity.across * bodies.at[k].y - gravity.along * bodies.at[k].x);
+           block.mass * (gravity.across * bodies.pose[k].y - gravity.along * bodies.pose[k].x);
   }
   return sum;
 }

@@ -25,7 +25,7 @@ TEST(Starts, ADroppedBlockFallsLandsFlatAndRests) {
   EXPECT_EQ(history.events[0].kind, EventKind::impact);
   EXPECT_EQ(name(history.events[0].to), "C");
   EXPECT_NEAR(history.events[0].time, std::sqrt(2 * height / g), round_off);
-  EXPECT_NEAR(bodies_before(history.events[0]).rate[0].y, -std::sqrt(2 * g * height), 10 * round_off);
+  EXPECT_NEAR(bodies_before(history.events[0]).velocity[0].y, -std::sqrt(2 * g * height), 10 * round_off);
   for (const auto& sample : samples_of(history))
     EXPECT_NEAR(sample.gaps[0], height - g * sample.time * sample.time / 2, round_off);
 }
@@ -61,9 +61,9 @@ TEST(Starts, AThrownBlockFliesAndTurns) {
   EXPECT_TRUE(history.events.empty());
   for (const auto& sample : samples_of(history)) {
     const double t = sample.time;
-    EXPECT_NEAR(sample.bodies.at[0].x, along * t, round_off);
-    EXPECT_NEAR(sample.bodies.at[0].y, 1.5 + up * t - g * t * t / 2, 10 * round_off);
-    EXPECT_NEAR(sample.bodies.at[0].angle, turning * t, round_off);
+    EXPECT_NEAR(sample.bodies.pose[0].x, along * t, round_off);
+    EXPECT_NEAR(sample.bodies.pose[0].y, 1.5 + up * t - g * t * t / 2, 10 * round_off);
+    EXPECT_NEAR(sample.bodies.pose[0].angle, turning * t, round_off);
   }
 }
 

@@ -174,10 +174,10 @@ Bodies<> time_stepped(const Scene& scene, double step, double stop) {
     const Block& block = scene.blocks[k];
     bodies.push_back({block.mass,
                       block.inertia,
-                      {first.at[k].x, first.at[k].y},
-                      {first.rate[k].x, first.rate[k].y},
-                      -first.at[k].angle,
-                      -first.rate[k].angle});
+                      {first.pose[k].x, first.pose[k].y},
+                      {first.velocity[k].x, first.velocity[k].y},
+                      -first.pose[k].angle,
+                      -first.velocity[k].angle});
   }
   const auto move = [&](double time) {
     for (Body& body : bodies) {
@@ -228,8 +228,8 @@ Bodies<> time_stepped(const Scene& scene, double step, double stop) {
   }
   Bodies<> last;
   for (const Body& body : bodies) {
-    last.at.push_back({body.at.x, body.at.y, -body.turn});
-    last.rate.push_back({body.velocity.x, body.velocity.y, -body.spin});
+    last.pose.push_back({body.at.x, body.at.y, -body.turn});
+    last.velocity.push_back({body.velocity.x, body.velocity.y, -body.spin});
   }
   return last;
 }

@@ -17,7 +17,7 @@ TEST(UnilateralWeight, ABlockSlidesDownInclinedGround) {
     const double pull = scene.gravity * (std::sin(std::abs(inclination)) - friction * std::cos(inclination));
     const History history = solve_unilateral(scene, {.validity = true});
     ASSERT_EQ(history.events.size(), 1U);
-    EXPECT_NEAR(bodies_at_end(history).at[0].x, std::copysign(pull / 2, inclination),
+    EXPECT_NEAR(bodies_at_end(history).pose[0].x, std::copysign(pull / 2, inclination),
                 round_off * scene.gravity);
     const Demand& force = history.forces[0];
     const double weight = scene.blocks[0].mass * scene.gravity * std::cos(inclination);
@@ -69,10 +69,10 @@ TEST(UnilateralWeight, ACentreOfMassOffTheMiddleTurnsAboutTheCorner) {
     const double turning = block.mass * scene.gravity * lever / inertia;
     const Bodies<> last = bodies_at_end(history);
     // To the next order in t, θ⁗ t²/12 of it, which is below 10⁻⁵.
-    EXPECT_NEAR(last.rate[0].angle, turning * scene.duration, 1e-5 * std::abs(turning) * scene.duration);
-    EXPECT_NEAR(last.at[0].x, 0.5 + arm_x * std::cos(last.at[0].angle) + arm_y * std::sin(last.at[0].angle),
-                round_off);
-    EXPECT_NEAR(last.at[0].y, arm_y * std::cos(last.at[0].angle) - arm_x * std::sin(last.at[0].angle),
+    EXPECT_NEAR(last.velocity[0].angle, turning * scene.duration, 1e-5 * std::abs(turning) * scene.duration);
+    EXPECT_NEAR(last.pose[0].x,
+                0.5 + arm_x * std::cos(last.pose[0].angle) + arm_y * std::sin(last.pose[0].angle), round_off);
+    EXPECT_NEAR(last.pose[0].y, arm_y * std::cos(last.pose[0].angle) - arm_x * std::sin(last.pose[0].angle),
                 round_off);
   }
 }

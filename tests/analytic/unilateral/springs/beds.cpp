@@ -69,7 +69,7 @@ TEST(WinklerBed, HasItsMomentBeforeAndAfterUplift) {
   int lifted = 0;
   for (const auto& sample : samples_of(history)) {
     const Reaction& reaction = sample.reactions.front();
-    const double angle = sample.bodies.at[0].angle;
+    const double angle = sample.bodies.pose[0].angle;
     const double moment = reaction.normal * reaction.centre;
     const double lean = std::sin(std::abs(angle));
     const double uplift = reaction.normal / (2 * stiffness * b * b);
@@ -99,11 +99,11 @@ TEST(WinklerBed, BearsAnEccentricWeightByATriangle) {
     EXPECT_TRUE(history.events.empty());
     const Reaction& reaction = history.reactions.front();
     const double weight = scene.blocks.front().mass * scene.gravity;
-    const double angle = bodies_at(history, 0).at[0].angle;
+    const double angle = bodies_at(history, 0).pose[0].angle;
     EXPECT_NEAR(reaction.normal, weight, 1e-10 * weight);
     // The centre of mass is above the foot by half a metre, which leans with it.
     EXPECT_NEAR(reaction.centre * std::cos(angle), offset * std::cos(angle) + 0.5 * std::sin(angle), 1e-12);
-    EXPECT_NEAR(bodies_at(history, 1).at[0].angle, angle, 1e-12);
+    EXPECT_NEAR(bodies_at(history, 1).pose[0].angle, angle, 1e-12);
     const bool triangle = std::abs(reaction.centre) > 0.25 / 3;
     EXPECT_EQ(is_closed(history.patterns.front()), !triangle) << offset;
   }
@@ -162,7 +162,7 @@ TEST(WinklerBed, StopsABlockThatStartsAtItsSurface) {
       EXPECT_NEAR(energy(scene, sample.bodies) + sample.springs[0].elastic, first, 1e-11 * scale)
           << angle << ' ' << sample.time;
     }
-    EXPECT_NE(bodies_at(history, 4).at[0].angle, angle);
+    EXPECT_NE(bodies_at(history, 4).pose[0].angle, angle);
   }
 }
 
@@ -191,7 +191,7 @@ TEST(WinklerBed, PartsAndLandsFlat) {
   EXPECT_EQ(history.events[0].kind, EventKind::part);
   EXPECT_EQ(name(history.events[0].from) + name(history.events[0].to), "C-");
   EXPECT_EQ(name(history.events[1].from) + name(history.events[1].to), "-C");
-  EXPECT_NEAR(bodies_at_end(history).at[0].angle, 0, 1e-12);
+  EXPECT_NEAR(bodies_at_end(history).pose[0].angle, 0, 1e-12);
 }
 
 }  // namespace

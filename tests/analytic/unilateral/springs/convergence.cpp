@@ -17,12 +17,12 @@ double explicit_error(const Scene& scene, const History& history, std::initializ
   const Bodies<> start = bodies_at(history, 0);
   std::vector<testing::PlaneBlock> blocks;
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-    blocks.push_back({{start.at[k].x, start.at[k].y},
-                      {start.rate[k].x, start.rate[k].y},
-                      start.at[k].angle,
-                      start.rate[k].angle});
+    blocks.push_back({{start.pose[k].x, start.pose[k].y},
+                      {start.velocity[k].x, start.velocity[k].y},
+                      start.pose[k].angle,
+                      start.velocity[k].angle});
   const double end = ends_early(history) ? history.events.back().time : scene.duration;
-  const Poses<> last = bodies_at_end(history).at;
+  const Poses<> last = bodies_at_end(history).pose;
   double error = 0;
   for (const double step : steps) {
     const auto found = testing::explicit_motion(scene, blocks, end, step);

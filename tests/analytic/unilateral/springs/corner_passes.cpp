@@ -39,8 +39,8 @@ SlidingEnd sliding_end(double angle, double inside, double depth, double stretch
   SlidingEnd end{scene, contact_model_of<double>(scene), {}, {}};
   const Point<double> corner(0.55 - inside, 0.8 - depth);
   const Point<double> middle = corner - turned<double>({0.45, -0.65}, angle);
-  end.bodies.at = {{0, 0.4, 0}, {middle.x(), middle.y(), angle}};
-  end.bodies.rate = {{0, 0, 0}, {0, 0, 0}};
+  end.bodies.pose = {{0, 0.4, 0}, {middle.x(), middle.y(), angle}};
+  end.bodies.velocity = {{0, 0, 0}, {0, 0, 0}};
   end.point.interface = 1;
   end.point.side = 1;
   end.point.press = Press::pushing;

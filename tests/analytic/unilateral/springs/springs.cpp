@@ -42,8 +42,8 @@ TEST(CornerSprings, RestoreWhatADampedImpactLeaves) {
         : ratio < 1 ? std::exp(-ratio / root *
                                (std::numbers::pi - std::atan2(2 * ratio * root, 1 - 2 * ratio * ratio)))
                     : std::exp(-ratio / root * std::log((ratio + root) / (ratio - root)));
-    EXPECT_NEAR(-bodies_after(history.events.back()).rate[0].y / bodies_before(*touch).rate[0].y, expected,
-                1e-10)
+    EXPECT_NEAR(-bodies_after(history.events.back()).velocity[0].y / bodies_before(*touch).velocity[0].y,
+                expected, 1e-10)
         << ratio;
   }
 }
@@ -55,13 +55,14 @@ TEST(CornerSprings, CarryABlockUpAndDownAtItsFrequency) {
   const double frequency = std::sqrt(2 * 1e7 / scene.blocks.front().mass);
   const std::vector<double> times = regular_times(0.01, scene.duration);
   const History history = solve_unilateral(scene, {.sample_times = times});
-  const double rest = bodies_at(history, 0).at[0].y;
+  const double rest = bodies_at(history, 0).pose[0].y;
   EXPECT_NEAR(rest, 0.5 - scene.gravity / (frequency * frequency), 1e-15);
   EXPECT_TRUE(history.events.empty());
   const double depth = scene.gravity / 5 / (frequency * frequency);
   // Positions round to 10⁻¹⁶ m each step, of which there are some hundreds.
   for (const auto& sample : samples_of(history))
-    EXPECT_NEAR(sample.bodies.at[0].y - rest, -depth * (1 - std::cos(frequency * sample.time)), 1e-10 * depth)
+    EXPECT_NEAR(sample.bodies.pose[0].y - rest, -depth * (1 - std::cos(frequency * sample.time)),
+                1e-10 * depth)
         << sample.time;
 }
 
@@ -92,11 +93,11 @@ TEST(CornerSprings, AStackThatHasSettledRests) {
     EXPECT_TRUE(history.events.empty()) << seed << ' ' << name(history.events.front().kind);
     for (const auto& sample : samples_of(history))
       for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
-        const Pose<> start = bodies_at(history, 0).at[k];
+        const Pose<> start = bodies_at(history, 0).pose[k];
         const double rounding = 1e-11;
-        EXPECT_NEAR(sample.bodies.at[k].x, start.x, rounding) << seed;
-        EXPECT_NEAR(sample.bodies.at[k].y, start.y, rounding) << seed;
-        EXPECT_NEAR(sample.bodies.at[k].angle, start.angle, rounding) << seed;
+        EXPECT_NEAR(sample.bodies.pose[k].x, start.x, rounding) << seed;
+        EXPECT_NEAR(sample.bodies.pose[k].y, start.y, rounding) << seed;
+        EXPECT_NEAR(sample.bodies.pose[k].angle, start.angle, rounding) << seed;
       }
   }
 }
@@ -155,7 +156,7 @@ TEST(CornerSprings, MirrorImagesMoveAlike) {
     }
     if (one.events.size() > 12) continue;
     for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-      EXPECT_NEAR(bodies_at_end(one).at[k].angle, -bodies_at_end(other).at[k].angle, 1e-8) << seed;
+      EXPECT_NEAR(bodies_at_end(one).pose[k].angle, -bodies_at_end(other).pose[k].angle, 1e-8) << seed;
   }
   EXPECT_GT(events, 60);
 }
@@ -172,7 +173,8 @@ TEST(CornerSprings, StiffOnesComeToRigidFaces) {
     scene.springs.stiffness[1] = stiffness;
     scene.springs.damping[1] = 2 * std::sqrt(stiffness * 1000);
     const History soft = solve_unilateral(scene);
-    const double difference = std::abs(bodies_at_end(soft).at[1].angle - bodies_at_end(rigid).at[1].angle);
+    const double difference =
+        std::abs(bodies_at_end(soft).pose[1].angle - bodies_at_end(rigid).pose[1].angle);
     EXPECT_LT(difference, before / 2) << stiffness;
     before = difference;
   }
@@ -214,7 +216,7 @@ TEST(CornerSprings, PartOnceFromADepthNearRounding) {
   // It turns about the other corner, which gives way along the face as it takes up the ground's motion.
   const double turning = (acceleration * block.half_height - scene.gravity * arm) /
                          (block.inertia / block.mass + block.half_height * block.half_height + arm * arm);
-  const double angle = bodies_at_end(history).at[0].angle - bodies_at(history, 0).at[0].angle;
+  const double angle = bodies_at_end(history).pose[0].angle - bodies_at(history, 0).pose[0].angle;
   EXPECT_NEAR(angle / (turning * scene.duration * scene.duration / 2), 1, 0.01);
 }
 

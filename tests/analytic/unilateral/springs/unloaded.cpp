@@ -103,7 +103,7 @@ TEST_P(Unloaded, UprightColumnsStayUpright) {
     const Column fine = column_at(scene, scene.duration, 16000);
     double below = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Pose<> at = bodies_at_end(history).at[k];
+      const Pose<> at = bodies_at_end(history).pose[k];
       const double height = below + scene.blocks[k].half_height + fine.height[k];
       EXPECT_NEAR(at.y, height, std::abs(fine.height[k] - coarse.height[k]) / 15 + 1e-12) << i << ' ' << k;
       EXPECT_NEAR(at.x, 0, 1e-15) << i;
