@@ -8,12 +8,13 @@
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/suite_keys.hpp"
+#include "rockstack_commands_texts.hpp"
 
 namespace rockstack {
 namespace {
 
 struct NewArguments {
-  std::string kind = "scene";         ///< or "suite", "ensemble"
+  std::string kind = "scene";         ///< or "suite", "ensemble", "worker"
   std::optional<std::string> record;  ///< of a scene
   std::filesystem::path out;          ///< a file that is not there; empty: standard output
 };
@@ -108,8 +109,9 @@ std::string ensemble_text() {
                   {&summary_keys, {{"intensity", "\"ground.horizontal.amplitude\""}}}});
 }
 
-/// A commented input file of a kind, made of the keys that its reader takes: it is accepted as it stands, and
-/// what may be left out is there as comments. A scene with a record has that record, as a path from the file,
+/// A commented file of a kind to begin with. Of a worker: one in Python that answers. Input files are made of
+/// the keys that their reader takes: they are accepted as they stand, and what may be left out is there as
+/// comments. A scene with a record has that record, as a path from the file,
 /// for its ground motion. @throws InputError where the record cannot be read.
 std::string template_text(const NewArguments& arguments, const Common& common) {
   const std::string& kind = arguments.kind;
@@ -118,6 +120,7 @@ std::string template_text(const NewArguments& arguments, const Common& common) {
   if (!arguments.record) refuse_overrides(common, "a template is edited");
   if (kind == "suite") return suite_text();
   if (kind == "ensemble") return ensemble_text();
+  if (kind == "worker") return std::string(moreau_jean_py);
   if (!arguments.record) return text_of(scene_sections(std::nullopt, "", RecordLimits::usual));
   const RecordLimits limits = record_limits(common);
   const Record motion = read_record(*arguments.record, limits);
@@ -138,6 +141,10 @@ int run_new(const NewArguments& arguments, const Common& common) {
   }
   try {
     write_file(arguments.out, text);
+    using std::filesystem::perms, std::filesystem::perm_options;
+    if (arguments.kind == "worker")
+      permissions(arguments.out, perms::owner_exec | perms::group_exec | perms::others_exec,
+                  perm_options::add);
   } catch (const std::runtime_error&) {
     throw InputError(fmt::format("--out {}: must be a file that can be written, in a folder that is there",
                                  arguments.out.string()));
@@ -150,8 +157,8 @@ int run_new(const NewArguments& arguments, const Common& common) {
 }
 
 void add_new(CLI::App& command, NewArguments& arguments) {
-  command.add_option("kind", arguments.kind, "scene, suite or ensemble")
-      ->check(one_of({"scene", "suite", "ensemble"}))
+  command.add_option("kind", arguments.kind, "scene, suite, ensemble or worker: an engine in Python")
+      ->check(one_of({"scene", "suite", "ensemble", "worker"}))
       ->capture_default_str();
   command.add_option("--record", arguments.record, "record that shakes the scene");
   command.add_option("--out", arguments.out, "new file to write; left out: standard output");
@@ -160,7 +167,7 @@ void add_new(CLI::App& command, NewArguments& arguments) {
 }  // namespace
 
 Command new_command() {
-  return make_command("new", "print a commented input file to begin with", add_new, run_new);
+  return make_command("new", "print a commented file to begin with", add_new, run_new);
 }
 
 }  // namespace rockstack
