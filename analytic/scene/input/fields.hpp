@@ -13,7 +13,7 @@ struct InputKey {
   const char* name;
   const char* example = "";  ///< a value that is accepted, as TOML; empty: a table, with keys of its own
   const char* unit = "";     ///< empty: none
-  const char* range = "";    ///< which values are accepted
+  std::string range = "";    ///< which values are accepted
   std::string default_value = "";  ///< what holds where it is left out: a value as TOML, or words; see below
   const char* meaning = "";
 };

@@ -19,6 +19,15 @@ inline std::vector<double> each_stiffness(const Node& node, const Scene& scene) 
   return mapped(entries(node, "a number for each block"), number);
 }
 
+/// "\"a\", \"b\" or \"c\"".
+template <std::size_t count>
+std::string one_of_words(const std::array<const char*, count>& names) {
+  std::string words;
+  for (std::size_t i = 0; i < count; ++i)
+    words += (i == 0 ? "\"" : i + 1 < count ? ", \"" : " or \"") + std::string(names[i]) + "\"";
+  return words;
+}
+
 inline const KeysOf<Scene> scene_keys{
     "",
     "a scene: a stack of blocks, its ground and how it starts",
@@ -26,12 +35,11 @@ inline const KeysOf<Scene> scene_keys{
      {"duration", "5.0", "s", KeyRange{"> 0, up to 10⁷ √(size/acceleration)", 1 / largest_number},
       required_key, "of the motion", &Scene::duration},
      {"gravity", "9.81", "m/s²", above_zero, "acceleration of gravity, downwards", &Scene::gravity},
-     {{"law", "\"consistent\"", "", "\"consistent\", \"paper\", \"unilateral\" or \"compliant\"",
-       "\"consistent\"",
+     {{"law", "\"consistent\"", "", one_of_words(law_names), "\"consistent\"",
        "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, lift "
        "off and land; or such blocks on springs at their corners"},
       [](const Node& node, Scene& scene) { scene.law = choice<Law>(node, law_names); }},
-     {{"equations", "\"nonlinear\"", "", "\"nonlinear\", \"linear\" or \"small-angle\"", "\"nonlinear\"",
+     {{"equations", "\"nonlinear\"", "", one_of_words(equation_names), "\"nonlinear\"",
        "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear ones, "
        "where sin(α − θ) is α − θ (Housner 1963)"},
       [](const Node& node, Scene& scene) { scene.equations = choice<Equations>(node, equation_names); }},

@@ -275,7 +275,7 @@ void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
   command.add_option("--check", arguments.checks, "names of checks, or of the canon's scenes; left out: all")
       ->delimiter(',');
   command.add_flag("--canon", arguments.canon,
-                   "the long form: sixteen scenes with closed forms at five steps, for which law is it?");
+                   "the long form: sixteen scenes, most with a closed form, at five steps");
   command.add_option(
       "--out", arguments.out,
       "folder for results, where a canon that was stopped goes on; left out: none are written, of "
