@@ -106,7 +106,9 @@ std::string exact_answer(const std::string& question) {
   const Json asked = parse_json(question, "the question ");
   MotionLibrary library;
   const Scene scene = make_scene({scene_document(asked.at("scene")), {}, "Live scene"}, library);
-  const SolveOptions options{.sample_times = regular_times(asked.at("interval"), scene.duration)};
+  SolveOptions options{.sample_times = regular_times(asked.at("interval"), scene.duration)};
+  // What is said of the end is of the end, not of the last step before it.
+  if (options.sample_times.back() < scene.duration) options.sample_times.push_back(scene.duration);
   const int member = asked.value("member", 0);
   Json answer = member == 0 ? whole_answer(scene, options)
                             : member_answer(perturbed(scene, {member, asked.at("spread")}, member), options);

@@ -1,8 +1,6 @@
 "use strict";
 // What readers may change of a scene: blocks of a player, dragged and let go, and sliders in the text. Each change is solved again.
 (() => {
-if (!pageSolver) return;
-
 const samples = 1000; // of a motion, after the first
 const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
 const copy = (value) => JSON.parse(JSON.stringify(value));
@@ -25,6 +23,13 @@ const setValue = (scene, key, value) => {
   if (["width", "height"].includes(entry) && home.mass !== undefined) home.mass *= value / home[entry];
   home[entry] = value;
 };
+
+// Where nothing can answer sliders, their place says so.
+for (const home of document.querySelectorAll(".try")) {
+  const missing = !pageSolver ? "the exact solver" : home.dataset.engine !== undefined && !pageEngine ? "Planck, an engine from npm," : null;
+  if (missing) home.before(made("p", { className: "hint", textContent: `This page was made without ${missing} in it: the sliders that belong here are left out.` }));
+}
+if (!pageSolver) return;
 
 const slenderness = ({ width, height }) => Math.atan2(width, height);
 
@@ -250,10 +255,21 @@ const firstEvents = (player) => {
   return told.map((stop) => `${stop[0].toFixed(4)} s: ${player.told(stop)}`).join(" ");
 };
 
+// The exact solver's words as sentences. What makes its motion doubtful comes first in them, or nothing does.
+const sentences = (verdict) => {
+  const [, doubt, outcome] = verdict.match(/^((?:from|stopped|not) .*?); (.*)$/) ?? [null, null, verdict];
+  return (doubt ? `It is ${doubt}. ` : "") + (outcome.startsWith("block") ? "B" + outcome.slice(1) : "It " + outcome) + ".";
+};
+
+// Sliders that begin with a scene of their own are held against its motion, the others against that of the text.
 const makeTrial = async (home, page) => {
   const withEngine = home.dataset.engine !== undefined, rises = home.dataset.rises !== undefined, what = rises ? "Rise of the centre" : "Angles";
   if (withEngine && !pageEngine) return;
-  const data = { ...page, tracks: page.tracks.filter((track) => track.exact).slice(0, 1), scene: { ...page.scene, ...JSON.parse(home.dataset.scene ?? "{}") } };
+  home.hidden = false;
+  const scene = { ...page.scene, ...JSON.parse(home.dataset.scene ?? "{}") };
+  const own = home.dataset.scene ? await pageSolver.ask(home, { scene, interval: scene.duration / samples }) : null;
+  const data = { ...page, ...own?.stage, tracks: own ? [own.track] : page.tracks.filter((track) => track.exact).slice(0, 1), scene };
+  const begun = own ? "as the sliders begin" : "as in the text";
   const root = blankPlayer.cloneNode(true), id = `try-${document.querySelectorAll(".try .player").length + 1}`;
   root.id = id;
   root.classList.add("compact");
@@ -263,13 +279,12 @@ const makeTrial = async (home, page) => {
   canvas.setAttribute("role", "img");
   told.setAttribute("role", "status");
   home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
-    { textContent: `${what} over time, ${rises ? "m" : "rad"}: ${data.blocks.map((_, k) => `block ${k + 1} ${colourWords[k % colours.length]}`).join(", ")}. Grey: as in the text${data.blocks.length > 1 ? ", dashed above block 1" : ""}.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that satisfy the laws." : ""}` })), told), root);
-  home.hidden = false;
+    { textContent: `${what} over time, ${rises ? "m" : "rad"}: ${data.blocks.map((_, k) => `block ${k + 1} ${colourWords[k % colours.length]}`).join(", ")}. Grey: ${begun}${data.blocks.length > 1 ? ", dashed above block 1" : ""}.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that satisfy the laws." : ""}` })), told), root);
   const player = startPlayer(root, data), trial = new Trial(player, data), first = player.tracks[0];
   trial.branches = home.dataset.branches !== undefined;
   trial.rises = rises;
   if (trial.branches) player.find("view").value = "over";
-  const asInText = `Grey is the motion of the text. ${firstEvents(player)}`;
+  const asInText = `Grey is the motion ${begun}. ${firstEvents(player)}`;
   told.textContent = asInText;
   const draw = () => { if (canvas.clientWidth) drawCurves(canvas, trial, first); };
   letDrag(player, (edit) => trial.change(edit));
@@ -281,18 +296,18 @@ const makeTrial = async (home, page) => {
     const keys = input.dataset.keys.split(" ");
     return wire(input, () => valueAt(trial.scene, keys[0]), (value) => trial.change((scene) => { for (const key of keys) setValue(scene, key, value); }));
   });
-  const back = made("button", { type: "button", textContent: "As in the text" });
+  const back = made("button", { type: "button", textContent: begun.replace("a", "A") });
   back.addEventListener("click", () => trial.reset());
   sliders.append(back);
   trial.shows.push((answer) => {
     for (const fit of fits) fit();
-    told.textContent = answer ? `${answer.verdict.startsWith("block") ? "B" + answer.verdict.slice(1) : "It " + answer.verdict}.${trial.others ? ` Other motions that satisfy the laws: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText;
+    told.textContent = answer ? `${sentences(answer.verdict)}${trial.others ? ` Other motions that satisfy the laws: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText;
     canvas.setAttribute("aria-label", `${what} over time. ${told.textContent}`);
     draw();
   });
   new ResizeObserver(draw).observe(canvas);
   home.trial = trial;
-  if (withEngine || trial.branches || home.dataset.scene) trial.solve();
+  if (withEngine || trial.branches) trial.solve();
 };
 
 for (const root of document.querySelectorAll(".player")) {
