@@ -65,7 +65,7 @@ std::optional<double> swing_time_error(const std::vector<AlignedImpact>& alignme
   double exact = 0, engine = 0;
   std::map<int, const AlignedImpact*> last;  // of each interface, or null where one alone has it
   for (const AlignedImpact& one : alignment) {
-    const bool both = one.exact && one.engine;
+    const bool both = one.exact && one.engine && *one.exact < thread_lost(alignment, one.interface);
     const AlignedImpact*& before = last[one.interface];
     if (both && before != nullptr) {
       exact += *one.exact - *before->exact;

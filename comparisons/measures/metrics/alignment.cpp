@@ -119,6 +119,19 @@ AlignmentCounts count(const std::vector<AlignedImpact>& alignment) {
   return counts;
 }
 
+double thread_lost(const std::vector<AlignedImpact>& alignment, int interface) {
+  int missed = 0, extra = 0;
+  for (const AlignedImpact& line : alignment) {
+    if (line.interface != interface) continue;
+    if (line.exact && line.engine)
+      missed = extra = 0;
+    else
+      ++(line.exact ? missed : extra);
+    if (missed > 1 && extra > 1) return time_of(line);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 std::vector<double> matching_windows(const std::vector<ImpactTime>& exact, const Difference& apart,
                                      double dt) {
   std::vector<double> windows;

@@ -35,6 +35,11 @@ struct AlignmentCounts {
 
 AlignmentCounts count(const std::vector<AlignedImpact>& alignment);
 
+/// When the thread of an interface is lost, s; infinite where it never is. Both motions have two impacts or
+/// more then, since the last that matches, of which none does: which belongs to which is chance from there
+/// on.
+double thread_lost(const std::vector<AlignedImpact>& alignment, int interface);
+
 /// How far apart in time an exact impact and an engine's may be and still be the same one, s, for each exact
 /// impact: three steps, and the drift. A flight of duration T that ends at speed v is v τ (1 − τ/T) open the
 /// time τ before, thus v τ/2 at least in its second half: where the gaps of an interface that closes at v

@@ -23,13 +23,16 @@ struct Verdicts {
   std::vector<double> numbers = {}, lateness = {};  ///< matched; s, positive where the engine is late
   std::vector<double> missed = {};                  ///< exact impacts that it does not have
   std::vector<double> extra = {};  ///< its own, between the numbers of the exact impacts before and after
+  int by_chance = 0;               ///< that match once the thread is lost
 };
 
 Verdicts verdicts_on(const Run& run) {
   Verdicts verdicts{run};
   const auto list = impacts_of(run);
   for (const AlignedImpact& one : *list) {
-    if (one.exact && one.engine) {
+    if (one.exact && one.engine && *one.exact > thread_lost(*list, one.interface)) {
+      ++verdicts.by_chance;
+    } else if (one.exact && one.engine) {
       verdicts.numbers.push_back(value_of(one.number));
       verdicts.lateness.push_back(*one.engine - *one.exact);
     } else if (one.exact) {
@@ -226,6 +229,11 @@ Drawing impact_times(const SceneSubject& subject) {
     sheet.note("−: exact impacts that the engine misses; +: impacts of its own that match none");
   else
     add_unmatched(sheet, all, last);
+  int by_chance = 0;
+  for (const Verdicts& verdicts : all) by_chance += verdicts.by_chance;
+  if (by_chance > 0)
+    sheet.note(fmt::format(
+        "Not drawn: {} that match by chance, after both motions had two in a row that do not", by_chance));
   return sheet.finish();
 }
 
