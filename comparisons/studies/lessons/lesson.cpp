@@ -54,6 +54,17 @@ double error_of(const Scene& scene, const History& answer) {
   return root_mean_square(difference(solve(scene, {.sample_times = answer.times}), answer));
 }
 
+std::vector<double> errors_of_draws(const Suite& suite, const std::string& engine, double dt,
+                                    const Parameters& changes, const std::string& settings) {
+  std::vector<double> errors;
+  for (int i = 0; i < suite.replicates.runs; ++i) {
+    const Scene scene = replicate_scene(suite.scenes.front().scene, suite.replicates, i);
+    const double step = replicate_step(dt, suite.replicates, i);
+    errors.push_back(error_of(scene, answer(engine, scene, step, changes, settings)));
+  }
+  return errors;
+}
+
 Scene read_shipped(const std::string& scene, const std::vector<std::string>& overrides) {
   return read_scene(shipped("scenes") / (scene + ".toml"), overrides);
 }
@@ -82,6 +93,15 @@ const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::strin
   if (found == rows.end())
     throw std::logic_error(fmt::format("lesson: no run of {}, tuned, {} s", engine, dt));
   return *found;
+}
+
+double crossing(double low, double high, const std::function<double(double)>& value) {
+  const bool rises = value(high) > 0;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    ((value(middle) > 0) == rises ? high : low) = middle;
+  }
+  return high;
 }
 
 const Event* first_event(const History& history, EventKind kind) {

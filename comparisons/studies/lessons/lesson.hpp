@@ -59,6 +59,10 @@ History exact_answer(const Scene& scene, double interval = 1e-3);
 /// Root of the mean square of all differences of an answer's angles from the exact motion, rad.
 double error_of(const Scene& scene, const History& answer);
 
+/// Errors of an engine as error_of(), a run for each of the suite's draws, of its first scene.
+std::vector<double> errors_of_draws(const Suite& suite, const std::string& engine, double dt,
+                                    const Parameters& changes = {}, const std::string& settings = "tuned");
+
 /// One of the scenes that come with the program. @throws InputError as read_scene().
 Scene read_shipped(const std::string& scene, const std::vector<std::string>& overrides = {});
 
@@ -72,6 +76,9 @@ double weight_of(const Scene& scene);
 /// The row of a suite's run with tuned parameters; one where that run is not done has no numbers.
 /// @throws std::logic_error where the suite has no such run.
 const RunMetrics& find_run(const std::vector<RunMetrics>& rows, const std::string& engine, double dt);
+
+/// Where a function changes its sign between two places, to a rounding, by bisection.
+double crossing(double low, double high, const std::function<double(double)>& value);
 
 /// The first event of a kind, or nullptr.
 const Event* first_event(const History& history, EventKind kind);

@@ -88,6 +88,12 @@ TEST(Lessons, EachHasASuiteAndATextThatEndsWithQuestionsAndWhatToTry) {
   }
 }
 
+TEST(Lessons, ASignChangeIsFoundToARounding) {
+  EXPECT_NEAR(crossing(0, 2, [](double x) { return x * x - 2; }), std::sqrt(2), 1e-14);
+  EXPECT_NEAR(crossing(0, 2, [](double x) { return 2 - x * x; }), std::sqrt(2), 1e-14);
+  EXPECT_NEAR(crossing(0, 1, [](double x) { return x < 0.3 ? -1 : 1; }), 0.3, 1e-14);
+}
+
 /// Columns of reactions.csv at every sample of a scene.
 std::vector<std::vector<double>> reactions_of(const Scene& scene, const History& history,
                                               const std::vector<std::string>& names) {
