@@ -150,6 +150,18 @@ std::vector<ImpactTime> shifted(std::vector<ImpactTime> impacts, double shift) {
   return impacts;
 }
 
+// Bullet's impacts of Housner's block: one of them falls beside an exact one after several that do not.
+TEST(Alignment, TheThreadIsLostWhereBothHaveTwoInARowThatDoNotMatch) {
+  const std::vector<ImpactTime> exact{{1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 2}};
+  const auto lost = [&](const std::vector<ImpactTime>& engine) {
+    return thread_lost(aligned(exact, engine), 1);
+  };
+  EXPECT_EQ(lost({{1.01, 1}, {2.2, 1}, {2.7, 1}, {4, 1}}), 3);
+  EXPECT_TRUE(std::isinf(lost({{1.01, 1}, {2.2, 1}, {3, 1}, {4, 1}}))) << "one alone is a miss";
+  EXPECT_TRUE(std::isinf(lost({{1.01, 1}, {4, 1}}))) << "nothing may be taken for another";
+  EXPECT_TRUE(std::isinf(thread_lost(aligned(exact, {{1.5, 1}, {1.7, 1}, {5, 2}}), 2)));
+}
+
 TEST(Matching, WithoutDriftAWindowIsThreeSteps) {
   const Rocking rocking;
   const Difference none = gap_difference(rocking.scene, rocking.history, rocking.history);
