@@ -72,7 +72,6 @@ const std::map<std::string, Quantity*> all_quantities{
     {"fifth-impact", fifth_impact},
     {"kept-energy", kept_energy},
     {"lost-energy", [](const Asked& a) { return 1 - kept_energy(a); }},
-    {"impacts", [](const Asked& a) { return static_cast<double>(impacts_of(a.history).size()); }},
     {"base-after", [](const Asked& a) { return std::abs(first(a, EventKind::impact).after.front()); }},
     {"slenderness", [](const Asked& a) { return slenderness(a.scene, 0); }},
     {"force-friction", [](const Asked& a) { return contact_need(a.scene).force.friction; }},
