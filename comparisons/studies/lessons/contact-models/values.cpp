@@ -61,18 +61,57 @@ Table consequences() {
   return table;
 }
 
+/// Motions of three scenes that no law of rigid contacts without restitution has, and the same scenes
+/// without.
+struct Beyond {
+  Scene soft = read_shipped("flexible-foundation"), bouncing = read_shipped("bouncing-block"),
+        measured = read_shipped("housner-block", {"restitution=[0.9]"});
+  Scene rigid = with_rigid_contacts(soft, friction_of(soft)), dull = without_restitution(bouncing),
+        shaped = read_shipped("housner-block");
+
+  static Scene without_restitution(Scene scene) {
+    scene.point_restitution = 0;
+    return scene;
+  }
+};
+
+double apart(const Scene& scene, const Scene& other) {
+  const History history = exact_answer(scene);
+  return root_mean_square(difference(solve(other, {.sample_times = history.times}), history));
+}
+
+Table beyond(const Beyond& scenes) {
+  return {
+      {"scene", "law", "what is asked for", "angles with and without it apart, RMS (rad)"},
+      {{"flexible-foundation", "compliant", "contact.stiffness, contact.damping",
+        power(apart(scenes.soft, scenes.rigid), 1)},
+       {"bouncing-block", "unilateral", "contact.restitution", power(apart(scenes.bouncing, scenes.dull), 1)},
+       {"housner-block", "consistent", "restitution = [0.9]",
+        power(apart(scenes.measured, scenes.shaped), 1)}}};
+}
+
 }  // namespace
 
 LessonValues contact_models_values(const Suite& /*suite*/, const std::vector<RunMetrics>& /*rows*/) {
   const auto need = [](int place) { return contact_need(scene_of(examples[place])); };
   const ContactNeed rough = need(0), slippery = need(1), rubbing = need(2);
   const ContactNeed shaken = need(5), thrown = need(6);
+  const Beyond larger;
+  const Block& slender = larger.shaped.blocks.front();
   const Scene squat = read_shipped("squat-top");
   const History paper = solve(under(squat, Law::paper)), consistent = solve(under(squat, Law::consistent));
   const Event* first = first_event(paper, EventKind::impact);
   const Event* other = first_event(consistent, EventKind::impact);
   return {
-      .numbers = {{"paper_pattern", name(first->to)},
+      .numbers = {{"soft_stiffness", power(larger.soft.springs.stiffness.front(), 0)},
+                  {"soft_apart", fixed(apart(larger.soft, larger.rigid), 3)},
+                  {"bouncing", fixed(larger.bouncing.point_restitution, 1)},
+                  {"bouncing_time", fixed(larger.bouncing.duration, 1)},
+                  {"bounces", std::to_string(impacts_of(solve(larger.bouncing)).size())},
+                  {"dull_bounces", std::to_string(impacts_of(solve(larger.dull)).size())},
+                  {"shape_ratio", fixed(impact_ratio(slender.half_height / slender.half_width), 3)},
+                  {"rubbing_enough", fixed(std::max(rubbing.force.friction, rubbing.impulse.friction), 4)},
+                  {"paper_pattern", name(first->to)},
                   {"consistent_pattern", name(other->to)},
                   {"squat_time", fixed(first->time, 3)},
                   {"shaken_pull", fixed(-shaken.force.least_normal, 0)},
@@ -89,7 +128,7 @@ LessonValues contact_models_values(const Suite& /*suite*/, const std::vector<Run
                   {"rubbing_slip",
                    fixed(1e3 * contact_summary(exact_answer(scene_of(examples[2]))).front().largest_slip, 1)},
                   {"rubbing_time", fixed(rubbing.impulse.first_slip_time, 3)}},
-      .tables = {{"needs", needs()}, {"consequences", consequences()}},
+      .tables = {{"needs", needs()}, {"beyond", beyond(larger)}, {"consequences", consequences()}},
       .player = {.time = rubbing.impulse.first_slip_time - 0.02, .speed = 0.1, .gain = 1, .overlaid = true}};
 }
 
