@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/leans.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
@@ -136,15 +137,38 @@ std::string agreement(const RunMetrics& row) {
                      to_horizon ? ", the horizon, at least" : "");
 }
 
+/// How often two samples of n values of one distribution are k/n apart or more, by Kolmogorov and Smirnov:
+/// paths of n steps up and n down that come k from the middle, 2 Σ (−1)^(j+1) (2n choose n − jk)/(2n choose
+/// n).
+double chance_apart_by(int k, int n) {
+  double sum = 0;
+  for (int j = 1; j * k <= n; ++j)
+    sum += (j % 2 == 1 ? 2 : -2) *
+           std::exp(2 * std::lgamma(n + 1) - std::lgamma(n - j * k + 1) - std::lgamma(n + j * k + 1));
+  return sum;
+}
+
+/// The least k/n that a test at a level of one in twenty rejects: k.
+int least_rejected(int n) {
+  constexpr double level = 0.05;
+  int k = 1;
+  while (chance_apart_by(k, n) > level) ++k;
+  return k;
+}
+
 void add_engine(const std::string& name, const Peaks& peaks, LessonValues& values) {
   const std::vector<double>&exact = peaks.at("exact"), &engine = peaks.at(name);
   std::vector<double> apart;
   for (std::size_t i = 0; i < exact.size(); ++i) apart.push_back(std::abs(engine[i] - exact[i]) / exact[i]);
-  const KolmogorovSmirnov test = kolmogorov_smirnov(exact, engine);
+  const double distance = kolmogorov_smirnov(exact, engine).distance;
+  const auto apart_by = static_cast<int>(std::lround(distance * seeds));
   values.numbers[name + "_median"] = percent(quantile(apart, 0.5), 0);
   values.numbers[name + "_most"] = percent(quantile(apart, 1.0), 0);
-  values.numbers[name + "_distance"] = fixed(test.distance, 3);
-  values.numbers[name + "_verdict"] = test.distance > test.critical ? "differ" : "cannot be told apart";
+  values.numbers[name + "_distance"] = fixed(distance, 3);
+  values.numbers[name + "_verdict"] = apart_by < least_rejected(seeds) ? "cannot be told apart"
+                                      : apart_by == least_rejected(seeds)
+                                          ? "differ, but by no more than that least distance"
+                                          : "differ";
 }
 
 }  // namespace
@@ -159,7 +183,8 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
   const double parted_at = parting(exact.times, seen, parted);
   const Growth line = growth(exact.times, unseen);
   const Peaks peaks = peaks_over_seeds(named);
-  const KolmogorovSmirnov changed_test = kolmogorov_smirnov(peaks.at("exact"), peaks.at("changed"));
+  const double changed_distance = kolmogorov_smirnov(peaks.at("exact"), peaks.at("changed")).distance;
+  const int least = least_rejected(seeds);
   LessonValues values;
   values.numbers = {{"change", power(change, 0)},
                     {"small", power(unseen_change, 0)},
@@ -168,15 +193,30 @@ LessonValues sensitivity_values(const Suite& suite, const std::vector<RunMetrics
                     {"lambda", fixed(line.rate, 1)},
                     {"doubling", fixed(std::log(2.0) / line.rate, 2)},
                     {"factor", fixed(std::exp(line.rate), 0)},
+                    {"peak", fixed(peak_angles(exact)[1], 2)},
+                    {"small_most", power(unseen.back(), 0)},
+                    {"small_time", fixed(parting(exact.times, unseen, 0.999 * unseen.back()), 1)},
+                    {"rest", fixed(exact.events.back().time, 1)},
+                    {"parted", fixed(parted, 2)},
                     {"from", fixed(line.from, 1)},
                     {"until", fixed(line.until, 1)},
                     {"bullet_until", agreement(find_run(rows, "bullet", engine_step))},
                     {"ode_until", agreement(find_run(rows, "ode", engine_step))},
                     {"tolerance", fixed(suite.tolerance, 2)},
                     {"seeds", std::to_string(seeds)},
-                    {"changed_distance", fixed(changed_test.distance, 3)},
-                    {"critical", fixed(changed_test.critical, 3)}};
+                    {"changed_distance", fixed(changed_distance, 3)},
+                    {"least", fixed(1.0 * least / seeds, 3)},
+                    {"least_odds", fixed(1 / chance_apart_by(least, seeds), 0)},
+                    {"next", fixed(1.0 * (least - 1) / seeds, 3)},
+                    {"next_odds", fixed(1 / chance_apart_by(least - 1, seeds), 0)}};
   values.numbers.merge(paths(exact, changed, unseen, line));
+  int place = 0;
+  for (const double share : {5e-4, 5e-3, 2e-2}) {
+    const double time = parting(exact.times, from_exact(exact_answer(stronger(scene, share))), parted);
+    values.numbers[fmt::format("slider_{}", ++place)] = fmt::format("{} %", 100 * share);
+    values.numbers[fmt::format("parted_{}", place)] =
+        time < 0 ? "never" : fmt::format("from {} s on", fixed(time, 2));
+  }
   for (const char* engine : {"bullet", "ode"}) add_engine(engine, peaks, values);
   values.tables = {
       {"partings",
