@@ -2,6 +2,10 @@
 
 #include <Eigen/Core>
 
+#include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/difference.hpp"
+#include "comparisons/measures/metrics/leans.hpp"
+#include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
 namespace rockstack {
@@ -10,7 +14,8 @@ namespace {
 constexpr double iteration_step = 1e-3;  // s
 constexpr double finest_step = 2e-5;     // s, of single precision beside double
 
-/// The least and the largest error of an engine's first impact over its steps, each in its own steps.
+/// The least and the largest error of an engine's first impact over its steps, each in its own steps and the
+/// median of replicates.
 std::string shares(const std::vector<RunMetrics>& rows, const std::string& engine) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const RunMetrics& row : rows) {
@@ -23,27 +28,52 @@ std::string shares(const std::vector<RunMetrics>& rows, const std::string& engin
 
 Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
   Table table{{"engine", "step (s)", "first impact, engine less exact (s)", "RMS angle difference (rad)",
-               "agrees within tolerance until (s)"}};
+               "lower quartile (rad)", "upper quartile (rad)", "agrees within tolerance until (s)"}};
   for (const RunMetrics& row : rows)
     if (row.dt && row.scene == scene.name && row.rms_angle_difference)
       table.rows.push_back(
           {row.engine + " " + row.solver, cell(*row.dt),
            row.first_impact_time_difference ? cell(*row.first_impact_time_difference) : "",
-           cell(*row.rms_angle_difference),
+           cell(*row.rms_angle_difference), cell(*row.rms_angle_difference_lower),
+           cell(*row.rms_angle_difference_upper),
            // The last sample counts as the end.
            *row.agreement_time + *row.dt > scene.scene.duration ? "to the end" : cell(*row.agreement_time)});
   return table;
 }
 
-Table over_iterations(const Scene& scene) {
-  Table table{{"iterations", "ODE QuickStep: RMS (rad)", "Bullet sequential impulse: RMS (rad)"}};
-  for (const double count : {2.0, 5.0, 20.0, 100.0, 500.0})
-    table.rows.push_back(
-        {cell(count),
-         cell(error_of(scene,
-                       answer("ode:quickstep", scene, iteration_step, {{"quickStepNumIterations", count}}))),
-         cell(error_of(scene, answer("bullet", scene, iteration_step, {{"numIterations", count}})))});
+/// "0.0012 (0.0008 to 0.0015)": median and quartiles.
+std::string spread_of(const std::vector<double>& errors) {
+  return fmt::format("{:.2g} ({:.2g} to {:.2g})", median(errors), quantile(errors, 0.25),
+                     quantile(errors, 0.75));
+}
+
+Table over_iterations(const Suite& suite) {
+  Table table{{"iterations", "ODE QuickStep: RMS (rad), median (quartiles)",
+               "Bullet sequential impulse: RMS (rad), median (quartiles)"}};
+  const auto with = [&](const char* engine, const char* name, double count) {
+    return spread_of(errors_of_draws(suite, engine, iteration_step, {{name, count}}));
+  };
+  for (const double count : {2.0, 5.0, 20.0, 100.0})
+    table.rows.push_back({cell(count), with("ode:quickstep", "quickStepNumIterations", count),
+                          with("bullet", "numIterations", count)});
   return table;
+}
+
+/// What the sliders show of Planck, where it is installed: when it has left the exact motion by the tolerance
+/// at the largest step, and when with the fewest iterations.
+std::string planck_answer(const Scene& scene, double tolerance) {
+  if (engines_called("planck").empty()) return "Planck is not installed here.";
+  constexpr double largest = 0.02, usual = 1e-3;  // s
+  const auto until = [&](double dt, const Parameters& changes) {
+    const History run = answer("planck", scene, dt, changes);
+    return agreement_time(difference(solve(scene, {.sample_times = run.times}), run), tolerance);
+  };
+  const double by_step = until(largest, {}), by_iterations = until(usual, {{"velocityIterations", 1}});
+  return fmt::format(
+      "The {}. At a step of {} ms Planck has left the exact motion by {} rad at {} s; at {} ms and with a single velocity "
+      "iteration at {} s.",
+      by_step < by_iterations ? "step" : "iterations", 1e3 * largest, tolerance, fixed(by_step, 2),
+      1e3 * usual, fixed(by_iterations, 2));
 }
 
 /// A block on its corner, let go: θ̈ = −p² sin(α − θ).
@@ -79,12 +109,8 @@ std::pair<double, double> landing_by_steps(FallState (*step)(const FallingBlock&
     state = next;
     next = step(falling, state, dt);
   }
-  double low = 0, high = dt;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (step(falling, state, middle)[0] > 0 ? low : high) = middle;
-  }
-  return {(done + 1) * dt, done * dt + high};
+  const double within = crossing(0, dt, [&](double time) { return step(falling, state, time)[0]; });
+  return {(done + 1) * dt, done * dt + within};
 }
 
 /// One fall by two methods, with the landing at the end of its step and where it is in it, less the exact
@@ -128,10 +154,27 @@ double slope(const std::vector<RunMetrics>& rows, const std::string& engine, dou
 LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const NamedScene& scene = suite.scenes.front();
   const auto rms = [&](const char* engine, double dt) {
-    return power(*find_run(rows, engine, dt).rms_angle_difference, 1);
+    const RunMetrics& row = find_run(rows, engine, dt);
+    return fmt::format("{} ({} to {})", power(*row.rms_angle_difference, 1),
+                       power(*row.rms_angle_difference_lower, 1), power(*row.rms_angle_difference_upper, 1));
   };
+  // From the coarsest step to the finest: by the medians, and by the quartiles at the least and at the most.
+  using Number = std::optional<double> RunMetrics::*;
+  const auto fall = [&](const char* engine, Number from = &RunMetrics::rms_angle_difference,
+                        Number to = &RunMetrics::rms_angle_difference) {
+    return *(find_run(rows, engine, 1e-2).*from) / *(find_run(rows, engine, 1e-4).*to);
+  };
+  const auto falls = [&](const char* engine) {
+    constexpr Number lower = &RunMetrics::rms_angle_difference_lower,
+                     upper = &RunMetrics::rms_angle_difference_upper;
+    return fmt::format("{} times ({} to {})", fixed(fall(engine), 0), fixed(fall(engine, lower, upper), 0),
+                       fixed(fall(engine, upper, lower), 0));
+  };
+  const double fall_time = first_event(exact_answer(read_shipped("housner-block")), EventKind::impact)->time;
+  Suite few = suite;
+  set_runs(few.replicates, 3);
   const auto finer = [&](const char* engine) {
-    return power(error_of(scene.scene, answer(engine, scene.scene, finest_step)), 1);
+    return power(median(errors_of_draws(few, engine, finest_step)), 1);
   };
   const double first_impact = first_event(exact_answer(scene.scene), EventKind::impact)->time;
   return {
@@ -141,6 +184,13 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
                   {"ode_shares", shares(rows, "ode")},
                   {"ode_share", fixed(*find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3, 2)},
                   {"tolerance", fixed(suite.tolerance, 2)},
+                  {"peak", fixed(std::ranges::max(peak_angles(exact_answer(scene.scene))), 2)},
+                  {"seen_at", fixed(std::ceil(fall_time / 0.01) * 0.01, 2)},
+                  {"draws", std::to_string(suite.replicates.runs)},
+                  {"few", std::to_string(few.replicates.runs)},
+                  {"bullet_fall", falls("bullet")},
+                  {"ode_fall", falls("ode")},
+                  {"planck_answer", planck_answer(scene.scene, suite.tolerance)},
                   {"bullet_coarse", rms("bullet", 1e-2)},
                   {"bullet_fine", rms("bullet", 1e-4)},
                   {"ode_coarse", rms("ode", 1e-2)},
@@ -153,13 +203,12 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
                   {"gravity_step", power(scene.scene.gravity * finest_step, 1)},
                   {"single_rounding", power(std::ldexp(1.0, -24), 1)}},
       .tables = {{"steps", over_steps(rows, scene)},
-                 {"iterations", over_iterations(scene.scene)},
+                 {"iterations", over_iterations(suite)},
                  {"by_steps", by_steps(read_shipped("housner-block"))}},
       .player = {.time = first_impact - 0.005, .speed = 0.01, .gain = 10, .overlaid = true},
       .measured = {
           {"first_impact_in_steps", *find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3},
-          {"rms_fall", *find_run(rows, "ode", 1e-2).rms_angle_difference /
-                           *find_run(rows, "ode", 1e-4).rms_angle_difference}}};
+          {"rms_fall", fall("ode")}}};
 }
 
 }  // namespace rockstack
