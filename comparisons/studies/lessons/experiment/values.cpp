@@ -72,6 +72,8 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
   const double by_shape = fifth(block_of(scene, concrete, shape)),
                by_ratio = fifth(block_of(scene, concrete, found)),
                on_rubber = fifth(block_of(scene, rubber, rubber.share * shape));
+  const auto measured_times = impact_times(block_of(scene, concrete, found)),
+             later_times = impact_times(block_of(scene, concrete, found + 0.01));
   const RunMetrics& ode = find_run(rows, "ode", 1e-3);
   return {.numbers = {{"shape", fixed(shape, 4)},
                       {"concrete", fixed(found, 4)},
@@ -86,6 +88,10 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
                       {"fifth_concrete", fixed(by_ratio, 3)},
                       {"fifth_rubber", fixed(on_rubber, 3)},
                       {"fifth_early", fixed(by_shape - by_ratio, 3)},
+                      {"fifth_later", fixed(later_times.at(4) - measured_times.at(4), 3)},
+                      {"tenth_later", fixed(later_times.at(9) - measured_times.at(9), 3)},
+                      {"tenth", fixed(measured_times.at(9), 2)},
+                      {"tenth_swing", fixed(measured_times.at(9) - measured_times.at(8), 2)},
                       {"engine_late", power(std::abs(*ode.first_impact_time_difference), 1)},
                       {"spread", percent(assumed_spread, 0)}},
           .tables = {{"shapes", shapes()}, {"spreads", spreads(scene, concrete)}},

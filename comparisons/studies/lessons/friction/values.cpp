@@ -103,6 +103,8 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
   const Event& impact = *first_event(history, EventKind::impact);
   const InterfaceSummary floor = contact_summary(history).front();
   const Scene swing = lasting(scene, impact.time * (1 - 1e-9));
+  constexpr double flat_friction = 0.2;
+  const double flat = crossing(0.8, 3, [](double height) { return impact_ratio(height, flat_friction); });
   const Demand top = solve(stack, {.events = EventsKept::summed, .validity = true}).forces.back();
   return {.numbers = {{"r", fixed(r, 0)},
                       {"friction", fixed(friction, 3)},
@@ -115,6 +117,9 @@ LessonValues friction_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"after", shown_pattern(impact.to)},
                       {"largest_slip", fixed(1e3 * floor.largest_slip, 2)},
                       {"final_slip", fixed(std::abs(1e3 * floor.final_slip), 2)},
+                      {"step_slips_below", fixed(3 * r * (4 + r * r) / (4 * std::pow(1 + r * r, 2)), 2)},
+                      {"flat_friction", fixed(flat_friction, 1)},
+                      {"flat_width", fixed(2 * scene.blocks.front().half_height / flat, 3)},
                       {"slips", slips_from(history.events)},
                       {"stack_forces", fixed(top.friction, 2)},
                       {"stack_time", fixed(top.friction_time, 3)},

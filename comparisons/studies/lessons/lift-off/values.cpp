@@ -72,6 +72,7 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
   const Event& lift = *first_event(history, EventKind::lift_off);
   const Event& landing = *first_event(history, EventKind::impact);
   const ContactNeed tied = contact_need(scene);
+  const Throw slow = thrown_by_sine(pulse.amplitude, 2 * pulse.period, scene.gravity);
   constexpr double speed = 3;  // m/s
   return {.numbers = {{"amplitude", fixed(pulse.amplitude / scene.gravity, 0)},
                       {"period", fixed(pulse.period, 1)},
@@ -81,6 +82,9 @@ LessonValues lift_off_values(const Suite& suite, const std::vector<RunMetrics>& 
                       {"flight", fixed(landing.time - lift.time, 3)},
                       {"pull", fixed(-tied.force.least_normal / weight_of(scene), 1)},
                       {"pull_from", fixed(tied.first_pull(), 4)},
+                      {"least_amplitude", fixed(scene.gravity, 2)},
+                      {"highest", fixed(1e3 * thrown.highest, 0)},
+                      {"highest_slow", fixed(1e3 * slow.highest, 0)},
                       {"speed", fixed(speed, 0)}},
           .tables = {{"flight", flight(scene, thrown, landing.time)},
                      {"amplitudes", amplitudes(scene)},

@@ -55,6 +55,7 @@ LessonValues limits_values(const Suite& suite, const std::vector<RunMetrics>& ro
   return {
       .numbers = {{"force_friction", fixed(force.friction, 4)},
                   {"force_friction_time", fixed(force.friction_time, 2)},
+                  {"enough_friction", fixed(std::max(force.friction, impulse.friction), 4)},
                   {"impulse_friction", fixed(impulse.friction, 4)},
                   {"impulse_friction_time", fixed(impulse.friction_time, 2)},
                   {"least_normal", fixed(force.least_normal, 0)},

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include "analytic/solve.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 
@@ -36,6 +39,15 @@ Table candidates(const Scene& scene, const Event& event) {
   return table;
 }
 
+/// The first impact of the scene with these changes.
+Event first_impact(const std::vector<std::string>& changes) {
+  return *first_event(solve(read_shipped("spanos-free-rocking", changes)), EventKind::impact);
+}
+
+Event with_top_block(double height) {
+  return first_impact({fmt::format("blocks.2.height={}", height)});
+}
+
 }  // namespace
 
 LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
@@ -52,7 +64,16 @@ LessonValues projection_values(const Suite& suite, const std::vector<RunMetrics>
   // The drawing is to scale: lengths are roots of energies, and that before the impact is as long as
   // `length`.
   constexpr double left = 60, ground = 230, length = 520;
+  constexpr double low = 1;  // m
+  const Event landing = with_top_block(low);
+  const double least_height =
+      crossing(low, 2.5, [&](double height) { return with_top_block(height).to == landing.to ? -1 : 1; });
   return {.numbers = {{"time", fixed(first.time, 5)},
+                      {"least_height", fixed(least_height, 2)},
+                      {"low_from", name(landing.from)},
+                      {"low_to", name(landing.to)},
+                      {"small_lean", "0.02"},
+                      {"small_to", name(first_impact({"initial.angles=[0.02,0.02]"}).to)},
                       {"from", name(first.from)},
                       {"to", name(first.to)},
                       {"before_1", fixed(first.before[0], 4)},

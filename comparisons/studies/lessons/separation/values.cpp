@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -67,6 +69,16 @@ Table solvers(const Scene& scene, const History& exact) {
   return table;
 }
 
+/// The paper's example with a top block of that height, in m.
+History with_top(double height) {
+  return solve(read_shipped("spanos-free-rocking", {fmt::format("blocks.2.height={}", height)}));
+}
+
+/// Above 0 where the blocks part before they land.
+double parts_first(double height) {
+  return with_top(height).events.front().kind == EventKind::opening ? 1 : -1;
+}
+
 }  // namespace
 
 LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
@@ -76,7 +88,13 @@ LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>
   const Event& impact = *first_event(history, EventKind::impact);
   const Event landed = landing_of_one_body(scene);
   const Landing right = land(scene, {}), printed = land(scene, {true, true});
+  const double height = 2 * scene.blocks.back().half_height;
+  constexpr double lower = 2;  // m
   return {.numbers = {{"opening", fixed(opening.time, 4)},
+                      {"height", fixed(height, 1)},
+                      {"lower", fixed(lower, 1)},
+                      {"lower_opening", fixed(first_event(with_top(lower), EventKind::opening)->time, 4)},
+                      {"least_height", fixed(crossing(1, height, parts_first), 2)},
                       {"opening_angle", fixed(opening.angles[0], 4)},
                       {"impact", fixed(impact.time, 4)},
                       {"impact_from", name(impact.from)},

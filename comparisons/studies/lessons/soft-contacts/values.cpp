@@ -157,6 +157,16 @@ Table damped_landings(Scene scene) {
   return table;
 }
 
+/// The damping, in N·s/m, with which the block leaves with a hundredth of its speed, in powers of ten.
+double quiet_damping() {
+  return crossing(4, 6, [](double power_of_ten) {
+    const Scene scene = read_shipped(
+        "flat-landing", {"law=\"compliant\"", fmt::format("contact.stiffness={}", lesson_stiffness),
+                         fmt::format("contact.damping={}", std::pow(10, power_of_ten))});
+    return speed_back(exact_answer(scene)) - 0.01;
+  });
+}
+
 /// The parts of every difference of the suite; an empty cell where contacts are rigid.
 Table parts(const std::vector<RunMetrics>& rows) {
   Table table{{"run", "step (s)", "ζ", "restitution", "contact model (rad)", "contact softness (rad)",
@@ -187,7 +197,10 @@ LessonValues soft_contacts_values(const Suite& suite, const std::vector<RunMetri
       list.push_back(rebound(answer(engine, fall, contact_step, changes, settings), its_landing));
     table.rows.push_back({label, cell(median(list)), cell(quantile(list, 0)), cell(quantile(list, 1))});
   }
+  const double quiet = std::pow(10, quiet_damping());
   return {.numbers = {{"alpha", fixed(alpha, 3)},
+                      {"quiet_damping", power(quiet, 1)},
+                      {"quiet_ratio", fixed(damping_ratio({lesson_stiffness, quiet}, block), 1)},
                       {"ratio", fixed(1 - 1.5 * std::sin(alpha) * std::sin(alpha), 3)},
                       {"time", fixed(landing.time, 4)},
                       {"speed", fixed(std::abs(landing.before[0]), 3)},

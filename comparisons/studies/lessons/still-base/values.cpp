@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include "analytic/solve.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
 
@@ -39,6 +42,12 @@ double lift(const History& history, double time) {
   return most;
 }
 
+/// Above 0 where the base stays still under a top block of that width, by the paper's order of trials.
+double stays_still(double width) {
+  const Scene scene = read_shipped("squat-top", {"law=\"paper\"", fmt::format("blocks.2.width={}", width)});
+  return first_event(solve(scene), EventKind::impact)->to[0] == Contact::closed ? 1 : -1;
+}
+
 }  // namespace
 
 LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
@@ -50,6 +59,8 @@ LessonValues still_base_values(const Suite& suite, const std::vector<RunMetrics>
   const PatternSolution<double> kept =
       velocities_after(make_model<double>(scene), impact_of(first), first.to);
   return {.numbers = {{"time", fixed(first.time, 4)},
+                      {"still_from", fixed(crossing(0.5, 1, stays_still), 2)},
+                      {"still_until", fixed(crossing(1, 2.5, stays_still), 2)},
                       {"paper", name(first.to)},
                       {"consistent", name(other.to)},
                       {"speed", fixed(first.before[1], 3)},
