@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "analytic/scene/messages/input_error.hpp"
@@ -57,6 +58,52 @@ TEST(Course, EachPredictionStandsOnceInItsText) {
       EXPECT_EQ(problem.parts.size(), 1U);
     }
   }
+}
+
+/// What the sliders of a text ask, each a <div class="try">.
+std::vector<std::string> sliders_of(const std::string& text) {
+  std::vector<std::string> list;
+  for (std::size_t at = text.find("<div class=\"try\""); at != std::string::npos;
+       at = text.find("<div class=\"try\"", at + 1))
+    list.push_back(text.substr(at, text.find("</div>", at) - at));
+  return list;
+}
+
+TEST(Course, EverySliderHasAnAnswerThatIsComputed) {
+  for (const Lesson& lesson : lessons())
+    for (const std::string& slider : sliders_of(text_of_lesson(lesson.name))) {
+      const std::size_t answer = slider.find("<details class=\"question\"><summary>Answer</summary>");
+      ASSERT_NE(answer, std::string::npos) << lesson.name << slider;
+      EXPECT_NE(slider.find("{{", answer), std::string::npos) << lesson.name << ": of a number of its own";
+    }
+}
+
+// Typed are sizes of what is set up, by a few digits; results come from values, with theirs.
+TEST(Course, NumbersThatAreResultsAreNotTyped) {
+  const std::regex beside("<(pre|math|svg|label|code)[\\s\\S]*?</\\1>|<[^>]*>|\\{\\{[^}]*\\}\\}"),
+      result("\\d\\.\\d{3}");
+  for (const Lesson& lesson : lessons()) {
+    const std::string words = std::regex_replace(text_of_lesson(lesson.name), beside, " ");
+    std::smatch found;
+    EXPECT_FALSE(std::regex_search(words, found, result))
+        << lesson.name << ": " << found.str() << found.suffix();
+  }
+}
+
+TEST(Course, LessonsThatCompareStepsHaveReplicates) {
+  for (const char* name : {"steps", "reading"}) {
+    const std::filesystem::path folder = std::filesystem::path(ROCKSTACK_LESSONS) / name;
+    EXPECT_GE(read_suite(folder / "suite.toml", {}).replicates.runs, 7) << name;
+    EXPECT_NE(text_of_lesson(name).find("{{draws}} replicates"), std::string::npos) << name;
+  }
+}
+
+TEST(Course, TheChoiceOfALawReachesAllLawsAndBothRestitutions) {
+  const std::string text = text_of_lesson("contact-models");
+  for (const char* end :
+       {"<code>paper</code>", "<code>consistent</code>", "<code>unilateral</code>", "<code>compliant</code>",
+        "<code>restitution</code>", "<code>contact.restitution</code>"})
+    EXPECT_NE(text.find(end), std::string::npos) << end;
 }
 
 TEST(Course, EveryQuantityIsAskedForSomewhere) {

@@ -37,9 +37,12 @@ TEST(Course, ItsGlossaryIsAPageWithPicturesThatMove) {
   const fs::path folder = testing::fresh_folder();
   std::ofstream(folder / "course.json") << R"({"lessons": []})";
   show(folder);
+  const std::string glossary = testing::bytes_of(folder / "glossary.html");
+  for (const char* key : {"key <code>restitution</code>", "key <code>contact.restitution</code>"})
+    EXPECT_TRUE(has_part(glossary, key)) << "two numbers have the name";
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const testing::Answer answer = testing::ask_browser(
-      testing::bytes_of(folder / "glossary.html"),
+      glossary,
       "return ['dt', 'figure.moving[data-scene]'].map((one) => document.querySelectorAll(one).length);");
   EXPECT_EQ(answer.complaints.size(), 0U) << answer.complaints;
   EXPECT_EQ(answer.result, nlohmann::json({16, 13}));

@@ -206,11 +206,11 @@ TEST(Lesson, WithoutASolverItsPageHasThePlayerAlone) {
   const testing::Answer answer = testing::ask_browser(without_solver(folder / "lesson.html"), R"js(
     player.find("play").click();
     for (let i = 0; i < 500 && player.frames < 3; ++i) await wait(20);
-    return { moves: player.frames >= 3, offered: document.querySelectorAll(".release").length, tries: document.querySelectorAll(".try:not([hidden])")
-                                     .length
-};)js");
+    return { moves: player.frames >= 3, offered: document.querySelectorAll(".release").length,
+      tries: document.querySelectorAll(".try:not([hidden])").length, said: document.querySelector(".try").previousElementSibling.textContent };)js");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
-  EXPECT_EQ(answer.result, nlohmann::json::parse(R"({"moves": true, "offered": 0, "tries": 0})"));
+  EXPECT_EQ(answer.result, nlohmann::json::parse(R"({"moves": true, "offered": 0, "tries": 0,
+    "said": "This page was made without the exact solver in it: the sliders that belong here are left out."})"));
 }
 
 // One picture, whoever names the pattern.
