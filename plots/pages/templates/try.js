@@ -269,7 +269,7 @@ const makeTrial = async (home, page) => {
   const scene = { ...page.scene, ...JSON.parse(home.dataset.scene ?? "{}") };
   const own = home.dataset.scene ? await pageSolver.ask(home, { scene, interval: scene.duration / samples }) : null;
   const data = { ...page, ...own?.stage, tracks: own ? [own.track] : page.tracks.filter((track) => track.exact).slice(0, 1), scene };
-  const begun = own ? "as the sliders begin" : "as in the text";
+  const begun = own ? "as the sliders began" : "as in the text";
   const root = blankPlayer.cloneNode(true), id = `try-${document.querySelectorAll(".try .player").length + 1}`;
   root.id = id;
   root.classList.add("compact");
