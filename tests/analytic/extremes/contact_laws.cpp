@@ -36,7 +36,7 @@ double depth(const Scene& scene, const Sample& sample) {
   return -least / length;
 }
 
-std::string broken(const Scene& scene, const History& history) {
+std::string broken_contact(const Scene& scene, const History& history) {
   double time = 0;
   for (const Event& event : history.events) {
     if (!std::isfinite(event.time) || !all_finite(bodies_before(event)) || !all_finite(bodies_after(event)))
@@ -58,7 +58,7 @@ std::string broken(const Scene& scene, const History& history) {
 
 Breaches contact_breaches(const Scene& scene, const History& history) {
   Breaches found;
-  found.fault = broken(scene, history);
+  found.fault = broken_contact(scene, history);
   found.events = history.events.size();
   const bool still = scene.horizontal.empty() && scene.vertical.empty();
   double left = std::numeric_limits<double>::infinity();
