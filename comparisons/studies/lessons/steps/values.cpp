@@ -42,7 +42,7 @@ Table over_steps(const std::vector<RunMetrics>& rows, const NamedScene& scene) {
 }
 
 /// "0.0012 (0.0008 to 0.0015)": median and quartiles.
-std::string spread_of(const std::vector<double>& errors) {
+std::string spread_words(const std::vector<double>& errors) {
   return fmt::format("{:.2g} ({:.2g} to {:.2g})", median(errors), quantile(errors, 0.25),
                      quantile(errors, 0.75));
 }
@@ -51,7 +51,7 @@ Table over_iterations(const Suite& suite) {
   Table table{{"iterations", "ODE QuickStep: RMS (rad), median (quartiles)",
                "Bullet sequential impulse: RMS (rad), median (quartiles)"}};
   const auto with = [&](const char* engine, const char* name, double count) {
-    return spread_of(errors_of_draws(suite, engine, iteration_step, {{name, count}}));
+    return spread_words(errors_of_draws(suite, engine, iteration_step, {{name, count}}));
   };
   for (const double count : {2.0, 5.0, 20.0, 100.0})
     table.rows.push_back({cell(count), with("ode:quickstep", "quickStepNumIterations", count),
