@@ -4,6 +4,7 @@
 #include <boost/algorithm/string/split.hpp>
 
 #include "analytic/scene/files/file_text.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
 
@@ -82,7 +83,7 @@ std::string page(const std::string& title, const std::string& kind, const std::s
                   {"kind", kind},
                   {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
                   {"js", std::string(page_js)},
-                  {"player_js", std::string(stack_js) + std::string(player_js)},
+                  {"player_js", player_scripts()},
                   {"solver", solver_of(content)},
                   {"content", content},
                   {"words", kind == "report"
@@ -120,7 +121,7 @@ std::string table_cell(const std::string& column, const std::string& cell, const
                        int significant) {
   const bool is_count = cell.find_first_not_of("0123456789") == std::string::npos;
   if (const std::optional<double> value = number_in(cell))
-    return element("td", is_count ? cell : fmt::format("{:.{}g}", *value, significant),
+    return element("td", is_count ? cell : with_power(fmt::format("{:.{}g}", *value, significant)),
                    fmt::format(" class=\"number{1}{2}\" data-value=\"{0}\" title=\"{0}\"", escaped(cell),
                                kind.empty() ? "" : " ", kind));
   const std::string classes = column == "reason" && !cell.empty() ? "reason " + kind : kind;
@@ -129,8 +130,8 @@ std::string table_cell(const std::string& column, const std::string& cell, const
 
 std::string heading(std::string column, const std::string& kind) {
   std::ranges::replace(column, '_', ' ');
-  return element("th", element("button", escaped(column), " type=\"button\""),
-                 " scope=\"col\"" + class_attribute(kind));
+  const std::string words = column.empty() ? "" : element("button", escaped(column), " type=\"button\"");
+  return element("th", words, " scope=\"col\"" + class_attribute(kind));
 }
 
 std::string drawn_figure(const fs::path& results, const std::string& stem, const std::string& prefix,

@@ -59,6 +59,11 @@ inline std::string code_block(const std::string& text) {
 /// with `label` as its text for those who do not see it.
 std::string inline_svg(const std::string& file, const std::string& prefix, const std::string& label);
 
+/// Scripts of players.
+inline std::string player_scripts() {
+  return std::string(stack_js) + std::string(film_js) + std::string(player_js);
+}
+
 /// A page that needs nothing beside itself: its header and main section in the frame, style and script of all
 /// pages. `title` is plain text, `kind` is for the style sheet: "report" or "lesson".
 std::string page(const std::string& title, const std::string& kind, const std::string& content);
@@ -97,6 +102,7 @@ std::string table_cell(const std::string& column, const std::string& cell, const
                        int significant = 4);
 
 /// A column's heading, which sorts when chosen: "rms_angle_difference" as words that may break into lines.
+/// One without words does not.
 std::string heading(std::string column, const std::string& kind = "");
 
 /// A figure results/figures/STEM.svg that has been drawn, with its question and how to read it; every id in

@@ -36,7 +36,8 @@ class Page:
     def call(self, method, **parameters):
         self.count += 1
         text = json.dumps({"id": self.count, "method": method, "params": parameters}).encode()
-        self.socket.sendall(b"\x81\xfe" + struct.pack(">H", len(text)) + bytes(4) + text)  # masked by zeros
+        length = struct.pack(">BH", 0xfe, len(text)) if len(text) < 1 << 16 else struct.pack(">BQ", 0xff, len(text))
+        self.socket.sendall(b"\x81" + length + bytes(4) + text)  # masked by zeros
         while (reply := self.message()).get("id") != self.count:
             if reply.get("method") == "Runtime.exceptionThrown" or reply.get("params", {}).get("type") == "error":
                 self.complaints.append(reply["params"])

@@ -59,6 +59,17 @@ std::string quantity_text(double value, const std::string& unit, int digits) {
   return plain_text(shown / prefix->factor, digits) + " " + prefix->letter + unit;
 }
 
+std::string with_power(const std::string& number) {
+  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::size_t mark = number.find('e');
+  if (mark == std::string::npos) return number;
+  const int exponent = std::stoi(number.substr(mark + 1));
+  std::string text = number.substr(0, mark) + " × 10" + (exponent < 0 ? "⁻" : "");
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += digits.at(static_cast<std::size_t>(digit - '0'));
+  return text;
+}
+
 std::string signed_quantity_text(double value, const std::string& unit, int digits) {
   return (value >= rounding ? "+" : "") + quantity_text(value, unit, digits);
 }

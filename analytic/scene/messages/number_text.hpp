@@ -28,6 +28,9 @@ double two_digits_down(double value);
 /// 0.086 is "86 mm", 1e-4 is "0.1 mm"; "0 m" where it is less than 10⁻¹², which is rounding.
 std::string quantity_text(double value, const std::string& unit, int digits = 3);
 
+/// Text of a number as people write it, its exponent as a power of ten: of "3.1e-05" "3.1 × 10⁻⁵".
+std::string with_power(const std::string& number);
+
 /// Text of a quantity with its sign in front, "+" too: "+0.4 ms".
 std::string signed_quantity_text(double value, const std::string& unit, int digits = 3);
 

@@ -4,23 +4,12 @@
 #include <fmt/ranges.h>
 
 #include "analytic/scene/input/scene_file.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
-namespace {
-
-std::string superscript(int number) {
-  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = number < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(number)))
-    text += digits.at(static_cast<std::size_t>(digit - '0'));
-  return text;
-}
-
-}  // namespace
-
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> list{
 #include "comparisons/studies/lessons/lesson_list.inc"
@@ -123,10 +112,7 @@ std::string fixed(double value, int digits) {
 
 std::string power(double value, int digits) {
   if (value == 0) return "0";
-  const std::string text = fmt::format("{:.{}e}", std::abs(value), digits);
-  const std::size_t mark = text.find('e');
-  return (value < 0 ? "−" : "") + text.substr(0, mark) + " × 10" +
-         superscript(std::stoi(text.substr(mark + 1)));
+  return (value < 0 ? "−" : "") + with_power(fmt::format("{:.{}e}", std::abs(value), digits));
 }
 
 std::string percent(double share, int digits) {

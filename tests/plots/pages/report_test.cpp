@@ -84,6 +84,17 @@ TEST(Html, EscapesEveryCharacterThatCouldBecomeMarkup) {
   EXPECT_EQ(escaped("<a b=\"c\" d='e'>&"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt;&amp;");
 }
 
+TEST(Html, NumbersOfATableAreWrittenAsPeopleWriteThem) {
+  EXPECT_TRUE(shows(table_cell("dt", "1e-05"), "data-value=\"1e-05\" title=\"1e-05\">1 × 10⁻⁵</td>"));
+  EXPECT_TRUE(shows(table_cell("stiffness", "2.5e+12"), ">2.5 × 10¹²</td>"));
+  EXPECT_TRUE(shows(table_cell("dt", "0.001"), ">0.001</td>"));
+}
+
+TEST(Html, AHeadingWithoutWordsIsNoButton) {
+  EXPECT_EQ(heading(""), "<th scope=\"col\"></th>");
+  EXPECT_TRUE(shows(heading("rms_error"), ">rms error</button>"));
+}
+
 TEST(Html, ValuesAreNotFilledInASecondTime) {
   EXPECT_EQ(filled_in("<{{a}}>", {{"a", "{{b}}"}, {"b", "wrong"}}), "<{{b}}>");
   EXPECT_THROW(filled_in("{{missing}}", {}), std::logic_error);

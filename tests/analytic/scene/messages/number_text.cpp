@@ -28,6 +28,12 @@ TEST(QuantityText, RoundingIsZero) {
   EXPECT_EQ(signed_quantity_text(4e-4, "s"), "+0.4 ms");
 }
 
+TEST(NumberText, AnExponentIsAPowerOfTen) {
+  EXPECT_EQ(with_power("3.1e-05"), "3.1 × 10⁻⁵");
+  EXPECT_EQ(with_power("1e+12"), "1 × 10¹²");
+  EXPECT_EQ(with_power("0.001"), "0.001");
+}
+
 TEST(NumberText, TwoDigitsThatAreNotLessOrNotMore) {
   EXPECT_DOUBLE_EQ(two_digits_up(0.2039), 0.21);
   EXPECT_DOUBLE_EQ(two_digits_down(0.2039), 0.2);
