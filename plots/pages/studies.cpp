@@ -77,6 +77,10 @@ void write_study(const fs::path& results, const Json& json) {
   const fs::path timing = results / "timing.json";
   const std::string command =
       json.value("command", fs::exists(timing) ? read_json(timing).value("command", "") : "");
+  const Facts facts = other_facts(json);
+  const std::string done =
+      (command.empty() ? "" : element("p", "By this command:") + code_block(command)) +
+      (facts.empty() ? "" : details("Scene, values, versions and machine", definition_list(facts)));
   const std::string content = filled_in(
       study_html, {{"title", escaped(title)},
                    {"answer", answer_box(headline_of(json))},
@@ -84,8 +88,8 @@ void write_study(const fs::path& results, const Json& json) {
                    {"files", file_links(results)},
                    {"tables", joined_texts(json.value("tables", std::vector<std::string>()),
                                            [&](const std::string& name) { return table_of(results, name); })},
-                   {"command", command.empty() ? "" : element("h2", "To run it again") + code_block(command)},
-                   {"facts", definition_list(other_facts(json))}});
+                   {"done_link", done.empty() ? "" : element("li", link("#facts", "What was done"))},
+                   {"done", done.empty() ? "" : section("What was done", done, " id=\"facts\"")}});
   write_file(results / "report.html", page(title, "report", content));
 }
 

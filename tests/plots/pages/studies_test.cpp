@@ -87,6 +87,34 @@ TEST(StudyPage, EveryStudyHasItsTitleItsHeadlineTheTablesThatItNamesAndItsComman
   }
 }
 
+TEST(StudyPage, WhatWasDoneIsLeftOutWhereNobodySaysIt) {
+  for (const bool said : {true, false}) {
+    const fs::path folder = testing::fresh_folder();
+    put(folder / "diff.json", said ? R"({"title": "a", "command": "rockstack diff"})" : R"({"title": "a"})");
+    write_study_page(folder);
+    const std::string page = study_page(folder);
+    EXPECT_EQ(tells(page, "What was done</h2>\n<p>By this command:</p><pre>"), said);
+    EXPECT_EQ(tells(page, "href=\"#facts\""), said);
+    EXPECT_FALSE(tells(page, "<dl></dl>"));
+  }
+}
+
+TEST(StudyPage, ALongNameFitsAPhone) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = testing::fresh_folder();
+  put(folder / "record.json",
+      R"({"title": "a_record_whose_name_has_no_place_at_which_a_line_may_end.AT2", "file": "a"})");
+  write_study_page(folder);
+  const testing::Answer answer = testing::ask_browser(study_page(folder), R"(
+    const frame = Object.assign(document.createElement("iframe"), { srcdoc: document.head.querySelector("style").outerHTML + document.querySelector("header").outerHTML });
+    frame.style.width = "400px";
+    const loaded = new Promise((done) => frame.addEventListener("load", done));
+    document.body.append(frame);
+    await loaded;
+    return frame.contentDocument.documentElement.scrollWidth;)");
+  EXPECT_LE(answer.result.get<int>(), 400);
+}
+
 TEST(StudyPage, ResultsOfBeforeWithoutTitleAndHeadlineStillOpen) {
   const fs::path folder = testing::fresh_folder();
   put(folder / "record.json", R"({"file": "a/wave.at2", "arias_intensity": 0.4})");
