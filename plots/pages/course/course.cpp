@@ -9,17 +9,24 @@
 namespace rockstack::plots {
 namespace {
 
-/// The first figure of a lesson's slides, or its first motions, where its folder is beside the page.
-std::string picture_of(const fs::path& results, const std::string& lesson) {
-  for (const auto& [folder, ending] : {std::pair{"figures/slides", ".png"}, {"figures", ".histories.png"}})
-    for (const std::string& name : names_in(results / lesson / folder, {".png"}))
-      if (name.ends_with(ending))
-        return fmt::format("<img src=\"{}/{}/{}\" alt=\"A figure of the lesson {}\" loading=\"lazy\">\n",
-                           lesson, folder, name, lesson);
-  return "";
+/// The player that pictures which move are copies of.
+std::string hidden_player() {
+  return element("div", filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}}),
+                 " hidden");
 }
 
-std::string entry(const fs::path& results, const Json& lesson) {
+/// The first scene of a lesson as a picture that moves, at once or when asked to; nothing where its folder is
+/// not beside the page.
+std::string picture_of(const fs::path& lesson, bool at_once) {
+  const fs::path file = lesson / "comparison.json";
+  const std::string scene = fs::exists(file) ? read_json(file).at("scenes").at(0).value("page", "") : "";
+  return scene.empty() ? ""
+                       : element("figure", "",
+                                 fmt::format(" class=\"moving\" data-scene=\"{}\"{}", escaped(scene),
+                                             at_once ? " data-moves" : ""));
+}
+
+std::string entry(const fs::path& results, const Json& lesson, bool first) {
   std::string aims, after;
   for (const Json& aim : lesson.at("aims")) aims += element("li", aim.get<std::string>()) + "\n";
   for (const Json& one : lesson.at("after"))
@@ -29,20 +36,21 @@ std::string entry(const fs::path& results, const Json& lesson) {
       "<li id=\"{0}\"><h2 data-pattern=\"{6}\"><a href=\"{0}/lesson.html\">{1}</a></h2>\n<p class=\"hint\">{2} minutes · "
       "<code>{0}</code> · <a href=\"{0}/slides.html\">slides</a>.{3}</p>\n{5}<ul>\n{4}</ul></li>\n",
       escaped_at(lesson, "name"), escaped_at(lesson, "title"), lesson.at("minutes").dump(), after, aims,
-      picture_of(results, lesson.at("name")), escaped_at(lesson, "pattern"));
+      picture_of(results / text_at(lesson, "name"), first), escaped_at(lesson, "pattern"));
 }
 
 std::string course_page(const fs::path& results, const Json& course) {
   std::string lessons;
   double minutes = 0;
   for (const Json& lesson : course.at("lessons")) {
-    lessons += entry(results, lesson);
+    lessons += entry(results, lesson, lessons.empty());
     minutes += lesson.at("minutes").get<double>();
   }
   return page("Contact modelling: a course", "course",
               filled_in(course_html, {{"count", fmt::format("{}", course.at("lessons").size())},
                                       {"hours", fmt::format("{:.0f}", minutes / 60)},
-                                      {"lessons", lessons}}));
+                                      {"lessons", lessons}}) +
+                  hidden_player());
 }
 
 /// Room for an answer, or the answer.
@@ -93,13 +101,11 @@ std::string sheet_page(const Json& sheet, bool with_answers) {
 
 void write_course(const fs::path& results, const Json& course) {
   write_file(results / "index.html", course_page(results, course));
-  const std::string player =
-      filled_in(player_html, {{"id", "player"}, {"title", "a word"}, {"data", "null"}});
   write_file(
       results / "glossary.html",
       page("Glossary", "course",
            element("nav", link("index.html", "All lessons"), " class=\"bar\"") + element("h1", "Glossary") +
-               element("main", std::string(glossary_html)) + element("div", player, " hidden")));
+               element("main", std::string(glossary_html)) + hidden_player()));
 }
 
 SheetPages write_sheet(const fs::path& answers) {

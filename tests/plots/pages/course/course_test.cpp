@@ -22,14 +22,19 @@ TEST(Course, ItsIndexLinksEachLessonWithAimsAndTime) {
   std::ofstream(folder / "course.json") << R"({"lessons": [
     {"name": "a", "title": "First < all", "minutes": 45, "pattern": "1a", "aims": ["see"], "after": []},
     {"name": "b", "title": "Then", "minutes": 75, "pattern": "R→", "aims": ["do"], "after": [{"name": "a", "title": "First < all"}]}]})";
-  fs::create_directories(folder / "b/figures");
-  std::ofstream(folder / "b/figures/one.histories.png") << "a picture";
+  for (const char* name : {"a", "b"}) {
+    fs::create_directories(folder / name);
+    std::ofstream(folder / name / "comparison.json") << R"({"scenes": [{"page": "{\"title\": \"x\"}"}]})";
+  }
   show(folder);
   const std::string page = testing::bytes_of(folder / "index.html");
-  for (const char* part :
-       {"<h2 data-pattern=\"1a\"><a href=\"a/lesson.html\">First &lt; all</a>", "href=\"b/slides.html\"",
-        "75 minutes", "<li>do</li>", "<img src=\"b/figures/one.histories.png\"", "After: <a href=\"#a\">",
-        "2 lessons, 2 hours"})
+  for (
+      const char* part :
+      {"<h2 data-pattern=\"1a\"><a href=\"a/lesson.html\">First &lt; all</a>", "href=\"b/slides.html\"",
+       "75 minutes", "<li>do</li>",
+       "<figure class=\"moving\" data-scene=\"{&quot;title&quot;: &quot;x&quot;}\" data-moves></figure><ul>\n<li>see",
+       "<figure class=\"moving\" data-scene=\"{&quot;title&quot;: &quot;x&quot;}\"></figure><ul>\n<li>do",
+       "After: <a href=\"#a\">", "2 lessons, 2 hours"})
     EXPECT_TRUE(has_part(page, part)) << part;
 }
 
