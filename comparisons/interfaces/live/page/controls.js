@@ -1,17 +1,32 @@
 "use strict";
 // The controls of a page: what its state holds, as sliders, numbers and choices. `page` has the state, what there is to choose from
-// (`setup`), what to do when the state has changed (`changed`), and where to say what is wrong (`tell`).
+// (`setup`), what to do when the state has changed (`changed`), and where to say all that is wrong in fields (`tell`).
 const made = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
   element.append(...children);
   return element;
 };
 
+// The number that a text is; null where it is none. A comma is a point where it cannot set thousands apart: "1,5", and not "1,500".
+const numberIn = (text) => {
+  const plain = text.trim().replace("−", "-"), decimal = /^[+-]?(0,\d+|\d+,(\d{1,2}|\d{4,}))$/;
+  if (plain === "inf") return plain;
+  const value = plain === "" ? NaN : Number(decimal.test(plain) ? plain.replace(",", ".") : plain);
+  return Number.isNaN(value) ? null : value;
+};
+
 // Returns what builds them anew.
 function controlsOf(page) {
   const home = document.getElementById("controls"), unfolded = new Map();
   const copy = (value) => JSON.parse(JSON.stringify(value));
+  const wrong = new Map(); // words on each field whose text is no number
   let count = 0, refits = [];
+
+  const judge = (field, words) => {
+    if (words) wrong.set(field, words); else wrong.delete(field);
+    if (words) field.setAttribute("aria-invalid", "true"); else field.removeAttribute("aria-invalid");
+    page.tell([...wrong.values()]);
+  };
 
   const row = (label, hint, kind, ...inputs) => {
     const id = `control-${++count}`;
@@ -39,7 +54,11 @@ function controlsOf(page) {
       range.value = to(value === "inf" ? most : Math.min(most, Math.max(least, value)));
       range.setAttribute("aria-valuetext", value === "inf" ? value : digits(value));
     };
-    const put = (value) => { set(value); page.changed(); };
+    const put = (value) => {
+      judge(number, "");
+      set(value);
+      page.changed();
+    };
     range.addEventListener("input", () => {
       const value = whole ? Math.round(back(Number(range.value))) : digits(back(Number(range.value)));
       number.value = value;
@@ -47,8 +66,8 @@ function controlsOf(page) {
       put(value);
     });
     number.addEventListener("change", () => {
-      const text = number.value.trim().replace("−", "-"), value = text === "inf" ? "inf" : Number(text);
-      if (text === "" || Number.isNaN(value)) return page.tell(`${label} = ${text}: must be a number`);
+      const value = numberIn(number.value);
+      if (value === null) return judge(number, `${label} = ${number.value}: must be a number${number.value.includes(",") ? ", with a point" : ""}`);
       put(value);
       place(value);
     });
@@ -269,6 +288,8 @@ function controlsOf(page) {
   const rebuild = () => {
     const held = document.activeElement?.id, scroll = home.scrollTop;
     [count, refits] = [0, []];
+    wrong.clear();
+    page.tell([]);
     home.replaceChildren(...scene().blocks.map(blockGroup), stackGroup(), groundGroup("horizontal"), groundGroup("vertical"),
       lawGroup(), engineGroup(), cloudGroup(), wholeGroup());
     home.scrollTop = scroll;

@@ -91,7 +91,7 @@ class Line {
     } catch (error) {
       if (error.again) await new Promise((done) => setTimeout(done, 1000 * error.again));
       if (!error.again && error.name !== 'AbortError')
-        complain(error, question);
+        complain(this.kind, error, question);
       else if (!stop.signal.aborted)
         this.next ??= question;
     } finally {
@@ -101,9 +101,17 @@ class Line {
   }
 }
 
-const complain = (error, question) => {
+// All that is wrong, a line each, by what it is wrong with. What is shown is of before as long as it is not the engine alone.
+const faults = { fields: "", exact: "", engine: "" };
+const tell = (part, words) => {
+  faults[part] = words;
+  find("error").textContent = [...new Set(Object.values(faults))].filter(Boolean).join("\n");
+  find("pictures").classList.toggle("old", Boolean(faults.fields || faults.exact));
+};
+
+const complain = (kind, error, question) => {
   if (question.sequence !== sequence) return;
-  find("error").textContent = error instanceof TypeError ? "The program that serves this page has ended." : error.message;
+  tell(kind === "exact" ? kind : "engine", error instanceof TypeError ? "The program that serves this page has ended." : error.message);
 };
 
 const unpack = (text) => {
@@ -127,7 +135,7 @@ const lines = {
   exact: new Line("exact", 150, (answer, question) => {
     shown.exact = opened(answer, question);
     if (shown.engine && shown.engine.blocks !== shown.exact.blocks) shown.engine = null;
-    find("error").textContent = answer.failure ? "Exact solution: " + answer.failure : "";
+    tell("exact", answer.failure ? "Exact solution: " + answer.failure : "");
     draw();
     note("exact", answer, question);
     say();
@@ -135,7 +143,7 @@ const lines = {
   }),
   engine: new Line("engine", 300, (answer, question) => {
     shown.engine = opened(answer, question);
-    if (answer.failure) find("error").textContent = question.state.engine + ": " + answer.failure;
+    tell("engine", answer.failure ? question.state.engine + ": " + answer.failure : "");
     draw();
     note("engine", answer, question);
     say();
@@ -150,7 +158,7 @@ const lines = {
   }),
 };
 
-const page = { setup, changed: () => changed(), tell: (text) => { find("error").textContent = text; },
+const page = { setup, changed: () => changed(), tell: (words) => tell("fields", words.join("\n")),
   get state() { return state; }, get cloud() { return cloud; } };
 const rebuild = controlsOf(page);
 
@@ -165,7 +173,10 @@ let writing, clouding;
 const changed = () => {
   offerBlocks();
   const question = { state: copy(state), sequence: ++sequence, asked: performance.now() };
-  find("error").textContent = "";
+  tell("exact", "");
+  tell("engine", "");
+  const { player } = document.querySelector(".player");
+  if (player) player.origin = "";
   lines.exact.ask(question);
   if (state.engine) lines.engine.ask(question);
   else { lines.engine.drop(); shown.engine = null; }
