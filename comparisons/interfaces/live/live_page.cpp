@@ -124,7 +124,7 @@ LivePage make_live_page(const PageStart& start) {
       {{"css", std::string(plots::page_css) + std::string(plots::player_css) + std::string(live_css)},
        {"player", player},
        {"setup", plots::for_script(setup)},
-       {"player_js", std::string(plots::stack_js) + std::string(plots::player_js)},
+       {"player_js", plots::player_scripts()},
        {"controls_js", std::string(controls_js)},
        {"charts_js", std::string(plots::charts_js) + std::string(plots::drag_js)},
        {"js", std::string(live_js)}});

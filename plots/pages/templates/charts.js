@@ -16,6 +16,8 @@ const decades = (low, high) => {
   return ticks;
 };
 
+const powerText = (exponent) => "10" + String(exponent).replace(/./g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
+
 const tickText = (value) => String(Number(value.toPrecision(3))).replace("-", "−");
 
 const rangeOf = (lines, log) => {
@@ -63,7 +65,7 @@ function drawChart(canvas, { lines, end, log, mark }) {
   pen.textAlign = "right";
   for (const tick of log ? decades(low, high) : ticksOf(low, high)) {
     grid(left, y(tick), width - type, y(tick));
-    pen.fillText(log ? "1e" + tickText(tick) : tickText(tick), left - 5, y(tick) + 0.35 * type);
+    pen.fillText(log ? powerText(tick) : tickText(tick), left - 5, y(tick) + 0.35 * type);
   }
   pen.textAlign = "center";
   for (const tick of ticksOf(0, end)) {

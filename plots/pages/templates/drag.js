@@ -2,6 +2,7 @@
 // Blocks of a player that are dragged and let go, or thrown. `change` takes what changes a scene, and returns when its motion is shown.
 const letDrag = (() => {
 const fastest = 4; // rad/s that a throw gives
+const recent = 80; // ms of the pointer's motion that a throw is fitted to
 
 // Where a pointer is in the picture of a track, m.
 const pointed = (player, view, event) => {
@@ -19,7 +20,7 @@ const grabbed = (player, event) => {
   for (let block = parts.length - 1; block >= 0; --block) {
     const [along, up] = parts[block].local(point), [b, h] = player.stack.half[block];
     if (Math.abs(along) <= b + near && up >= -near && up <= 2 * h + near)
-      return { view, block, along, up, angles: track.angles(player.time), slips: track.slips(player.time), slides: Boolean(track.slipped) };
+      return { view, block, along, up, from: player.time, angles: track.angles(player.time), slips: track.slips(player.time), slides: Boolean(track.slipped) };
   }
   return null;
 };
@@ -49,15 +50,30 @@ const startFrom = (scene, angles, velocities, { slips, slides }) => {
   if (slides) scene.initial.offsets = slips.map((slip, k) => slip + (offsets?.[k] ?? 0));
 };
 
+// The slope of the line that is nearest to [time in ms, angle], rad/s; none where the pointer rested before it let go at `end`.
+const speedOf = (path, end) => {
+  const resting = 60, points = path.filter(([time]) => end - time <= recent), count = points.length;
+  if (count < 2 || end - points.at(-1)[0] > resting) return 0;
+  const mean = [0, 1].map((i) => points.reduce((sum, point) => sum + point[i], 0) / count);
+  const sum = (i) => points.reduce((total, point) => total + (point[0] - mean[0]) * (point[i] - mean[i]), 0);
+  return sum(0) > 0 ? 1000 * sum(1) / sum(0) : 0;
+};
+
 return (player, change) => {
   const stage = player.find("stage");
   let grip = null, path = [];
+  // Says where the motion begins that comes of it.
+  const begin = (held, edit) => {
+    const done = change(edit);
+    player.origin = held.from > 0 ? ` It begins as blocks stood at ${held.from.toFixed(4)} s.` : "";
+    return done;
+  };
   const pull = (event) => {
     const held = grip, angles = pulled(player, held, event);
-    path = [...path.filter(([time]) => event.timeStamp - time < 80), [event.timeStamp, angles[grip.block]]];
+    path = [...path.filter(([time]) => event.timeStamp - time <= recent), [event.timeStamp, angles[grip.block]]];
     player.held = angles;
     player.draw();
-    change((scene) => startFrom(scene, angles, angles.map(() => 0), held));
+    begin(held, (scene) => startFrom(scene, angles, angles.map(() => 0), held));
   };
   // A finger on a block does not move the page.
   stage.addEventListener("touchstart", (event) => {
@@ -83,10 +99,8 @@ return (player, change) => {
     const held = grip, { block } = held, angles = player.held ?? player.tracks.find((one) => one.exact).angles(0);
     grip = null;
     stage.classList.remove("dragging");
-    const [first, last] = [path[0], path.at(-1)], span = event.timeStamp - (first?.[0] ?? 0);
-    const speed = last && event.timeStamp - last[0] < 60 && span > 20 ? (last[1] - first[1]) / span * 1000 : 0;
-    const thrown = Math.abs(speed) > 0.1 ? Math.max(-fastest, Math.min(fastest, speed)) : 0;
-    await change((scene) => startFrom(scene, angles, scene.blocks.map((_, k) => k < block ? 0 : thrown), held));
+    const speed = speedOf(path, event.timeStamp), thrown = Math.abs(speed) > 0.1 ? Math.max(-fastest, Math.min(fastest, speed)) : 0;
+    await begin(held, (scene) => startFrom(scene, angles, scene.blocks.map((_, k) => k < block ? 0 : thrown), held));
     player.goTo(0);
     player.toggle();
   };

@@ -1,4 +1,14 @@
 "use strict";
+// What scrolls by itself is reached by keys.
+const reach = new ResizeObserver((entries) => {
+  for (const { target } of entries) {
+    const { overflowX, overflowY } = getComputedStyle(target), scrolls = (overflow) => ["auto", "scroll"].includes(overflow);
+    if (scrolls(overflowX) && target.scrollWidth > target.clientWidth || scrolls(overflowY) && target.scrollHeight > target.clientHeight) target.tabIndex = 0;
+    else target.removeAttribute("tabindex");
+  }
+});
+for (const one of document.querySelectorAll("figure, pre, nav ul, math, table, .slide")) reach.observe(one);
+
 // Plays the motions of one scene: reads the data that stands beside the canvas, draws blocks to scale, and keeps
 // controls, picture and words at the same time.
 const startPlayer = (() => {
@@ -98,6 +108,8 @@ class Player {
     const wide = this.find("stage").clientWidth;
     if (wide && wide < narrowest * this.shown().length) this.find("view").value = "over";
     new ResizeObserver(() => this.resize()).observe(this.find("stage"));
+    reach.observe(this.find("scroll-x"));
+    this.find("hint").hidden = this.find("hint") !== document.querySelector(".player:not(.compact) .hint"); // once a page
     this.resize();
     this.say();
     root.player = this;
@@ -147,7 +159,7 @@ class Player {
     for (const name of ["view", "forces", "frame", "trace"]) this.find(name).addEventListener("input", () => this.draw());
     this.find("gain").addEventListener("input", () => this.draw());
     this.find("film").hidden = !window.MediaRecorder;
-    this.find("film").addEventListener("click", () => this.film());
+    this.find("film").addEventListener("click", () => this.filming ? this.toggle() : film(this));
     this.find("stage").addEventListener("keydown", (event) => this.key(event));
     const drag = (event) => {
       if (event.type === "pointerdown") event.target.setPointerCapture(event.pointerId);
@@ -259,7 +271,12 @@ class Player {
     if (this.time >= this.end) this.time = 0;
     this.clock = undefined;
     this.find("now").setAttribute("aria-live", "off");
-    requestAnimationFrame((now) => this.frame(now));
+    this.nextFrame();
+  }
+
+  // The next frame; a film brings its own.
+  nextFrame() {
+    if (!this.filming) requestAnimationFrame((now) => this.frame(now));
   }
 
   frame(now) {
@@ -276,31 +293,10 @@ class Player {
       this.time = this.end;
       this.toggle();
     } else {
-      requestAnimationFrame((next) => this.frame(next));
+      this.nextFrame();
     }
     this.draw();
-  }
-
-  // A film of the picture as it plays, from now on to where it stops; saved as a file.
-  film() {
-    if (this.filming) return this.toggle();
-    const type = ["video/mp4", "video/webm"].find((one) => MediaRecorder.isTypeSupported(one));
-    const recorder = new MediaRecorder(this.find("stage").captureStream(), { mimeType: type, videoBitsPerSecond: 8e6 }), parts = [];
-    recorder.ondataavailable = ({ data }) => {
-      parts.push(data);
-      this.filmed = new Blob(parts, { type });
-    };
-    recorder.onstop = () => {
-      this.filming = null;
-      this.find("film").textContent = "● Film";
-      const link = document.createElement("a"), name = this.title.replace(/[^\p{L}\p{N}]+/gu, "-");
-      Object.assign(link, { href: URL.createObjectURL(this.filmed), download: `${name}.${type.slice(6)}` }).click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 60000);
-    };
-    this.filming = recorder;
-    this.find("film").textContent = "■ Save film";
-    recorder.start(100);
-    if (!this.playing) this.toggle();
+    this.filming?.take();
   }
 
   // A tenth of the speed at an event, all of it some way from there.
@@ -353,7 +349,7 @@ class Player {
 
   words() {
     const pattern = this.pattern();
-    return `${this.time.toFixed(4)} s of ${this.end.toFixed(2)} s` + (pattern ? `, exact pattern ${pattern}.` : ".");
+    return `${this.time.toFixed(4)} s of ${this.end.toFixed(2)} s` + (pattern ? `, exact pattern ${pattern}.` : ".") + (this.origin ?? "");
   }
 
   resize() {
@@ -364,8 +360,8 @@ class Player {
     if (stage.clientWidth === 0 && this.band) return; // hidden: what was drawn may still be printed
     strip.style.height = (bandHeight + 4 + 11 * this.shown().length) * this.type + "px";
     for (const canvas of [stage, strip]) {
-      canvas.width = Math.round(canvas.clientWidth * sharp);
-      canvas.height = Math.round(canvas.clientHeight * sharp);
+      canvas.width = 2 * Math.round(canvas.clientWidth * sharp / 2); // even, as H.264 has it
+      canvas.height = 2 * Math.round(canvas.clientHeight * sharp / 2);
     }
     this.repaint();
   }

@@ -62,6 +62,7 @@ class Trial {
 
   change(edit) {
     edit(this.scene);
+    this.player.origin = "";
     return this.solve();
   }
 
@@ -104,6 +105,7 @@ class Trial {
   // The page's own motions.
   reset() {
     this.scene = copy(this.data.scene);
+    this.player.origin = "";
     if (this.engine || this.branches) return this.solve();
     this.show(this.data, null);
   }
@@ -225,7 +227,7 @@ const releaseControls = (player, trial) => {
     back.disabled = !answer;
     for (const fit of fits) fit();
   });
-  player.find("transport").after(box);
+  player.find("tracks").before(box);
 };
 
 // Sliders in the text --------------------------------------------------------------------------------------------
@@ -285,7 +287,12 @@ const makeTrial = async (home, page) => {
   trial.rises = rises;
   if (trial.branches) player.find("view").value = "over";
   const asInText = `Grey is the motion ${begun}. ${firstEvents(player)}`;
-  told.textContent = asInText;
+  const tell = (words) => {
+    told.textContent = words;
+    canvas.setAttribute("aria-label", `${what} over time. ${words}`);
+  };
+  tell(asInText);
+  reach.observe(told);
   const draw = () => { if (canvas.clientWidth) drawCurves(canvas, trial, first); };
   letDrag(player, (edit) => trial.change(edit));
   if (withEngine) {
@@ -301,8 +308,7 @@ const makeTrial = async (home, page) => {
   sliders.append(back);
   trial.shows.push((answer) => {
     for (const fit of fits) fit();
-    told.textContent = answer ? `${sentences(answer.verdict)}${trial.others ? ` Other motions that satisfy the laws: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText;
-    canvas.setAttribute("aria-label", `${what} over time. ${told.textContent}`);
+    tell(answer ? `${sentences(answer.verdict)}${trial.others ? ` Other motions that satisfy the laws: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText);
     draw();
   });
   new ResizeObserver(draw).observe(canvas);
@@ -321,7 +327,7 @@ for (const root of document.querySelectorAll(".player")) {
 
 // Trial of a word: the exact motion of its own scene, some whose sizes hardly differ, and the engine's at a step.
 const makeMoving = async (home, place) => {
-  const { scene: text, speed, gain = 1, members = 0, spread = 0, step } = home.dataset, scene = JSON.parse(text), interval = scene.duration / samples;
+  const { scene: text, speed = 0.5, gain = 1, members = 0, spread = 0, step, moves } = home.dataset, scene = JSON.parse(text), interval = scene.duration / samples;
   const answer = await pageSolver.ask(home, { scene, interval }), tracks = [answer.track];
   for (let member = 1; member <= members; ++member) {
     const { track } = await pageSolver.ask(home, { scene, interval, member, spread: Number(spread) });
@@ -333,7 +339,8 @@ const makeMoving = async (home, place) => {
   root.classList.add("compact");
   root.querySelector(".stage").id = root.id + "-stage";
   home.append(root, made("figcaption", { textContent: scene.title + "." }));
-  startPlayer(root, { ...answer.stage, tracks, start: { time: 0, speed, gain, overlaid: true, chatter: false } });
+  const player = startPlayer(root, { ...answer.stage, tracks, start: { time: 0, speed, gain, overlaid: true, chatter: false } });
+  if (moves !== undefined && !matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle();
 };
 
 document.querySelectorAll(pageEngine ? ".moving" : ".moving:not([data-step])").forEach((home, place) => {

@@ -61,6 +61,28 @@ TEST_F(Page, TheFirstFigureIsReadOnANarrowScreen) {
   EXPECT_LE(answer.result["page"].get<double>(), 400.0);
 }
 
+TEST_F(Page, AsksNothingOfTheNetwork) {
+  const Answer answer = ask_browser(page_, R"(
+    const refused = new Promise((done) => addEventListener("securitypolicyviolation", (event) => done(event.effectiveDirective)));
+    document.body.append(Object.assign(new Image(), { src: "https://example.invalid/a.png" }));
+    return Promise.race([refused, wait(5000)]);)");
+  EXPECT_EQ(answer.result, "img-src");
+}
+
+TEST_F(Page, APlayerHasThreeControlsUntilMoreAreAskedFor) {
+  const Answer answer = ask_browser(page_, R"js(
+    const seen = () => Array.from(document.querySelectorAll(".player :is(button, input, select, summary, .hint)"))
+      .filter((one) => one.checkVisibility()).map((one) => one.className);
+    const few = seen();
+    player.find("fold").open = true;
+    return { few, all: seen() };)js");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result["few"], nlohmann::json({"scrub", "play", "next", ""}));
+  const std::vector<std::string> all = answer.result["all"];
+  for (const char* more : {"previous", "film", "speed", "gain", "halt", "hint"})
+    EXPECT_EQ(std::count(all.begin(), all.end(), more), 1) << more;
+}
+
 TEST_F(Page, ThePlayerMovesUntilItIsPaused) {
   const Answer answer = ask_browser(page_, R"(
     const stage = player.find("stage"), before = stage.toDataURL();

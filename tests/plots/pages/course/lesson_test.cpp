@@ -105,6 +105,17 @@ TEST(Lesson, ItsPageWorksInABrowser) {
   EXPECT_EQ(answer.result["answered"], true);
 }
 
+TEST(Lesson, OneOfItsPlayersHasTheHint) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = lesson_folder("{{player:sample}}{{player:sample}}");
+  write_lesson(folder, read_comparison(folder));
+  const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"js(
+    for (const one of document.querySelectorAll("details")) one.open = true;
+    return Array.from(document.querySelectorAll(".player .hint"), (one) => one.checkVisibility());)js");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result, nlohmann::json({true, false}));
+}
+
 TEST(Lesson, ItsPlayerSavesAFilmOfWhatItPlays) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder = lesson_folder("{{player:sample}}");
