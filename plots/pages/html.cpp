@@ -31,7 +31,7 @@ std::string solver_of(const std::string& content) {
     scripts +=
         element("script", std::string(package), fmt::format(" type=\"application/gzip\" id=\"{}\"", id)) +
         "\n";
-  for (const std::string_view script : {solver_js, engine_js, charts_js, drag_js, try_js})
+  for (const std::string_view script : {solver_js, engine_js, charts_js, drag_js, share_js, try_js})
     scripts += element("script", "\n" + std::string(script)) + "\n";
   return scripts;
 }

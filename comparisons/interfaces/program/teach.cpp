@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include "analytic/scene/files/file_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/studies/lessons/course/course.hpp"
+#include "comparisons/suites/shipped.hpp"
 #ifdef ROCKSTACK_WITH_PLOTS
 #include "plots/pages/show.hpp"
 #endif
@@ -36,37 +38,69 @@ void print_files(const Json& paths, const Common& common) {
   for (const auto& [name, file] : paths.items()) fmt::print("{}: {}\n", name, file.get<std::string>());
 }
 
-/// The pages of a results folder with a lesson, and slides as PDF where they are asked for.
-Json write_pages(const fs::path& out, bool pdf) {
+/// Writes the pages of a results folder with a lesson, and slides as PDF where they are asked for.
+void write_pages(const fs::path& out, bool pdf) {
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::show(out);
-  const fs::path slides = out / "slides.html";
-  Json paths{{"lesson", (out / "lesson.html").string()}, {"slides", slides.string()}};
-  if (!pdf) return paths;
-  plots::print_pdf(slides, out / "slides.pdf");
-  paths["pdf"] = (out / "slides.pdf").string();
-  return paths;
+  if (pdf) plots::print_pdf(out / "slides.html", out / "slides.pdf");
 #else
   if (pdf) throw InputError("--pdf: must be asked of a build with ROCKSTACK_PLOTS=ON");
-  return {{"lesson", (out / "lesson.json").string()}};
 #endif
 }
+
+/// The files that a lesson has made, by what they are.
+Json lesson_files(const fs::path& out) {
+  Json paths;
+  for (const auto& [name, file] :
+       {std::pair{"lesson", "lesson.html"}, {"slides", "slides.html"}, {"pdf", "slides.pdf"}})
+    if (fs::exists(out / file)) paths[name] = (out / file).string();
+  return paths.empty() ? Json{{"lesson", (out / "lesson.json").string()}} : paths;
+}
+
+/// What a lesson's pages are made of: this program, the scenes and the texts that come with it.
+std::string sources_of(const Lesson& lesson) {
+  std::uint64_t sum = checksum(file_text("/proc/self/exe", largest_results));
+  for (const fs::path& folder : {shipped("scenes"), shipped("studies/lessons") / lesson.name})
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file())
+        sum += checksum(entry.path().filename().string() + file_text(entry.path()));
+  return fmt::format("{:016x}\n", sum);
+}
+
+/// In the folder of a course's lesson whose pages are there: what they were made of.
+constexpr auto finished_mark = ".finished";
 
 /// Runs a lesson into a folder of its own. Returns 1 where one of its runs failed, else 0.
 int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& arguments, const Common& common) {
   const ResultsFolder folder(out, Results::lesson, lesson.name, common.replace);
+  fs::remove(out / finished_mark);
   const std::vector<RunMetrics> rows = run_lesson(lesson, out, arguments.lesson == "all",
                                                   {.command = common.command, .progress = progress(common)});
-  print_files(write_pages(out, arguments.pdf), common);
+  write_pages(out, arguments.pdf);
+  print_files(lesson_files(out), common);
   const auto is_done = [](const RunMetrics& row) { return row.status == RunStatus::done; };
   return std::ranges::all_of(rows, is_done) ? 0 : 1;
+}
+
+/// Runs a lesson of a course, unless its pages are there that would come of it.
+int teach_once(const Lesson& lesson, const fs::path& out, const TeachArguments& arguments,
+               const Common& common) {
+  const fs::path mark = out / finished_mark;
+  const std::string sources = sources_of(lesson);
+  if (fs::exists(mark) && file_text(mark) == sources && (!arguments.pdf || fs::exists(out / "slides.pdf"))) {
+    print_files(lesson_files(out), common);
+    return 0;
+  }
+  const int code = teach(lesson, out, arguments, common);
+  if (code == 0) write_file(mark, sources);
+  return code;
 }
 
 int teach_all(const TeachArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::course);
   int code = 0;
   for (const Lesson& lesson : lessons())
-    code = std::max(code, teach(lesson, arguments.out / lesson.name, arguments, common));
+    code = std::max(code, teach_once(lesson, arguments.out / lesson.name, arguments, common));
   write_file(arguments.out / "course.json", course_json());
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::write_study_page(arguments.out);

@@ -222,7 +222,7 @@ const releaseControls = (player, trial) => {
   });
   const back = made("button", { type: "button", textContent: "Back to the page's scene", disabled: true });
   back.addEventListener("click", () => trial.reset());
-  box.append(back, groundControls(trial), ...pageEngine ? [engineControls(trial)] : []);
+  box.append(back, ...share.buttons(trial), groundControls(trial), ...pageEngine ? [engineControls(trial)] : []);
   trial.shows.push((answer) => {
     back.disabled = !answer;
     for (const fit of fits) fit();
@@ -305,7 +305,7 @@ const makeTrial = async (home, page) => {
   });
   const back = made("button", { type: "button", textContent: begun.replace("a", "A") });
   back.addEventListener("click", () => trial.reset());
-  sliders.append(back);
+  sliders.append(back, ...share.buttons(trial));
   trial.shows.push((answer) => {
     for (const fit of fits) fit();
     tell(answer ? `${sentences(answer.verdict)}${trial.others ? ` Other motions that satisfy the laws: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText);
