@@ -1,3 +1,4 @@
+#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
@@ -92,7 +93,7 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
                       {"tenth_later", fixed(later_times.at(9) - measured_times.at(9), 3)},
                       {"tenth", fixed(measured_times.at(9), 2)},
                       {"tenth_swing", fixed(measured_times.at(9) - measured_times.at(8), 2)},
-                      {"engine_late", power(std::abs(*ode.first_impact_time_difference), 1)},
+                      {"engine_late", quantity_text(std::abs(*ode.first_impact_time_difference), "s", 2)},
                       {"spread", percent(assumed_spread, 0)}},
           .tables = {{"shapes", shapes()}, {"spreads", spreads(scene, concrete)}},
           .player = {.time = 0, .speed = 0.5, .gain = 2},
