@@ -22,10 +22,12 @@ bool is_line(const std::string& text) {
   return text.size() <= 200 && one_line(text) == text;
 }
 
-/// Whether the exact answer or one of its variants has that name in rows of a comparison.
-bool is_taken(const std::string& name) {
-  const auto is_in = [&](const auto& names) { return std::ranges::find(names, name) != names.end(); };
-  return is_in(law_names) || is_in(equation_names) || is_in(std::array{"exact", "rk4", "measured"});
+/// Names of the exact answer and of its variants, as rows of a comparison have them.
+std::vector<std::string> taken_names() {
+  std::vector<std::string> names{"exact", "rk4", "measured"};
+  names.insert(names.end(), law_names.begin(), law_names.end());
+  names.insert(names.end(), equation_names.begin(), equation_names.end());
+  return names;
 }
 
 void require(bool holds, const char* key, const std::string& value, const std::string& allowed) {
@@ -145,9 +147,11 @@ void require_contacts(const ContactRecord& contacts, std::size_t samples, const 
 void check_descriptions(const std::vector<EngineDescription>& engines) {
   require(!engines.empty(), "engines", "[]", "a list of at least one");
   std::set<std::string> names;
+  const std::vector<std::string> taken = taken_names();
   for (const EngineDescription& engine : engines) {
     require(is_word(engine.name, "-"), "name", engine.name, "small letters, digits and '-', at most 60");
-    require(!is_taken(engine.name), "name", engine.name, "no name of the exact answer or of a variant of it");
+    require(std::ranges::find(taken, engine.name) == taken.end(), "name", engine.name,
+            fmt::format("another one than {}, which are not engines'", fmt::join(taken, ", ")));
     require(is_word(engine.solver, "-"), "solver", engine.solver,
             "small letters, digits and '-', at most 60");
     require(names.insert(engine.name + ":" + engine.solver).second, "solver", engine.solver,

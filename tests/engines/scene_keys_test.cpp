@@ -126,8 +126,12 @@ std::string outcome_with(const std::vector<KeyCase::Setting>& settings) {
   file.set(initial_keys, "angles", "[0.1]");
   for (const auto& [table, key, value] : settings) file.set(*table, key, value);
   const TemporaryFolder folder;
-  folder.write("motion.csv", "units: m/s2\n0,0\n0.1,1\n0.2,0\n");
-  folder.write("other.csv", "units: m/s2\n0,0\n0.1,2\n0.2,0\n");
+  // Up to a second, which keys of a part may name.
+  std::string still;
+  for (int i = 3; i < 10; ++i) still += "0." + std::to_string(i) + ",0\n";
+  still += "1.0,0\n";
+  folder.write("motion.csv", "units: m/s2\n0,0\n0.1,1\n0.2,0\n" + still);
+  folder.write("other.csv", "units: m/s2\n0,0\n0.1,2\n0.2,0\n" + still);
   return outcome(read_scene(folder.write("scene.toml", file.text())));
 }
 

@@ -8,6 +8,7 @@
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/statistics/distributions.hpp"
 #include "comparisons/runs/job.hpp"
 #include "tests/comparisons/block_text.hpp"
@@ -69,7 +70,7 @@ TEST(Compare, WhatATestHasMeasuredIsARowOfItsOwn) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs/tested.measured/history.csv"));
 }
 
-TEST(Compare, EnginesRunWithoutARatioOfRestitutionAndTheLawSaysSo) {
+TEST(Compare, EnginesRunWithoutARatioOfRestitutionWhichTheResultsHave) {
   const TemporaryFolder folder;
   const std::string ratio = std::string("restitution = [0.75]\n") + block_text;
   Suite suite = suite_for(read_named_scene(folder.write("ratio.toml", ratio), {}));
@@ -79,7 +80,7 @@ TEST(Compare, EnginesRunWithoutARatioOfRestitutionAndTheLawSaysSo) {
   for (const RunMetrics& row : compare({suite}, folder.path(), *make_threads(1), {}).rows)
     EXPECT_EQ(row.status, RunStatus::done) << row.reason;
   const auto json = nlohmann::ordered_json::parse(bytes_of(folder.path() / "comparison.json"));
-  EXPECT_EQ(json.at("scenes").at(0).at("law"), "consistent with restitution 0.75, engines without");
+  EXPECT_EQ(recorded_scene(json.at("scenes").at(0), "", "comparison.json").restitution, std::vector{0.75});
 }
 
 /// A column of a file of results.

@@ -125,9 +125,11 @@ TEST(Figures, AGroundThatMovesHasAFigureOfItsOwn) {
 using Names = std::vector<std::string>;
 
 TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
-  EXPECT_EQ(names_of_figures({}), (Names{"histories", "differences", "impact-times", "impact-energy",
-                                         "ranking", "peaks", "error-time", "energy", "phase", "occupancy"}));
-  EXPECT_EQ(names_of_figures({.results = {"angles"}}), (Names{"ranking", "peaks", "error-time"}));
+  EXPECT_EQ(names_of_figures({}),
+            (Names{"histories", "differences", "impact-times", "impact-energy", "ranking", "peaks",
+                   "amplitude-phase", "error-time", "energy", "phase", "occupancy"}));
+  EXPECT_EQ(names_of_figures({.results = {"angles"}}),
+            (Names{"ranking", "peaks", "amplitude-phase", "error-time"}));
   EXPECT_EQ(names_of_figures({.results = {"patterns"}}), Names{"occupancy"});
   EXPECT_EQ(names_of_figures({.shaken = true, .results = {}}), Names{"ground-motion"});
   EXPECT_EQ(names_of_figures({.slides = true, .results = {"histories"}}),

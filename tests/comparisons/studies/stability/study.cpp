@@ -170,8 +170,9 @@ TEST(StabilityStudies, BeginWithHowManyRunsAreSoundAndTheLargestStableSteps) {
   const auto file = folder.write("study.toml", "rk4 = [0.001]\n" + study_toml("[0.5, 1]"));
   run_stability(read_stability_study(file, {}), folder.path(), *make_threads(1), {});
   const Json json = read_json(folder.path() / "stability.json");
-  EXPECT_EQ(json.at("headline"), (Json{"Of 2 engine runs 2 are sound.",
-                                       "rk4 , : the largest stable step is 1 ms at all 2 values of width."}));
+  EXPECT_EQ(json.at("headline"),
+            (Json{"Of 2 engine runs 2 are sound.",
+                  "rk4 runge-kutta, baseline: the largest stable step is 1 ms at all 2 values of width."}));
 }
 
 TEST(StabilityStudies, StackTheTopBlockAsOftenAsAskedFor) {

@@ -42,8 +42,9 @@ fs::path lesson_folder(const std::string& text) {
 /// A page as it is made where there is no em++.
 std::string without_solver(const fs::path& file) {
   std::string page = testing::bytes_of(file);
-  if (const std::size_t solver = page.find("<script type=\"application/gzip\""); solver != std::string::npos)
-    page.erase(solver, page.find("</body>") - solver);
+  constexpr std::string_view end = "</script>";
+  for (std::size_t package; (package = page.find("<script type=\"application/gzip\"")) != std::string::npos;)
+    page.erase(package, page.find(end, package) + end.size() - package);
   return page;
 }
 
