@@ -1,5 +1,5 @@
-// What is said of Jolt (engines/web/jolt/page.md), by bare programs that share no code with its worker. No set was
-// tuned on these scenes.
+// What is said of Jolt (engines/web/jolt/page.md), by bare programs that share no code with its worker. No
+// set was tuned on these scenes.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
