@@ -114,6 +114,7 @@ LessonValues inside_a_solver_values(const Suite& suite, const std::vector<RunMet
                       {"step", fixed(1000 * sweeping_step, 0)},
                       {"steps", fixed(sinking_time / sweeping_step, 0)},
                       {"first_share", percent(first, 0)},
+                      {"sweeps_two", std::to_string(sweeps_until(equal_blocks(2), nearly_solved))},
                       {"sweeps_five", std::to_string(five)},
                       {"sweeps_ten", std::to_string(ten)},
                       {"sweeps_heavy", std::to_string(sweeps_until(heavy, nearly_solved))},
