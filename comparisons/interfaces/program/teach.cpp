@@ -39,7 +39,7 @@ void print_files(const Json& paths, const Common& common) {
 }
 
 /// Writes the pages of a results folder with a lesson, and slides as PDF where they are asked for.
-void write_pages(const fs::path& out, bool pdf) {
+void write_pages([[maybe_unused]] const fs::path& out, bool pdf) {
 #ifdef ROCKSTACK_WITH_PLOTS
   plots::show(out);
   if (pdf) plots::print_pdf(out / "slides.html", out / "slides.pdf");
