@@ -2,6 +2,8 @@
 // An engine in the page, in a worker of its own: the library and the adapter that its worker program has. Of what one asks, the newest
 // question alone is answered.
 const pageEngine = (() => {
+const samples = 1000; // of a motion that is shown, after the first
+
 // Runs in the worker, behind the library and its adapter.
 const serve = () => {
   let engine;
@@ -47,6 +49,16 @@ class Engine {
     const answer = await this.running;
     this.running = null;
     return this.newest === question ? answer : null;
+  }
+
+  // An engine's run as the player reads it.
+  async trackOf({ blocks, dt, angles, x, y }) {
+    const { name } = await this.begun, count = angles.length / blocks, stride = Math.ceil(count / samples), kept = [];
+    for (let i = 0; i < count; i += stride) kept.push(i);
+    if (kept.at(-1) !== count - 1) kept.push(count - 1);
+    const rows = (...lists) => Float32Array.from(kept.flatMap((i) => Array.from({ length: blocks }, (_, k) => lists.map((list) => list[i * blocks + k])).flat()));
+    return { label: `${name}, ${Number((1000 * dt).toPrecision(3))} ms`, colour: "#0072b2", dash: "(8,3)", shown: true, exact: false, impacts: [],
+      times: Float32Array.from(kept, (i) => i * dt), angles: rows(angles), places: rows(x, y) };
   }
 }
 

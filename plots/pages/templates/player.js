@@ -12,29 +12,12 @@ for (const one of document.querySelectorAll("figure, pre, nav ul, math, table, .
 // Plays the motions of one scene: reads the data that stands beside the canvas, draws blocks to scale, and keeps
 // controls, picture and words at the same time.
 const startPlayer = (() => {
-const { Stack, Part, iconOf, drawIcon, contactsOf } = stacks;
+const { Stack, Part, Track, arrow, contactsOf, drawIcon, iconOf, lastBefore, unpack } = stacks;
 const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
 const clear = 5e-4; // of the stack's height: blocks that are further from each other do not touch
 const steepest = 1.45; // rad: angles are not exaggerated beyond
 const bandHeight = 32; // of the patterns over the rows of impacts, pixels
 const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
-
-const unpack = (text) => {
-  if (text instanceof Float32Array) return text;
-  const letters = atob(text), bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
-  return new Float32Array(bytes.buffer);
-};
-
-// Index of the last entry that is not after `time`, −1 before the first.
-const lastBefore = (times, time) => {
-  let low = 0, high = times.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (times[middle] <= time) low = middle + 1; else high = middle;
-  }
-  return low - 1;
-};
 
 // Kinds of events in words, and what they mean.
 const kinds = { opening: ["Opening", ", which starts to rock"], impact: ["Impact", ""],
@@ -47,50 +30,6 @@ const kinds = { opening: ["Opening", ", which starts to rock"], impact: ["Impact
 
 const subscript = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
 const signed = (value, digits) => (Number(value.toFixed(digits)) < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
-
-class Track {
-  constructor(data, blocks) {
-    const { label, colour, shown, impacts, exact } = data;
-    Object.assign(this, { label, colour, shown, impacts, exact, blocks });
-    this.dash = data.dash === "solid" ? [] : data.dash.replace(/[()]/g, "").split(",").map(Number);
-    this.times = unpack(data.times);
-    this.values = unpack(data.angles);
-    this.slipped = data.slips ? unpack(data.slips) : null;
-    this.placed = data.places ? unpack(data.places) : null;
-    this.forces = data.reactions ? unpack(data.reactions) : null;
-    this.forceTimes = data.reactions ? unpack(data.reaction_times) : null;
-    this.end = this.times[this.times.length - 1];
-  }
-
-  // Values between samples on straight lines; held after the end.
-  read(values, width, time) {
-    const at = Math.max(0, Math.min(lastBefore(this.times, time), this.times.length - 2));
-    const span = this.times[at + 1] - this.times[at];
-    const part = span > 0 ? Math.min(1, Math.max(0, (time - this.times[at]) / span)) : 0;
-    const from = at * width;
-    return Array.from({ length: width }, (_, i) =>
-      values[from + i] * (1 - part) + values[from + width + i] * part);
-  }
-
-  angles(time) { return this.read(this.values, this.blocks, time); }
-
-  // How far each block has slipped to the right along what is below it; nought where the results do not say.
-  slips(time) { return this.slipped ? this.read(this.slipped, this.blocks, time) : Array(this.blocks).fill(0); }
-
-  // The centre of mass of each block, null where angles and slips say where blocks are.
-  places(time) {
-    if (!this.placed) return null;
-    const values = this.read(this.placed, 2 * this.blocks, time);
-    return Array.from({ length: this.blocks }, (_, k) => [values[2 * k], values[2 * k + 1]]);
-  }
-
-  // One sample, not a mean of two: forces jump at impacts.
-  reactions(time) {
-    const width = 3 * this.blocks;
-    const at = Math.max(0, lastBefore(this.forceTimes, time)) * width;
-    return this.forces.subarray(at, at + width);
-  }
-}
 
 class Player {
   constructor(root, data) {
@@ -686,23 +625,6 @@ class Player {
     pen.fillStyle = "#b00020";
     pen.fillRect(this.time / this.end * strip.width - 1, 0, 2, strip.height);
   }
-}
-
-function arrow(pen, fromX, fromY, toX, toY, colour, width) {
-  const length = Math.hypot(toX - fromX, toY - fromY);
-  if (length < 2) return;
-  const head = Math.min(10, length), [u, v] = [(toX - fromX) / length, (toY - fromY) / length];
-  pen.strokeStyle = pen.fillStyle = colour;
-  pen.lineWidth = width;
-  pen.beginPath();
-  pen.moveTo(fromX, fromY);
-  pen.lineTo(toX - u * head * 0.8, toY - v * head * 0.8);
-  pen.stroke();
-  pen.beginPath();
-  pen.moveTo(toX, toY);
-  pen.lineTo(toX - u * head - v * head * 0.45, toY - v * head + u * head * 0.45);
-  pen.lineTo(toX - u * head + v * head * 0.45, toY - v * head - u * head * 0.45);
-  pen.fill();
 }
 
 return (root, data) => new Player(root, data);

@@ -1,5 +1,5 @@
 "use strict";
-// Stacks of blocks as they stand, and pictures of patterns.
+// Stacks of blocks as they stand and move, and pictures of patterns.
 const stacks = (() => {
 const turned = (a, c, angle) =>
   [a * Math.cos(angle) + c * Math.sin(angle), c * Math.cos(angle) - a * Math.sin(angle)];
@@ -91,6 +91,85 @@ class Part {
   }
 }
 
+const unpack = (text) => {
+  if (text instanceof Float32Array) return text;
+  const letters = atob(text), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return new Float32Array(bytes.buffer);
+};
+
+// Index of the last entry that is not after `time`, −1 before the first.
+const lastBefore = (times, time) => {
+  let low = 0, high = times.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle + 1; else high = middle;
+  }
+  return low - 1;
+};
+
+// A motion by its samples.
+class Track {
+  constructor(data, blocks) {
+    const { label, colour, shown, impacts, exact } = data;
+    Object.assign(this, { label, colour, shown, impacts, exact, blocks });
+    this.dash = data.dash === "solid" ? [] : data.dash.replace(/[()]/g, "").split(",").map(Number);
+    this.times = unpack(data.times);
+    this.values = unpack(data.angles);
+    this.slipped = data.slips ? unpack(data.slips) : null;
+    this.placed = data.places ? unpack(data.places) : null;
+    this.forces = data.reactions ? unpack(data.reactions) : null;
+    this.forceTimes = data.reactions ? unpack(data.reaction_times) : null;
+    this.end = this.times[this.times.length - 1];
+  }
+
+  // Values between samples on straight lines; held after the end.
+  read(values, width, time) {
+    const at = Math.max(0, Math.min(lastBefore(this.times, time), this.times.length - 2));
+    const span = this.times[at + 1] - this.times[at];
+    const part = span > 0 ? Math.min(1, Math.max(0, (time - this.times[at]) / span)) : 0;
+    const from = at * width;
+    return Array.from({ length: width }, (_, i) =>
+      values[from + i] * (1 - part) + values[from + width + i] * part);
+  }
+
+  angles(time) { return this.read(this.values, this.blocks, time); }
+
+  // How far each block has slipped to the right along what is below it; nought where the results do not say.
+  slips(time) { return this.slipped ? this.read(this.slipped, this.blocks, time) : Array(this.blocks).fill(0); }
+
+  // The centre of mass of each block, null where angles and slips say where blocks are.
+  places(time) {
+    if (!this.placed) return null;
+    const values = this.read(this.placed, 2 * this.blocks, time);
+    return Array.from({ length: this.blocks }, (_, k) => [values[2 * k], values[2 * k + 1]]);
+  }
+
+  // One sample, not a mean of two: forces jump at impacts.
+  reactions(time) {
+    const width = 3 * this.blocks;
+    const at = Math.max(0, lastBefore(this.forceTimes, time)) * width;
+    return this.forces.subarray(at, at + width);
+  }
+}
+
+const arrow = (pen, fromX, fromY, toX, toY, colour, width) => {
+  const length = Math.hypot(toX - fromX, toY - fromY);
+  if (length < 2) return;
+  const head = Math.min(10, length), [u, v] = [(toX - fromX) / length, (toY - fromY) / length];
+  pen.strokeStyle = pen.fillStyle = colour;
+  pen.lineWidth = width;
+  pen.beginPath();
+  pen.moveTo(fromX, fromY);
+  pen.lineTo(toX - u * head * 0.8, toY - v * head * 0.8);
+  pen.stroke();
+  pen.beginPath();
+  pen.moveTo(toX, toY);
+  pen.lineTo(toX - u * head - v * head * 0.45, toY - v * head + u * head * 0.45);
+  pen.lineTo(toX - u * head + v * head * 0.45, toY - v * head - u * head * 0.45);
+  pen.fill();
+};
+
 // A pattern as a small stack: which way each block leans on the one below, with its pivots; apart: above it; an arrow: the way it slides.
 const shapeOf = (sides, slides) => {
   const lean = 0.2, apart = 0.25, stack = new Stack(sides.map(() => ({ width: 1, height: 1, offset: [0, 0] }))), parts = [], angles = [];
@@ -156,7 +235,7 @@ const contactsOf = (name) => {
   return [parts.map(([letter]) => sides[letter]), parts.map(([, way]) => ways[way] ?? 0)];
 };
 
-return { Stack, Part, iconOf, drawIcon, contactsOf };
+return { Stack, Part, Track, arrow, contactsOf, drawIcon, iconOf, lastBefore, unpack };
 })();
 
 // Names of patterns in the text and in tables, each with its picture.

@@ -33,16 +33,6 @@ if (!pageSolver) return;
 
 const slenderness = ({ width, height }) => Math.atan2(width, height);
 
-// An engine's run as the player reads it.
-const trackOf = async ({ blocks, dt, angles, x, y }) => {
-  const { name } = await pageEngine.about(), count = angles.length / blocks, stride = Math.ceil(count / samples), kept = [];
-  for (let i = 0; i < count; i += stride) kept.push(i);
-  if (kept.at(-1) !== count - 1) kept.push(count - 1);
-  const rows = (...lists) => Float32Array.from(kept.flatMap((i) => Array.from({ length: blocks }, (_, k) => lists.map((list) => list[i * blocks + k])).flat()));
-  return { label: `${name}, ${Number((1000 * dt).toPrecision(3))} ms`, colour: "#0072b2", dash: "(8,3)", shown: true, exact: false, impacts: [],
-    times: Float32Array.from(kept, (i) => i * dt), angles: rows(angles), places: rows(x, y) };
-};
-
 // How an engine starts: its tuned settings, by the roles that some of them have.
 const engineAsked = async () => {
   const { settings } = await pageEngine.about();
@@ -84,7 +74,7 @@ class Trial {
     const run = question?.run && await pageEngine.run(question);
     if (!run) return question?.error && this.player.say(question.error);
     if (run.error) return this.player.say(run.error);
-    this.beside = await trackOf(run);
+    this.beside = await pageEngine.trackOf(run);
     this.showWith(answer, this.beside);
     ++this.engine.answers;
   }
@@ -333,7 +323,7 @@ const makeMoving = async (home, place) => {
     const { track } = await pageSolver.ask(home, { scene, interval, member, spread: Number(spread) });
     tracks.push({ ...track, label: `replicate ${member}`, colour: colours[member % colours.length], dash: "solid", shown: true, exact: false, impacts: [] });
   }
-  if (step) tracks.push(await trackOf(await pageEngine.run(await pageSolver.ask(home, { ...await engineAsked(), scene, dt: Number(step) }))));
+  if (step) tracks.push(await pageEngine.trackOf(await pageEngine.run(await pageSolver.ask(home, { ...await engineAsked(), scene, dt: Number(step) }))));
   const root = blankPlayer.cloneNode(true);
   Object.assign(root, { id: `moving-${place}`, hidden: false });
   root.classList.add("compact");
