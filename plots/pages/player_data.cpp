@@ -3,6 +3,7 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/kinematics.hpp"
 #include "analytic/scene/lists.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
@@ -79,6 +80,35 @@ Json stops_of(const Scene& scene, const History& history) {
     if (list.size() < most || !slow)
       list.push_back({event.time, event.interface, shown_pattern(event.from), shown_pattern(event.to),
                       slow ? 1 : 0, name(event.kind)});
+  }
+  return list;
+}
+
+/// Impacts of blocks on pivots but chatter: time, interface, velocities of the centres before and after, m/s,
+/// impulses that interfaces bear, N·s, x and y in turn, and the sides that they leave to.
+Json blows_of(const Scene& scene, const History& history) {
+  constexpr std::size_t most = 200;
+  Json list = Json::array();
+  const Stack<double> stack = make_stack<double>(scene);
+  const auto values = [](const Points<double>& points) {
+    return std::vector<double>(points.data(), points.data() + points.size());
+  };
+  for (const Event& event : history.events) {
+    const bool counts = is_impact(event.kind) && !event.before.empty() && list.size() < most;
+    if (!counts) continue;
+    const double width = interface_width(scene, static_cast<std::size_t>(event.interface - 1));
+    if (approach_speed(event, width) < chatter_speed(scene) * width) continue;
+    const Vector<double> angles = vector_of<double>(event.angles);
+    const Points<double> before =
+        centre_velocities(make_chain(stack, event.from, angles), vector_of<double>(event.before));
+    const Points<double> after =
+        centre_velocities(make_chain(stack, event.to, angles), vector_of<double>(event.after));
+    Points<double> impulses = (after - before) * stack.mass.asDiagonal();
+    for (Eigen::Index k = impulses.cols() - 2; k >= 0; --k) impulses.col(k) += impulses.col(k + 1);
+    std::vector<double> sides;
+    for (int k = 0; k < event.to.size; ++k) sides.push_back(side<double>(event.to, k));
+    list.push_back(
+        {event.time, event.interface, values(before), values(after), values(impulses), std::move(sides)});
   }
   return list;
 }
@@ -184,6 +214,7 @@ std::string for_script(const Json& data) {
 
 Json stage_of(const Scene& scene, const History& history) {
   Json stage = player_scene(scene, history);
+  if (!leaves_pivots(scene.law)) stage["blows"] = blows_of(scene, history);
   const auto ground = [&](const auto& along) {
     return mapped(history.times, [&](double time) { return acceleration(along, time); });
   };

@@ -56,6 +56,8 @@ std::string for_script(const Json& data);
 // Data of a motion that has just been computed.
 
 /// The scene with its ground at the times of a motion, whose patterns and events it has where that is exact.
+/// "blows" are impacts of blocks on pivots but chatter: [time, interface, velocities of centres before,
+/// after, impulses of interfaces, sides].
 Json stage_of(const Scene& scene, const History& history);
 
 /// Adds what interfaces carry at the samples of an exact motion to its track.
