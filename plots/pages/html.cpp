@@ -25,15 +25,9 @@ std::string class_attribute(const std::string& classes) {
 std::string solver_of(const std::string& content) {
   const bool solves = content.find("\"scene\":{") != std::string::npos ||
                       content.find("class=\"moving\"") != std::string::npos;
-  if (solver_wasm.empty() || !solves) return "";
-  std::string scripts;
-  for (const auto& [id, package] : {std::pair{"solver", solver_wasm}, {"engine", engine_package}})
-    scripts +=
-        element("script", std::string(package), fmt::format(" type=\"application/gzip\" id=\"{}\"", id)) +
-        "\n";
-  for (const std::string_view script : {solver_js, engine_js, charts_js, drag_js, share_js, try_js})
-    scripts += element("script", "\n" + std::string(script)) + "\n";
-  return scripts;
+  return solver_wasm.empty() || !solves
+             ? ""
+             : solving_scripts({solver_js, engine_js, charts_js, drag_js, share_js, try_js});
 }
 
 }  // namespace
@@ -89,6 +83,16 @@ std::string page(const std::string& title, const std::string& kind, const std::s
                   {"words", kind == "report"
                                 ? details("What the words mean", std::string(glossary_html), " id=\"words\"")
                                 : ""}});
+}
+
+std::string solving_scripts(std::initializer_list<std::string_view> list) {
+  std::string scripts;
+  for (const auto& [id, package] : {std::pair{"solver", solver_wasm}, {"engine", engine_package}})
+    scripts +=
+        element("script", std::string(package), fmt::format(" type=\"application/gzip\" id=\"{}\"", id)) +
+        "\n";
+  for (const std::string_view script : list) scripts += element("script", "\n" + std::string(script)) + "\n";
+  return scripts;
 }
 
 std::string answer_box(const std::vector<std::string>& sentences) {

@@ -68,6 +68,9 @@ inline std::string player_scripts() {
 /// pages. `title` is plain text, `kind` is for the style sheet: "report" or "lesson".
 std::string page(const std::string& title, const std::string& kind, const std::string& content);
 
+/// The exact solver and the engine that pages hold, and then scripts that ask them, for the end of a body.
+std::string solving_scripts(std::initializer_list<std::string_view> list);
+
 /// The sentences that a reader came for, in a box of their own; nothing where there are none.
 std::string answer_box(const std::vector<std::string>& sentences);
 
