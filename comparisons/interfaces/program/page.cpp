@@ -46,14 +46,18 @@ plots::FrontEngine front_engine(const WorkerEngine& engine, const Scene& scene, 
           mapped(page_steps, [&](double dt) { return front_run(engine, scene, dt, series.parameters); })};
 }
 
-/// @throws InputError where it would write over what is no page.
+/// The page that is asked for: a file, or page.html in a folder. @throws InputError where it would write over
+/// what is no page.
 std::filesystem::path page_file(const PageArguments& arguments) {
-  std::filesystem::path out = arguments.out;
-  if (out.empty()) out = default_results("page", arguments.scene).string() + ".html";
+  const std::filesystem::path out =
+      arguments.out.empty() ? default_results("page", arguments.scene) : arguments.out;
   std::error_code ignored;
-  if (out.extension() != ".html" || std::filesystem::is_directory(out, ignored))
-    throw InputError(fmt::format("--out {}: must be a file whose name ends in .html", out.string()));
-  return out;
+  const bool folder = std::filesystem::is_directory(out, ignored);
+  if (out.extension() == ".html" && !folder) return out;
+  if (!folder && std::filesystem::exists(out, ignored))
+    throw InputError(
+        fmt::format("--out {}: must be a folder, or a file whose name ends in .html", out.string()));
+  return out / "page.html";
 }
 
 int run_page(const PageArguments& arguments, const Common& common) {
@@ -81,7 +85,8 @@ int run_page(const PageArguments& /*arguments*/, const Common& /*common*/) {
 void add_page(CLI::App& command, PageArguments& arguments) {
   command.add_option("scene", arguments.scene, scene_help)->capture_default_str();
   command.add_option("--out", arguments.out,
-                     fmt::format("the page; left out: {}.html", default_results("page", "SCENE").string()));
+                     fmt::format("folder for page.html, or the page's file; left out: {}",
+                                 default_results("page", "SCENE").string()));
   command.add_option("--settings", arguments.settings, "their parameter set")
       ->check(one_of({"default", "tuned"}))
       ->capture_default_str();
