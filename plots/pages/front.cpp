@@ -41,7 +41,7 @@ Json data_of(const FrontPage& page) {
 }
 
 /// What is shown, for those who ask.
-std::string facts_of(const FrontPage& page) {
+std::string front_facts(const FrontPage& page) {
   Facts facts{{"scene", page.scene.title},
               {"exact", fmt::format("rockstack {}, law {}", build::version, name(page.scene.law))}};
   for (const FrontEngine& engine : page.engines)
@@ -59,7 +59,7 @@ void write_front(const fs::path& file, const FrontPage& page) {
                              {{"css", std::string(page_css) + std::string(player_css)},
                               {"begins", shaken ? "The ground moves under a stack of blocks."
                                                 : "A stack of blocks is tilted and let go."},
-                              {"facts", facts_of(page)},
+                              {"facts", front_facts(page)},
                               {"data", for_script(data_of(page))},
                               {"js", std::string(stack_js) + std::string(charts_js) + std::string(front_js)},
                               {"solver", solver_wasm.empty()
