@@ -94,6 +94,36 @@ TEST(Lessons, ASignChangeIsFoundToARounding) {
   EXPECT_NEAR(crossing(0, 1, [](double x) { return x < 0.3 ? -1 : 1; }), 0.3, 1e-14);
 }
 
+/// What a lesson's text is filled with, where its suite asks no engine.
+LessonValues values_without_engines(const std::string& lesson) {
+  const std::filesystem::path file = std::filesystem::path(ROCKSTACK_LESSONS) / lesson / "suite.toml";
+  return find_lesson(lesson).values(read_suite(file, {}), {});
+}
+
+// θ − α + θ̇/p after a constant push of a has to be above zero: a > g α/(1 − exp(−p T)), of slender blocks.
+TEST(LargeSurvives, APushThatIsConstantTopplesAsTheFormulaTells) {
+  const LessonValues values = values_without_engines("large-survives");
+  for (const auto& row : values.tables.at("pushes").rows) {
+    EXPECT_EQ(row.at(2), row.at(3)) << row.front();
+    // In full the block leaves its base at g tan α, not at g α, which is 1.3 % less here.
+    EXPECT_NEAR(std::stod(row.at(4)) / std::stod(row.at(2)), 1.013, 1e-3) << row.front();
+  }
+}
+
+TEST(LargeSurvives, ItsMapHasAStripAndAModelTopplesAsTheWholeDoes) {
+  const LessonValues values = values_without_engines("large-survives");
+  EXPECT_GT(values.measured.at("threshold_ratio"), 2);
+  EXPECT_EQ(values.measured.at("topples_at_twice"), 0);
+  EXPECT_EQ(values.numbers.at("model_from"), values.numbers.at("large_from"));
+  std::vector<double> before(4, 0);
+  for (const auto& row : values.tables.at("strips").rows)
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      EXPECT_GT(std::stod(row[i]), before[i]) << "larger blocks have larger ones: " << row.front();
+      EXPECT_GT(std::stod(row[i]), i == 1 ? 1 : std::stod(row[i - 1]));
+      before[i] = std::stod(row[i]);
+    }
+}
+
 /// Columns of reactions.csv at every sample of a scene.
 std::vector<std::vector<double>> reactions_of(const Scene& scene, const History& history,
                                               const std::vector<std::string>& names) {
