@@ -124,6 +124,30 @@ TEST(LargeSurvives, ItsMapHasAStripAndAModelTopplesAsTheWholeDoes) {
     }
 }
 
+// Jacobi's matrix of n equal blocks on a floor has the eigenvalues cos((2k − 1) π/2n), Gauss–Seidel's their
+// squares.
+TEST(StackOfTen, SweepsOfEqualBlocksAreThoseOfTheClosedForm) {
+  const std::filesystem::path folder = std::filesystem::path(ROCKSTACK_LESSONS) / "stack-of-ten";
+  const Suite suite = read_suite(folder / "suite.toml", {});
+  EXPECT_GE(suite.replicates.runs, 7);
+  std::vector<RunMetrics> rows;
+  for (const NamedScene& scene : suite.scenes)
+    for (const auto& [engine, solver] : {std::pair{"ode", "quickstep"}, {"bullet", "sequential-impulse"}})
+      for (const char* sweeps : {"10", "40", "160"}) {
+        RunMetrics& row = rows.emplace_back();
+        row.scene = scene.name;
+        row.engine = engine;
+        row.solver = solver;
+        row.settings = std::string("tuned+numIterations=") + sweeps;
+        row.rms_position_difference = row.rms_position_difference_lower = row.rms_position_difference_upper =
+            1;
+      }
+  const LessonValues values = find_lesson("stack-of-ten").values(suite, rows);
+  for (const auto& row : values.tables.at("heights").rows) EXPECT_EQ(row.at(1), row.at(2)) << row.front();
+  EXPECT_NEAR(values.measured.at("twice_as_high"), 4, 0.1);
+  EXPECT_EQ(values.tables.at("engines").rows.size(), 6U);
+}
+
 /// Columns of reactions.csv at every sample of a scene.
 std::vector<std::vector<double>> reactions_of(const Scene& scene, const History& history,
                                               const std::vector<std::string>& names) {
