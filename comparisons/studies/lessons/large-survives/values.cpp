@@ -4,7 +4,7 @@
 namespace rockstack {
 namespace {
 
-constexpr std::array heights{0.5, 1.0, 2.0, 4.0};  // m
+constexpr std::array block_heights{0.5, 1.0, 2.0, 4.0};  // m
 
 double height_of(const Scene& scene) {
   return 2 * scene.blocks.front().half_height;
@@ -19,35 +19,31 @@ Scene as_high(Scene scene, double height) {
 }
 
 /// Least acceleration at which the block leaves its base, g tan α, m/s².
-double lifting(const Scene& scene) {
+double lifting_acceleration(const Scene& scene) {
   return scene.gravity * scene.blocks.front().half_width / scene.blocks.front().half_height;
 }
 
 /// Housner's rate, 1/s.
-double rate(const Scene& scene) {
+double housner_rate(const Scene& scene) {
   const Block& block = scene.blocks.front();
   return std::sqrt(3 * scene.gravity / (4 * std::hypot(block.half_width, block.half_height)));
 }
 
-/// The motion under a pulse of that many times lifting(), for so long that a block which hesitates decides.
+/// The motion under a pulse of that many times lifting_acceleration(), for so long that a block which
+/// hesitates decides.
 History pushed(Scene scene, double strength, const SolveOptions& options = {}) {
   constexpr double decided = 60;  // s
-  scene.horizontal.pulse->amplitude = strength * lifting(scene);
+  scene.horizontal.pulse->amplitude = strength * lifting_acceleration(scene);
   return solve(lasting(scene, decided), options);
 }
 
-bool topples(const Scene& scene, double strength) {
+bool topples_under(const Scene& scene, double strength) {
   return first_event(pushed(scene, strength), EventKind::topple) != nullptr;
 }
 
-/// Between two strengths of which one topples the block, where that changes, by bisection.
-double threshold(const Scene& scene, double low, double high) {
-  const bool at_low = topples(scene, low);
-  for (int halving = 0; halving < 30; ++halving) {
-    const double middle = (low + high) / 2;
-    (topples(scene, middle) == at_low ? low : high) = middle;
-  }
-  return (low + high) / 2;
+/// The strength between two at which a block that topples comes to stand, or the other way round.
+double toppling_strength(const Scene& scene, double low, double high) {
+  return crossing(low, high, [&](double strength) { return topples_under(scene, strength) ? 1.0 : -1.0; });
 }
 
 /// Strengths from which on the block topples, stands again, and topples again.
@@ -55,8 +51,8 @@ std::vector<double> changes(const Scene& scene) {
   constexpr double step = 0.05, most = 14;
   std::vector<double> list;
   for (double strength = 1; strength < most; strength += step)
-    if (topples(scene, strength) != topples(scene, strength + step))
-      list.push_back(threshold(scene, strength, strength + step));
+    if (topples_under(scene, strength) != topples_under(scene, strength + step))
+      list.push_back(toppling_strength(scene, strength, strength + step));
   return list;
 }
 
@@ -66,10 +62,10 @@ using Boundaries = std::map<double, std::vector<double>>;
 Table sizes(const Scene& scene, const Boundaries& boundaries) {
   Table table{{"height (m)", "p (1/s)", "ω/p", "topples from (g tan α)", "topples from (m/s²)"}};
   for (const auto& [height, list] : boundaries) {
-    const double p = rate(as_high(scene, height));
+    const double p = housner_rate(as_high(scene, height));
     table.rows.push_back({cell(height), fixed(p, 3),
                           fixed(2 * pi<double> / scene.horizontal.pulse->period / p, 2), fixed(list[0], 3),
-                          fixed(list[0] * lifting(scene), 2)});
+                          fixed(list[0] * lifting_acceleration(scene), 2)});
   }
   return table;
 }
@@ -87,27 +83,24 @@ Table constant_pushes(Scene scene) {
       {"height (m)", "p T", "formula (m/s²)", "solver, small angles (m/s²)", "solver, in full (m/s²)"}};
   Pulse& pulse = *scene.horizontal.pulse;
   pulse.shape = PulseShape::rectangle;
-  for (const double height : heights) {
+  for (const double height : block_heights) {
     scene = as_high(scene, height);
-    const double pT = rate(scene) * pulse.period;
+    const double pT = housner_rate(scene) * pulse.period;
     table.rows.push_back(
         {cell(height), fixed(pT, 3), fixed(scene.gravity * slenderness(scene, 0) / -std::expm1(-pT), 4)});
     for (const Equations equations : {Equations::small_angle, Equations::nonlinear}) {
       scene.equations = equations;
-      table.rows.back().push_back(fixed(lifting(scene) * threshold(scene, 1, 10), 4));
+      table.rows.back().push_back(fixed(lifting_acceleration(scene) * toppling_strength(scene, 1, 10), 4));
     }
   }
   return table;
 }
 
-/// The height from which on a pulse of that strength topples no block, m, by bisection.
+/// The height from which on a pulse of that strength topples no block, m.
 double sure_height(const Scene& scene, double strength) {
-  double low = heights[2], high = heights[3];
-  for (int halving = 0; halving < 30; ++halving) {
-    const double middle = (low + high) / 2;
-    (topples(as_high(scene, middle), strength) ? low : high) = middle;
-  }
-  return high;
+  return crossing(block_heights[2], block_heights[3], [&](double height) {
+    return topples_under(as_high(scene, height), strength) ? -1.0 : 1.0;
+  });
 }
 
 /// How the block of the scene topples, where it does.
@@ -133,7 +126,7 @@ double friction_at(const Scene& scene, double strength) {
 LessonValues large_survives_values(const Suite& suite, const std::vector<RunMetrics>& /*rows*/) {
   const Scene& scene = suite.scenes.front().scene;
   Boundaries boundaries;
-  for (const double height : heights) boundaries[height] = changes(as_high(scene, height));
+  for (const double height : block_heights) boundaries[height] = changes(as_high(scene, height));
   const std::vector<double>&small = boundaries.at(1), &middle = boundaries.at(2), &large = boundaries.at(4);
   const double between = (middle[1] + middle[2]) / 2;
   const double enough = std::ceil(10 * large[0]) / 10;  // with one digit
@@ -142,8 +135,8 @@ LessonValues large_survives_values(const Suite& suite, const std::vector<RunMetr
   const double amplitude = scene.horizontal.pulse->amplitude;
   return {.numbers = {{"period", fixed(scene.horizontal.pulse->period, 1)},
                       {"amplitude", fixed(amplitude, 2)},
-                      {"strength", fixed(amplitude / lifting(scene), 0)},
-                      {"lifting", fixed(lifting(scene), 2)},
+                      {"strength", fixed(amplitude / lifting_acceleration(scene), 0)},
+                      {"lifting", fixed(lifting_acceleration(scene), 2)},
                       {"large_from", fixed(large[0], 2)},
                       {"ratio", fixed(large[0] / small[0], 1)},
                       {"model_from", fixed(changes(model)[0], 2)},
@@ -159,7 +152,7 @@ LessonValues large_survives_values(const Suite& suite, const std::vector<RunMetr
           .player = {.time = 0, .speed = 0.5, .gain = 1},
           .measured = {{"enough", enough},
                        {"threshold_ratio", large[0] / small[0]},
-                       {"topples_at_twice", topples(as_high(scene, 4), 2 * enough) ? 1.0 : 0.0}}};
+                       {"topples_at_twice", topples_under(as_high(scene, 4), 2 * enough) ? 1.0 : 0.0}}};
 }
 
 }  // namespace rockstack

@@ -9,7 +9,7 @@ namespace {
 // of its neighbours alone. A Gauss–Seidel sweep puts them right one after the other, from below.
 
 /// One sweep over what is wrong with the forces: each is put right as the neighbours' errors allow.
-void sweep(const std::vector<double>& masses, std::vector<double>& errors) {
+void sweep_errors(const std::vector<double>& masses, std::vector<double>& errors) {
   for (std::size_t k = 0; k < errors.size(); ++k) {
     const double below = k > 0 ? 1 / masses[k - 1] : 0, above = 1 / masses[k];
     const double pull =
@@ -24,15 +24,11 @@ double sweeps_a_digit(const std::vector<double>& masses) {
   double kept = 1;
   constexpr int settled = 20'000;
   for (int i = 0; i < settled; ++i) {
-    sweep(masses, errors);
+    sweep_errors(masses, errors);
     kept = std::ranges::max(errors);
     for (double& error : errors) error /= kept;
   }
   return std::log(10) / -std::log(kept);
-}
-
-double sweeps_of_equal(std::size_t blocks) {
-  return sweeps_a_digit(std::vector<double>(blocks, 1));
 }
 
 /// Sweeps that ten blocks need where one of them is that many times as heavy as each other.
@@ -42,14 +38,9 @@ double sweeps_with_heavy(double ratio, std::size_t place) {
   return sweeps_a_digit(masses);
 }
 
-Table heights() {
-  Table table{{"blocks", "sweeps a digit, formula", "sweeps a digit, swept"}};
-  for (const std::size_t blocks : {2U, 5U, 10U, 20U}) {
-    const double kept = std::cos(std::acos(-1) / (2 * static_cast<double>(blocks)));
-    table.rows.push_back({std::to_string(blocks), fixed(std::log(10) / (-2 * std::log(kept)), 1),
-                          fixed(sweeps_of_equal(blocks), 1)});
-  }
-  return table;
+/// The share of the error that a sweep leaves of n equal blocks is cos²(π/2n).
+double sweeps_of_equal(double blocks) {
+  return std::log(10) / (-2 * std::log(std::cos(pi<double> / (2 * blocks))));
 }
 
 Table heavy_ones() {
@@ -62,8 +53,8 @@ Table heavy_ones() {
 
 constexpr std::array sweeps_made{10, 40, 160};
 
-const RunMetrics& row_of(const std::vector<RunMetrics>& rows, const std::string& scene,
-                         const std::string& solver, int sweeps) {
+const RunMetrics& row_with_sweeps(const std::vector<RunMetrics>& rows, const std::string& scene,
+                                  const std::string& solver, int sweeps) {
   return *std::ranges::find_if(rows, [&](const RunMetrics& row) {
     return row.scene == scene && row.engine + ":" + row.solver == solver &&
            row.settings.ends_with(fmt::format("Iterations={}", sweeps));
@@ -71,20 +62,20 @@ const RunMetrics& row_of(const std::vector<RunMetrics>& rows, const std::string&
 }
 
 /// A median with its quartiles, mm.
-std::string off(const RunMetrics& row) {
+std::string median_off(const RunMetrics& row) {
   return fmt::format("{} ({} to {})", fixed(1e3 * *row.rms_position_difference, 2),
                      fixed(1e3 * *row.rms_position_difference_lower, 2),
                      fixed(1e3 * *row.rms_position_difference_upper, 2));
 }
 
-Table engines(const Suite& suite, const std::vector<RunMetrics>& rows) {
+Table held_by_engines(const Suite& suite, const std::vector<RunMetrics>& rows) {
   Table table{{"solver", "sweeps", "equal blocks: off by (mm)", "ten times as heavy on top: off by (mm)"}};
   for (const auto& [label, solver] : {std::pair{"ODE, quickstep", "ode:quickstep"},
                                       {"Bullet, sequential impulses", "bullet:sequential-impulse"}})
     for (const int sweeps : sweeps_made)
       table.rows.push_back({label, std::to_string(sweeps),
-                            off(row_of(rows, suite.scenes[0].name, solver, sweeps)),
-                            off(row_of(rows, suite.scenes[1].name, solver, sweeps))});
+                            median_off(row_with_sweeps(rows, suite.scenes[0].name, solver, sweeps)),
+                            median_off(row_with_sweeps(rows, suite.scenes[1].name, solver, sweeps))});
   return table;
 }
 
@@ -93,15 +84,15 @@ Table engines(const Suite& suite, const std::vector<RunMetrics>& rows) {
 LessonValues stack_of_ten_values(const Suite& suite, const std::vector<RunMetrics>& rows) {
   const std::string &equal = suite.scenes[0].name, &heavy = suite.scenes[1].name;
   const auto creep = [&](const std::string& scene, int sweeps) {
-    return fixed(1e3 * row_of(rows, scene, "bullet:sequential-impulse", sweeps).creep.value_or(0), 1);
+    return fixed(1e3 * row_with_sweeps(rows, scene, "bullet:sequential-impulse", sweeps).creep.value_or(0),
+                 1);
   };
   const auto sunk = [&](const std::string& scene, int sweeps) {
-    return fixed(1e3 * row_of(rows, scene, "ode:quickstep", sweeps).sinking.value_or(0), 2);
+    return fixed(1e3 * row_with_sweeps(rows, scene, "ode:quickstep", sweeps).sinking.value_or(0), 2);
   };
   const double ten = sweeps_of_equal(10), heavy_top = sweeps_with_heavy(10, 9);
   return {.numbers = {{"draws", std::to_string(suite.replicates.runs)},
                       {"ten", fixed(ten, 0)},
-                      {"five", fixed(sweeps_of_equal(5), 0)},
                       {"heavy", fixed(heavy_top, 0)},
                       {"heavy_bottom", fixed(sweeps_with_heavy(10, 0), 0)},
                       {"left", percent(std::pow(0.1, 10 / ten), 0)},
@@ -110,9 +101,9 @@ LessonValues stack_of_ten_values(const Suite& suite, const std::vector<RunMetric
                       {"creep_heavy", creep(heavy, 10)},
                       {"sunk_few", sunk(equal, 10)},
                       {"sunk_heavy", sunk(heavy, 10)}},
-          .tables = {{"heights", heights()}, {"heavy", heavy_ones()}, {"engines", engines(suite, rows)}},
+          .tables = {{"heavy", heavy_ones()}, {"engines", held_by_engines(suite, rows)}},
           .player = {.time = 0.9, .speed = 0.1, .gain = 10},
-          .measured = {{"twice_as_high", ten / sweeps_of_equal(5)}, {"heavy_ratio", heavy_top / ten}}};
+          .measured = {{"ten", std::round(ten)}, {"heavy_ratio", heavy_top / ten}}};
 }
 
 }  // namespace rockstack
