@@ -120,7 +120,7 @@ TEST(Lesson, OneOfItsPlayersHasTheHint) {
 TEST(InsideASolver, ThePageSweepsAsTheClosedFormsSayAndRunsWhatItsReaderWrites) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const testing::Answer answer = testing::ask_browser(
-      testing::bytes_of(fs::path(ROCKSTACK_LESSONS) / "inside-a-solver" / "text.html"), R"js(
+      testing::bytes_of(fs::path(ROCKSTACK_LESSONS) / "inside-a-solver" / "text.html") + "</body>", R"js(
     const labels = () => Array.from(document.querySelectorAll(".sweeps svg"), (svg) => svg.getAttribute("aria-label"));
     const set = (name, value) => {
       const input = document.querySelector(`[name="${name}"]`);
