@@ -117,47 +117,6 @@ TEST(Lesson, OneOfItsPlayersHasTheHint) {
   EXPECT_EQ(answer.result, nlohmann::json({true, false}));
 }
 
-TEST(InsideASolver, ThePageSweepsAsTheClosedFormsSayAndRunsWhatItsReaderWrites) {
-  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
-  const testing::Answer answer = testing::ask_browser(
-      testing::bytes_of(fs::path(ROCKSTACK_LESSONS) / "inside-a-solver" / "text.html") + "</body>", R"js(
-    const labels = () => Array.from(document.querySelectorAll(".sweeps svg"), (svg) => svg.getAttribute("aria-label"));
-    const set = (name, value) => {
-      const input = document.querySelector(`[name="${name}"]`);
-      input.value = value;
-      input.dispatchEvent(new Event("input", { bubbles: true }));
-      return labels().join(" ");
-    };
-    const code = document.getElementById("sweeps-code"), shipped = code.value;
-    const run = (text) => {
-      code.value = text;
-      document.querySelector(".sweeps-run").click();
-      return document.querySelector(".sweeps-result").textContent;
-    };
-    const asked = Array.from(document.querySelectorAll("[data-asked]"), (output) => output.textContent);
-    const once = set("sweeps", 1), often = set("sweeps", 50), warm = set("kept", 1), alone = (set("sweeps", 1), set("blocks", 1));
-    return { once, often, warm, alone, asked, given: run(shipped), relaxed: run(shipped.replace("mass * parting", "1.3 * mass * parting")),
-      endless: run(shipped.replace("mass * parting", "2 * mass * parting")), pulling: run(shipped.replace("Math.max(0, p[i] - mass * parting)", "p[i] - mass * parting")),
-      broken: run("function step("), formless: run("function step() { return 1; }") };)js");
-  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
-  const auto told = [&](const char* name, const std::string& part) {
-    EXPECT_TRUE(holds(answer.result[name].get<std::string>(), part)) << answer.result[name];
-  };
-  told("once", "1 of 5, 0.5 of 4, 0.25 of 3, 0.125 of 2, 0.0625 of 1");
-  told("often", "4.97 of 5, 3.97 of 4, 2.98 of 3, 1.99 of 2, 0.993 of 1");
-  told("often", "sinks in 1 s: 0.692 mm");
-  told("warm", "sinks in 1 s: 0.00692 mm");
-  told("alone", "1 of 1");
-  told("alone", "sinks in 1 s: 0 mm");
-  told("given", "in 47 sweeps");
-  told("relaxed", "in 24 sweeps");
-  told("endless", "do not come to the exact impulses");
-  told("pulling", "in 47 sweeps");
-  told("broken", "It does not run");
-  told("formless", "has to return");
-  EXPECT_EQ(answer.result["asked"], nlohmann::json::parse(R"(["1, 0, 0, 0, 0", "24"])"));
-}
-
 TEST(Lesson, ItsPlayerSavesAFilmOfWhatItPlays) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder = lesson_folder("{{player:sample}}");
