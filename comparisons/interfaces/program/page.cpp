@@ -49,7 +49,7 @@ plots::FrontEngine front_engine(const WorkerEngine& engine, const Scene& scene, 
 /// The page that is asked for: a file, or page.html in a folder. @throws InputError where it would write over
 /// what is no page.
 std::filesystem::path page_file(const PageArguments& arguments) {
-  const std::filesystem::path out =
+  std::filesystem::path out =
       arguments.out.empty() ? default_results("page", arguments.scene) : arguments.out;
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(out, ignored);
