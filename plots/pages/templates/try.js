@@ -267,7 +267,8 @@ const makeTrial = async (home, page) => {
   root.classList.add("compact");
   root.querySelector(".stage").id = id + "-stage";
   const sliders = made("div", { className: "sliders" }, ...home.children), canvas = made("canvas", { className: "curves" });
-  const told = made("p", { className: "told" });
+  // On a slide long words scroll, and what scrolls is reached by keys.
+  const told = made("p", { className: "told", ...home.closest(".slide") ? { tabIndex: 0 } : {} });
   canvas.setAttribute("role", "img");
   told.setAttribute("role", "status");
   home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
