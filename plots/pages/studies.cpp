@@ -8,9 +8,10 @@ namespace {
 /// A table of the results under its name; nothing where they have none of that name.
 std::string table_of(const fs::path& results, const std::string& name) {
   if (!fs::exists(results / name)) return "";
-  const auto [columns, rows] = read_table(results / name);
-  const std::string text = joined_texts(rows, [&](const auto& row) { return table_row(columns, row); });
-  return element("h3", escaped(name)) + wide_table(columns, text, "Table") + "\n";
+  const Table table = read_table(results / name);
+  const std::string rows =
+      joined_texts(table.rows, [&](const auto& row) { return table_row(table.columns, row); });
+  return element("h3", escaped(name)) + wide_table(table.columns, rows, "Table") + "\n";
 }
 
 /// The sentences that a reader came for: one, several or, in results of before, none.
