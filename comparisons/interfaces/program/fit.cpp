@@ -12,11 +12,12 @@ namespace {
 struct FitArguments {
   std::string scene;
   std::filesystem::path out;
-  std::vector<std::string> vary;  ///< fit_parameter() of each
+  std::vector<std::string> vary;  ///< varied_key() of each
 };
 
 int run_fit(const FitArguments& arguments, const Common& common) {
-  const std::vector<FitParameter> parameters = mapped(arguments.vary, fit_parameter);
+  const std::vector<VariedKey> parameters =
+      mapped(arguments.vary, [](const std::string& text) { return varied_key("--vary", text); });
   const SceneDocument document = read_document(input_file(arguments.scene, {"scenes"}), common.overrides);
   if (!document.measured) throw missing_key(document.root, "measured", "given, a table of what was measured");
   MotionLibrary library;
@@ -31,7 +32,7 @@ int run_fit(const FitArguments& arguments, const Common& common) {
     for (const Json& sentence : json.at("headline")) fmt::print("{}\n", sentence.get<std::string>());
     std::string changes;
     for (const FittedParameter& one : found.parameters)
-      if (!one.parameter.is_clock())
+      if (!is_clock(one.parameter))
         changes += " --set " + shell_word(fmt::format("{}={}", one.parameter.key, one.value));
     fmt::print("\nrockstack solve {}{}\n", shell_word(arguments.scene), changes);
   }

@@ -12,8 +12,8 @@ namespace rockstack {
 
 using MakeCommand = Command();
 MakeCommand solve_command, simulate_command, compare_command, advise_command, fit_command, sweep_command,
-    diff_command, plot_command, record_command, teach_command, page_command, live_command, list_command,
-    check_engine_command, canon_command, keys_command, new_command;
+    threshold_command, diff_command, plot_command, record_command, teach_command, page_command, live_command,
+    list_command, check_engine_command, canon_command, keys_command, new_command;
 
 }  // namespace rockstack
 
@@ -23,12 +23,12 @@ using namespace rockstack;
 
 /// In the order of `rockstack --help`.
 constexpr MakeCommand* commands[]{
-    solve_command, simulate_command,     compare_command, advise_command, fit_command,  sweep_command,
-    diff_command,  plot_command,         record_command,  teach_command,  page_command,
+    solve_command,     simulate_command,     compare_command, advise_command, fit_command,   sweep_command,
+    threshold_command, diff_command,         plot_command,    record_command, teach_command, page_command,
 #ifdef ROCKSTACK_WITH_LIVE
     live_command,
 #endif
-    list_command,  check_engine_command, canon_command,   keys_command,   new_command};
+    list_command,      check_engine_command, canon_command,   keys_command,   new_command};
 
 /// Results are written in it.
 void require_utf8(const std::string& word) {

@@ -7,6 +7,7 @@
 
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
+#include "comparisons/studies/threshold/threshold.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack::python {
@@ -129,6 +130,23 @@ py::tuple sweep_made(const py::object& mapping, const std::filesystem::path& fol
   return run(make_ensemble(root, folder / "ensemble", overrides, library), library, threads, tell);
 }
 
+/// The first threshold of a scene's number, None where there is none, and the ranges of outcomes.
+py::tuple threshold_made(const py::object& mapping, const std::filesystem::path& folder,
+                         const std::string& vary, const std::string& outcome, std::size_t values) {
+  MotionLibrary library;
+  const SceneDocument document{read_document(mapping, "scene"), folder, ""};
+  const std::size_t blocks = make_scene(document, library).blocks.size();
+  const ThresholdRequest request{varied_key("vary", vary), outcome_named(outcome, blocks), values};
+  const Threshold found = [&] {
+    const py::gil_scoped_release released;
+    return threshold(document, request, library);
+  }();
+  py::list ranges;
+  for (const OutcomeRange& range : found.ranges)
+    ranges.append(py::make_tuple(range.from, range.to, range.happens));
+  return py::make_tuple(found.first(), ranges);
+}
+
 /// Median and beta of the fitted curve; None where there is none.
 std::optional<std::pair<double, double>> fit(const std::vector<double>& intensities,
                                              const std::vector<std::size_t>& runs,
@@ -146,6 +164,7 @@ std::optional<std::pair<double, double>> fit(const std::vector<double>& intensit
 void add_sweep(py::module_& core) {
   core.def("sweep_file", &sweep_file);
   core.def("sweep_made", &sweep_made);
+  core.def("threshold", &threshold_made);
   core.def("fit_fragility", &fit);
   core.def("wilson_bounds", [](std::size_t toppled, std::size_t runs) {
     const Bounds wilson = wilson_bounds(toppled, runs);

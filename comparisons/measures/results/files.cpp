@@ -66,6 +66,9 @@ constexpr Kind kinds[]{
     {"a course", {"index.html", "glossary.html", "course.json"}},
     {"problem sheets", {}},
     {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
+    {"a threshold",
+     {"threshold.json", "threshold.csv", "threshold-ranges.csv", "threshold-spectrum.csv", "figures",
+      "report.html"}},
 };
 
 namespace fs = std::filesystem;

@@ -65,7 +65,8 @@ enum class Results {
   canon,
   course,
   sheets,
-  fit
+  fit,
+  threshold
 };
 
 /// A folder that this process alone fills, with results of one kind. Runs that are there stay for the command

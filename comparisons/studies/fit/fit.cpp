@@ -60,8 +60,8 @@ struct Place {
 std::vector<Place> best_places(const Shares& shares) {
   constexpr double most_places = 200;
   constexpr std::size_t kept = 3;
-  const std::vector<FitParameter>& parameters = shares.fitted.parameters();
-  const auto along = std::ranges::count_if(parameters, std::not_fn(&FitParameter::is_clock));
+  const std::vector<VariedKey>& parameters = shares.fitted.parameters();
+  const auto along = std::ranges::count_if(parameters, std::not_fn(is_clock));
   const double each = std::floor(std::pow(most_places, 1.0 / static_cast<double>(along)) + 1e-9);
   const auto most_parts = static_cast<std::size_t>(std::clamp(each, 3.0, 40.0));
   std::size_t places = 1;
@@ -71,7 +71,7 @@ std::vector<Place> best_places(const Shares& shares) {
     Place place{VectorXd(shares.inputs())};
     std::size_t left = number;
     for (Index k = 0; k < shares.inputs(); ++k) {
-      const std::size_t parts = parameters[static_cast<std::size_t>(k)].is_clock() ? 1 : most_parts;
+      const std::size_t parts = is_clock(parameters[static_cast<std::size_t>(k)]) ? 1 : most_parts;
       place.shares[k] = (static_cast<double>(left % parts) + 0.5) / static_cast<double>(parts);
       left /= parts;
     }
@@ -131,7 +131,7 @@ Values half_widths(const FittedScene& fitted, const Values& values, double most)
 /// residuals up to which a value comes as near to the test.
 FittedParameter with_interval(const FittedScene& fitted, Values values, std::size_t k, double half_width,
                               double most) {
-  const FitParameter& parameter = fitted.parameters()[k];
+  const VariedKey& parameter = fitted.parameters()[k];
   constexpr int parts = 40;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double found = values[k], part = (parameter.high - parameter.low) / parts;
@@ -153,18 +153,8 @@ FittedParameter with_interval(const FittedScene& fitted, Values values, std::siz
 
 }  // namespace
 
-FitParameter fit_parameter(const std::string& text) {
-  const std::size_t equals = text.find('='), colon = text.find(':', equals);
-  if (equals != std::string::npos && equals > 0 && colon != std::string::npos) {
-    const auto low = number_in(text.substr(equals + 1, colon - equals - 1));
-    const auto high = number_in(text.substr(colon + 1));
-    if (low && high && *low < *high) return {text.substr(0, equals), *low, *high};
-  }
-  throw InputError(fmt::format("--vary {}: must be KEY=LOW:HIGH with LOW below HIGH", one_line(text)));
-}
-
 FittedScene::FittedScene(const SceneDocument& document, const Measurement& measured,
-                         const std::vector<FitParameter>& parameters, double horizon)
+                         const std::vector<VariedKey>& parameters, double horizon)
     : document_(document), measured_(measured), parameters_(parameters) {
   const std::size_t width = measured.columns.size();
   for (std::size_t i = 0; i < measured.times.size() && measured.times[i] <= horizon; ++i) {
@@ -182,7 +172,7 @@ FittedScene::FittedScene(const SceneDocument& document, const Measurement& measu
 Scene FittedScene::scene(const std::vector<double>& values) const {
   SceneDocument document = document_;
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (!parameters_[k].is_clock())
+    if (!is_clock(parameters_[k]))
       apply_override(document.root, fmt::format("{}={}", parameters_[k].key, values[k]));
   return make_scene(document, library_);
 }
@@ -190,7 +180,7 @@ Scene FittedScene::scene(const std::vector<double>& values) const {
 Values FittedScene::motion(const std::vector<double>& values) const {
   double late = 0;
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (parameters_[k].is_clock()) late = values[k];
+    if (is_clock(parameters_[k])) late = values[k];
   const Scene asked = scene(values);
   Values shifted{0};
   for (const double time : times_)
@@ -237,12 +227,11 @@ bool FittedParameter::at_end() const {
   return value < parameter.low + margin || value > parameter.high - margin;
 }
 
-Fit fit(const SceneDocument& document, const Measurement& measured, std::vector<FitParameter> parameters) {
+Fit fit(const SceneDocument& document, const Measurement& measured, std::vector<VariedKey> parameters) {
   constexpr double tolerance = 0.01;  // rad, as that of a suite
   constexpr double latest = 0.1;      // of the clock, as a share of the test's time
   const double most = latest * (measured.times.back() - measured.times.front());
-  if (most > 0 && std::ranges::none_of(parameters, &FitParameter::is_clock))
-    parameters.push_back({clock_key, -most, most});
+  if (most > 0 && std::ranges::none_of(parameters, is_clock)) parameters.push_back({clock_key, -most, most});
   const FittedScene whole(document, measured, parameters, measured.times.back());
   const Shares over_all{whole};
   const Place guess = best_places(over_all).front();

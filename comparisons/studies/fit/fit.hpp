@@ -5,29 +5,24 @@
 #include "analytic/scene/input/json.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "comparisons/suites/measurement.hpp"
+#include "comparisons/suites/varied_key.hpp"
 
 namespace rockstack {
 
 /// How late the test's clock is, s: by which its times are after those of the scene.
 inline constexpr const char* clock_key = "clock";
 
-/// A number that a test does not tell, and where it is looked for.
-struct FitParameter {
-  std::string key;  ///< of the scene, such as "restitution.1" or "blocks.1.width"; or clock_key
-  double low = 0, high = 0;
-
-  bool is_clock() const { return key == clock_key; }
-};
-
-/// "KEY=LOW:HIGH". @throws InputError where a text is not of that form, or LOW < HIGH does not hold.
-FitParameter fit_parameter(const std::string& text);
+/// A number that a test does not tell, and where it is looked for: of the scene, or clock_key.
+inline bool is_clock(const VariedKey& parameter) {
+  return parameter.key == clock_key;
+}
 
 /// The motion of a scene as a function of some of its numbers, in the place of what was measured of it.
 class FittedScene {
  public:
   /// Up to `horizon`, s. @throws InputError where there are not more readings than parameters.
   FittedScene(const SceneDocument& document, const Measurement& measured,
-              const std::vector<FitParameter>& parameters, double horizon);
+              const std::vector<VariedKey>& parameters, double horizon);
 
   /// Readings up to the horizon, those that are missing left out.
   std::size_t size() const { return places_.size(); }
@@ -42,14 +37,14 @@ class FittedScene {
   /// over a hundred-thousandth of its range on either side, one-sided at its ends.
   Eigen::MatrixXd derivatives(const std::vector<double>& values) const;
 
-  const std::vector<FitParameter>& parameters() const { return parameters_; }
+  const std::vector<VariedKey>& parameters() const { return parameters_; }
   const std::vector<double>& times() const { return times_; }         ///< up to the horizon, s
   const std::vector<std::size_t>& places() const { return places_; }  ///< of readings among all values
 
  private:
   const SceneDocument& document_;
   const Measurement& measured_;
-  const std::vector<FitParameter>& parameters_;
+  const std::vector<VariedKey>& parameters_;
   mutable MotionLibrary library_;
   std::vector<double> times_;
   std::vector<std::size_t> places_;
@@ -57,7 +52,7 @@ class FittedScene {
 
 /// A parameter as it was found.
 struct FittedParameter {
-  FitParameter parameter;
+  VariedKey parameter;
   double value = 0;
   double lower = 0, upper = 0;  ///< of the confidence interval of 95 %; infinite where the test does not tell
   bool flat = false;            ///< whether that is of values that come as near to the test
@@ -87,7 +82,7 @@ struct Fit {
 /// beyond them may come as near: of the range in forty parts, those whose sum of squares is no more than
 /// (ts)² above the least. Then the interval goes on to the first part on either side that does not.
 /// @throws InputError as FittedScene, or where no place of the grid has a motion, with the reason of one.
-Fit fit(const SceneDocument& document, const Measurement& measured, std::vector<FitParameter> parameters);
+Fit fit(const SceneDocument& document, const Measurement& measured, std::vector<VariedKey> parameters);
 
 /// What the residual means, in sentences.
 std::vector<std::string> meaning(const Fit& fit, const Measurement& measured);

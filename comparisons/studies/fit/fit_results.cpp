@@ -65,7 +65,7 @@ std::vector<std::string> headline(const Fit& fit, const Measurement& measured) {
 std::vector<std::string> meaning(const Fit& fit, const Measurement& measured) {
   std::vector<std::string> list = residual_meaning(fit, measured);
   for (const FittedParameter& one : fit.parameters)
-    if (one.parameter.is_clock() && std::isfinite(one.lower) && !one.holds(0))
+    if (is_clock(one.parameter) && std::isfinite(one.lower) && !one.holds(0))
       list.push_back(
           fmt::format("The clock of the test is {} {} than the scene's, which is one of what was fitted.",
                       quantity_text(std::abs(one.value), "s"), one.value > 0 ? "later" : "earlier"));

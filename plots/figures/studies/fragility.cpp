@@ -23,9 +23,7 @@ Numbers fitted_curve(const Fragility& fit, const FragilityBounds& bounds, double
   return numbers;
 }
 
-constexpr double last_ratio = 1.2;  // of the axis of peak angle over slenderness
-constexpr double edge = 1.14;       // where blocks that topple are drawn
-constexpr std::size_t enough = 7;   // motions, of which 16 % are one at least
+constexpr std::size_t enough = 7;  // motions, of which 16 % are one at least
 constexpr auto run_style = "with points pt 7 ps 0.8*mark lc rgb '#8FA6BA'";
 constexpr auto middle_style = "with lines lw 3 lc rgb '#0B4F8A'";
 constexpr auto outer_style = "with lines lw 2.4 dt (10,6) lc rgb '#B03A00'";

@@ -49,6 +49,9 @@ struct SweepFacts {
 /// From sweep.json. @throws InputError naming the file that is missing or malformed.
 SweepFacts sweep_facts(const fs::path& results);
 
+/// The end of an axis of peak angle over slenderness, and where on it blocks that topple are drawn.
+inline constexpr double last_ratio = 1.2, edge = 1.14;
+
 /// Room for a second axis along the upper edge of a panel, pixels.
 inline constexpr double axis_above = 52;
 

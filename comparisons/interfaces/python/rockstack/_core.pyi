@@ -135,6 +135,9 @@ def sweep_file(name: str, overrides: list[str], threads: int, tell: Tell) -> Swe
 def sweep_made(
     mapping: Mapping[str, Any], folder: str, overrides: list[str], threads: int, tell: Tell
 ) -> Swept: ...
+def threshold(
+    mapping: Mapping[str, Any], folder: str, vary: str, outcome: str, values: int
+) -> tuple[float | None, list[tuple[float, float, bool]]]: ...
 def fit_fragility(
     intensities: Sequence[float] | np.ndarray, runs: Sequence[int] | np.ndarray, toppled: Sequence[int] | np.ndarray
 ) -> tuple[float, float] | None: ...

@@ -124,6 +124,31 @@ def sweep(ensemble: str | os.PathLike[str] | Mapping[str, Any] | None = None, /,
         return SweepTable(*_core.sweep_made(table, os.path.abspath(folder), list(overrides), thread_count(threads), tell))
 
 
+@dataclass(frozen=True)
+class Threshold:
+    """Where an outcome begins as a key of a scene grows, and where it ends again.
+
+    first: the least value found at which it happens, to twelve digits; None where it happens nowhere, or at the lower end.
+    ranges: neighbouring values with one outcome, rising: (from, to, whether it happens).
+    """
+
+    first: float | None
+    ranges: list[tuple[float, float, bool]]
+
+
+@checked
+def threshold(scene: Scene, key: str, low: float, high: float, *, outcome: str = "topples", values: int = 200) -> Threshold:
+    """The least value of a key, such as "ground.horizontal.scale", that topples a stack.
+
+    outcome: "topples", "lifts", or "COLUMN>NUMBER" with a column of numbers of SweepTable, such as "peak_ratio>0.5". Toppling
+    is not monotone: so many values between low and high are tried, and each change is closed in on; what is narrower than
+    their distance may be missed. Raises InputError where no value has a motion.
+    """
+    if values < 2:
+        raise _core.InputError(f"values = {values}: must be a whole number from 2")
+    return Threshold(*_core.threshold(scene.to_dict(), scene._core.folder, f"{key}={low!r}:{high!r}", outcome, values))
+
+
 @dataclass(frozen=True, eq=False)
 class Fragility:
     """What share of runs topples at each intensity, and the lognormal curve Φ(ln(x/median)/beta) of greatest likelihood.

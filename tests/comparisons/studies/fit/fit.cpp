@@ -79,7 +79,7 @@ struct Tested {
   Measurement measured;
 };
 
-const std::vector<FitParameter> unknown{{"restitution.1", 0.7, 0.99}, {"blocks.1.width", 0.3, 0.5}};
+const std::vector<VariedKey> unknown{{"restitution.1", 0.7, 0.99}, {"blocks.1.width", 0.3, 0.5}};
 
 TEST(Fit, FindsHousnersBlockFromItsPeriodsAndAmplitudes) {
   const Tested test(measured_block, closed_form());
@@ -96,7 +96,7 @@ TEST(Fit, FindsHousnersBlockFromItsPeriodsAndAmplitudes) {
 
 TEST(Fit, DerivativesAreThoseOfTheClosedForm) {
   const Tested test(measured_block, closed_form());
-  const std::vector<FitParameter> parameters{{"gravity", 9, 11}, {"initial.angles.1", 0.1, 0.15}};
+  const std::vector<VariedKey> parameters{{"gravity", 9, 11}, {"initial.angles.1", 0.1, 0.15}};
   const double fall = std::acosh(1 / (1 - start / slope)) / rate;
   const FittedScene fitted(test.document, test.measured, parameters, fall);
   const auto derivatives = fitted.derivatives({gravity, start});
@@ -212,7 +212,7 @@ column = "angle"
 
 /// How many intervals of 95 % hold the truth in a hundred tests: a motion with noise.
 int held(const std::string& scene, const std::vector<double>& times, const std::vector<double>& motion,
-         double sigma, const FitParameter& parameter, double truth) {
+         double sigma, const VariedKey& parameter, double truth) {
   int hits = 0;
   for (int i = 0; i < 100; ++i) {
     std::vector<double> values;
@@ -303,7 +303,7 @@ column = "angle"
       solve(make_scene(truth.document, library), {.sample_times = every(0.01, 1.2), .validity = true});
   const double needed = std::max(motion.forces[0].friction, motion.impulses[0].friction);
   ASSERT_LT(needed, 0.28);
-  const FitParameter friction{"contact.friction", 0.2, 0.36};
+  const VariedKey friction{"contact.friction", 0.2, 0.36};
   constexpr double part = 0.16 / 40;
   for (const double noise : {0.0, 1e-3}) {
     std::vector<double> values;
@@ -330,7 +330,7 @@ TEST(Fit, SaysWhatTheModelLeavesOut) {
   std::string scene = measured_block;
   scene.replace(scene.find("[0.9]"), 5, "[0.8]");
   const Tested other(scene, closed_form());
-  const std::vector<FitParameter> width{unknown[1]};
+  const std::vector<VariedKey> width{unknown[1]};
   const Fit found = fit(other.document, test.measured, width);
   const auto said = meaning(found, test.measured);
   EXPECT_NE(said[1].find("the model leaves something out"), std::string::npos) << said[1];
@@ -350,12 +350,12 @@ TEST(Fit, SaysWhatATestDoesNotTell) {
 }
 
 TEST(Fit, TakesParametersOfOneForm) {
-  const FitParameter parameter = fit_parameter("blocks.1.width=0.3:5e-1");
+  const VariedKey parameter = varied_key("--vary", "blocks.1.width=0.3:5e-1");
   EXPECT_EQ(parameter.key, "blocks.1.width");
   EXPECT_EQ(parameter.low, 0.3);
   EXPECT_EQ(parameter.high, 0.5);
   for (const char* wrong : {"width", "width=1", "width=2:1", "=1:2", "width=a:2"})
-    EXPECT_THROW(fit_parameter(wrong), InputError) << wrong;
+    EXPECT_THROW(varied_key("--vary", wrong), InputError) << wrong;
 }
 
 /// The error of a table [measured] with those lines, without its place where it is of the table.
@@ -378,7 +378,7 @@ TEST(Measured, IsOfItsColumnUnitAndStart) {
   EXPECT_EQ(test.measured.times, (std::vector<double>{0, 0.5, 1}));
   EXPECT_DOUBLE_EQ(test.measured.values[0], std::acos(-1.0));
   EXPECT_TRUE(std::isnan(test.measured.values[1]));
-  const std::vector<FitParameter> one{unknown[0]};
+  const std::vector<VariedKey> one{unknown[0]};
   const FittedScene fitted(test.document, test.measured, one, 3);
   EXPECT_EQ(fitted.places(), (std::vector<std::size_t>{0, 2}));
 }
