@@ -22,7 +22,7 @@ Drawings thresholds(const FolderSubject& subject) {
   const Json& vary = facts.at("vary");
   const double low = vary.at("low"), high = vary.at("high");
   const std::string axis = axis_title(vary.at("key"));
-  const auto tried = read_columns(subject.folder / "threshold.csv", {"value", "peak_ratio"});
+  const auto tried = read_columns(subject.folder / "threshold.csv", {"value", "peak_ratio", "toppled"});
   const auto ranges = read_columns(subject.folder / "threshold-ranges.csv", {"from", "to", "happens"});
   std::string shaded;
   for (std::size_t i = 0; i < ranges[0].size(); ++i)
@@ -31,9 +31,13 @@ Drawings thresholds(const FolderSubject& subject) {
           "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '#F3D2C4' fillstyle solid noborder "
           "behind\n",
           plain(ranges[0][i]), plain(ranges[1][i]));
+  double top = last_ratio;  // what stands may have leant beyond its slenderness
+  for (std::size_t i = 0; i < tried[0].size(); ++i)
+    if (tried[2][i] == 0) top = std::max(top, last_ratio * tried[1][i]);
+  const double toppled = top * edge / last_ratio;
   Numbers marks;
   for (std::size_t i = 0; i < tried[0].size(); ++i)
-    if (!std::isnan(tried[1][i])) marks.push_back({tried[0][i], std::min(tried[1][i], edge)});
+    if (!std::isnan(tried[1][i])) marks.push_back({tried[0][i], tried[2][i] == 0 ? tried[1][i] : toppled});
   Sheet sheet = subject.sheet(facts.at("title"),
                               {{tried_style, counted(marks.size(), "motion")},
                                {happens_style, facts.at("happens").get<std::string>()}},
@@ -42,9 +46,9 @@ Drawings thresholds(const FolderSubject& subject) {
   plots.add(marks, {fmt::format("using 1:2 {}", tried_style)});
   sheet.panel(420, 0,
               fmt::format("{}set xrange [{}:{}]\nset yrange [0:{}]\n"
-                          "set ytics (0, 0.2, 0.4, 0.6, 0.8, 1, 'toppled' {})\n"
+                          "set ytics add ('toppled' {})\n"
                           "set xlabel {} noenhanced\nset ylabel 'largest angle over slenderness'\n",
-                          shaded, plain(low), plain(high), last_ratio, edge, in_quotes(axis)) +
+                          shaded, plain(low), plain(high), plain(top), plain(toppled), in_quotes(axis)) +
                   grid_lines,
               plots.list());
   return {{"", sheet.finish()}};
