@@ -105,8 +105,8 @@ Json blows_of(const Scene& scene, const History& history) {
         centre_velocities(make_chain(stack, event.to, angles), vector_of<double>(event.after));
     Points<double> impulses = (after - before) * stack.mass.asDiagonal();
     for (Eigen::Index k = impulses.cols() - 2; k >= 0; --k) impulses.col(k) += impulses.col(k + 1);
-    std::vector<double> sides;
-    for (int k = 0; k < event.to.size; ++k) sides.push_back(side<double>(event.to, k));
+    std::vector<double> sides(static_cast<std::size_t>(event.to.size));
+    for (int k = 0; k < event.to.size; ++k) sides[static_cast<std::size_t>(k)] = side<double>(event.to, k);
     list.push_back(
         {event.time, event.interface, values(before), values(after), values(impulses), std::move(sides)});
   }

@@ -111,7 +111,7 @@ TEST_F(Front, StandsStillWhereMotionIsNotWanted) {
   page.insert(page.find("<head>") + 6, "<script>matchMedia = () => ({ matches: true });</script>");
   const Answer answer = ask_browser(page, "await wait(500); return [player.time, player.playing];");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
-  EXPECT_EQ(answer.result, Json::parse("[0, false]"));
+  EXPECT_EQ(answer.result, nlohmann::json::parse("[0, false]"));
 }
 
 TEST_F(Front, TheSliderChangesMotionsAndHowLongTheyAgree) {
@@ -147,7 +147,8 @@ TEST_F(Front, EnginesCountWhileTheyAgree) {
     player.goTo(1.5);
     return [early, told()];)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
-  EXPECT_EQ(answer.result[0], Json::parse(R"(["Exact motion is at 0.10 s", "Bullet agrees so far 0.10 s"])"));
+  EXPECT_EQ(answer.result[0],
+            nlohmann::json::parse(R"(["Exact motion is at 0.10 s", "Bullet agrees so far 0.10 s"])"));
   EXPECT_EQ(answer.result[1][1], "Bullet agrees until " + agreed(motion(0.01, 0.1)));
 }
 
@@ -186,7 +187,7 @@ TEST_F(Front, KeysMoveTimeAndPlay) {
     press(".stage", " ");
     return [later, player.playing];)");
   EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
-  EXPECT_EQ(answer.result, Json::parse(R"(["0.02 s", true])"));
+  EXPECT_EQ(answer.result, nlohmann::json::parse(R"(["0.02 s", true])"));
 }
 
 }  // namespace
