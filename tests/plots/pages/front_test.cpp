@@ -130,7 +130,7 @@ TEST_F(Front, TheSliderChangesMotionsAndHowLongTheyAgree) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::string own = i == 2 ? "time limit: 1 s" : agreed(slow[i].history);
     EXPECT_EQ(answer.result[i]["told"],
-              Json({"1.00 s", agreed(slow[i].history), agreed(fast[i].history), own}))
+              nlohmann::json({"1.00 s", agreed(slow[i].history), agreed(fast[i].history), own}))
         << steps[i];
   }
   EXPECT_EQ(answer.result[1]["told"][2], "the end");
