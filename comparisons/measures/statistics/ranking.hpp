@@ -13,6 +13,7 @@ struct RowEvent {
     stands,  ///< where the exact motion falls
     ends,    ///< by a fall, where the exact motion leans past balance as the scene ends
     thrown,  ///< up, by m
+    leaves,  ///< the plane, by m at its centre or its ends
     shifts,  ///< and rests, m off
     sinks,   ///< in, by m, to the end
     hovers,  ///< at rest, m high

@@ -24,12 +24,13 @@ struct KindWords {
 };
 
 /// In the order of RowEvent::Kind.
-constexpr std::array<KindWords, 12> kind_words{
+constexpr std::array<KindWords, 13> kind_words{
     {{"fails", "some replicates fail", ""},
      {"", "blocks fall or topple that do not in the exact motion", ""},
      {"stands, though in the exact motion a block falls", "blocks stand that fall in the exact motion", ""},
      {"", "blocks topple that lean past balance in the exact motion, and would fall later", ""},
      {"is thrown up by {}", "blocks are thrown up, by {} at most", "m"},
+     {"leaves the plane by {}", "blocks leave the plane, by {} at most", "m"},
      {"is {} off at the end", "blocks come to rest elsewhere, {} off at most", "m"},
      {"sinks in by {}", "blocks sink in, by {} at most", "m"},
      {"hovers {} high", "blocks hover, {} high at most", "m"},
@@ -58,25 +59,30 @@ bool at_rest(const RunMetrics& run) {
   return run.motion && *run.motion <= rest_extent;
 }
 
+/// How far a block leaves the plane, by its centre or by its tilt at an end of the least height, m.
+double way_out_of_plane(const RunMetrics& run, const JudgedScene& scene) {
+  return std::max(run.out_of_plane.value_or(0), scene.least_height * run.out_of_plane_tilt.value_or(0));
+}
+
 /// All that happens in one run, with its size.
 std::map<Happening, double> events_in(const RunMetrics& run, const JudgedScene& scene) {
   if (run.status != RunStatus::done) return {{Happening::fails, 0}};
   std::map<Happening, double> events;
+  const auto add = [&](Happening kind, double size, double least) {
+    if (size > least) events[kind] = size;
+  };
+  const double tolerance = scene.tolerance * scene.least_height;
   if (differ(run.toppling_verdict))
     events[run.toppling_verdict == TopplingVerdict::exact_alone ? Happening::stands : Happening::falls] = 0;
   if (run.toppling_verdict == TopplingVerdict::both || !events.empty()) {
     // Blocks that fall rise a little at their corners.
-    if (const double rise = run.rise.value_or(0); rise > thrown_share * scene.least_height)
-      events[Happening::thrown] = rise;
+    add(Happening::thrown, run.rise.value_or(0), thrown_share * scene.least_height);
+    add(Happening::leaves, way_out_of_plane(run, scene), tolerance);
     return events;
   }
   if (run.toppling_verdict == TopplingVerdict::unknown && ends_early(run)) events[Happening::ends] = 0;
-  const auto add = [&](Happening kind, double size, double least) {
-    if (size > least) events[kind] = size;
-  };
-  const double tolerance = scene.tolerance * scene.least_height, told = told_sinking * scene.least_height,
-               off = run.largest_position_difference.value_or(0), hover = run.hover.value_or(0),
-               creep = run.creep.value_or(0);
+  const double told = told_sinking * scene.least_height, off = run.largest_position_difference.value_or(0),
+               hover = run.hover.value_or(0), creep = run.creep.value_or(0);
   // What is nowhere else than in the exact motion has not sunk in, as far as that can be said.
   const bool whole = run.horizon.value_or(scene.duration) >= scene.duration;
   const auto sunk = [&](const std::optional<double>& depth) {
@@ -86,6 +92,7 @@ std::map<Happening, double> events_in(const RunMetrics& run, const JudgedScene& 
   // What hovers has risen to there.
   add(Happening::thrown, run.rise.value_or(0), std::max(tolerance, 1.1 * hover));
   const bool thrown = events.contains(Happening::thrown);
+  add(Happening::leaves, way_out_of_plane(run, scene), tolerance);
   // What sinks in, hovers and creeps is off by that.
   add(Happening::shifts, run.offset.value_or(0), tolerance + 2 * (sinking + hover) + creep * scene.duration);
   add(Happening::sinks, sinking, told);

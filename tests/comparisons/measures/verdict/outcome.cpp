@@ -90,6 +90,20 @@ TEST(Outcome, WhatSinksForAMomentOrRisesHigherThanExactlyIsTold) {
   EXPECT_EQ(told({row}), "is thrown up by 20 mm");
 }
 
+// A tilt of 0.02 moves the end of 0.4 m by 8 mm; 4 mm is the tolerance.
+TEST(Outcome, WhatLeavesThePlaneIsTold) {
+  RunMetrics row = moving();
+  row.out_of_plane = 0.003;
+  row.out_of_plane_tilt = 0.005;
+  EXPECT_EQ(told({row}), "");
+  row.out_of_plane_tilt = 0.02;
+  EXPECT_EQ(told({row}), "leaves the plane by 8 mm");
+  row.out_of_plane = 0.05;
+  EXPECT_EQ(told({row}), "leaves the plane by 50 mm");
+  row.toppling_verdict = TopplingVerdict::both;
+  EXPECT_EQ(told({row}), "leaves the plane by 50 mm") << "as it falls";
+}
+
 TEST(Outcome, ABlockThatTopplesWhereTheExactOneWouldLaterIsTold) {
   RunMetrics row = moving();
   row.largest_angle_difference = 0.12;
