@@ -63,6 +63,11 @@ bool lies_on_ground(const Block& block, const BlockPose& pose, double tolerance)
 /// Share of the height below a block by which it has sunk in rather than fallen off.
 constexpr double sunk_share = 0.5;
 
+/// Time of a sample, s.
+double time_of(const Setup& setup, const Trajectory& trajectory, std::size_t sample) {
+  return trajectory.times.empty() ? static_cast<double>(sample) * setup.dt : trajectory.times[sample];
+}
+
 /// Goes through the samples of a trajectory that tells its bodies.
 class BodyAccount {
  public:
@@ -103,8 +108,8 @@ class BodyAccount {
     BodyAcceleration pull;
     const Gravity gravity = gravity_of(scene_);
     if (samples_ > 0 && is_shaken(scene_))
-      pull = body_acceleration(scene_, static_cast<double>(samples_ - 1) * setup_.dt,
-                               static_cast<double>(samples_) * setup_.dt);
+      pull = body_acceleration(scene_, time_of(setup_, trajectory_, samples_ - 1),
+                               time_of(setup_, trajectory_, samples_));
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const Block& block = scene_.blocks[k];
       const double along = bodies[k].velocity_x - ground_.velocity_x;
@@ -124,7 +129,7 @@ class BodyAccount {
   }
 
   void add_interfaces() {
-    const double time = static_cast<double>(samples_) * setup_.dt;
+    const double time = time_of(setup_, trajectory_, samples_);
     double penetration = 0, gap = 0;
     double sunk = 0, below = 0;  // depths and heights of all below a block, m
     double skin = 0.01 * least_height_;
@@ -187,7 +192,7 @@ EngineRun engine_run_of(const Scene& scene, const Setup& setup, Trajectory traje
   run.warnings = trajectory.warnings;
   run.history.blocks = static_cast<int>(scene.blocks.size());
   const std::size_t samples = trajectory.angles.size() / scene.blocks.size();
-  for (std::size_t i = 0; i < samples; ++i) run.history.times.push_back(static_cast<double>(i) * setup.dt);
+  for (std::size_t i = 0; i < samples; ++i) run.history.times.push_back(time_of(setup, trajectory, i));
   if (needs_bodies(scene, bodies)) {
     BodyAccount account(scene, setup, trajectory);
     for (std::size_t i = 0; i < samples; ++i) account.next();

@@ -87,6 +87,7 @@ struct Trajectory {
   /// What its contacts tell, where asked for and where the engine tells them.
   std::optional<ContactRecord> contacts;
   std::size_t warnings = 0;  ///< steps in which the solver failed and went on
+  std::vector<double> times = {};  ///< of samples that come unevenly, s; empty: one after every step
 };
 
 /// A number of a block's motion stopped being finite, or is beyond all that a scene has (largest_number).

@@ -60,6 +60,10 @@ double record_bytes(const Job& job) {
 
 }  // namespace
 
+bool is_recorded(const Job& job) {
+  return job.series != nullptr && job.series->files;
+}
+
 bool has_choice(const Job& job, Variant::Choice choice) {
   return job.variant != nullptr && job.variant->choice == choice;
 }
@@ -70,6 +74,7 @@ double horizon_of(const Job& job) {
 
 Replicates replicates_of(const Job& job) {
   Replicates replicates = job.suite.replicates;
+  if (is_recorded(job)) set_runs(replicates, static_cast<int>(job.series->files->runs.size()));
   if (job.series == nullptr || replicates.most_steps == 0) return replicates;
   const double affordable = replicates.most_steps * job.dt / job.scene.scene.duration;
   replicates.runs = static_cast<int>(std::clamp<double>(affordable, 1, replicates.runs));
@@ -128,8 +133,10 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
         jobs.push_back({suite, scene, variant.step, nullptr, &variant, horizon});
       if (scene.measured && scene.measured->is_motion(scene.scene.blocks.size()))
         jobs.push_back({suite, scene, {}, nullptr, &measured, horizon});
-      for (const EngineSeries& series : suite.series)
+      for (const EngineSeries& series : suite.series) {
+        if (series.files && series.files->scene != scene.name) continue;
         for (const double dt : series.steps) jobs.push_back({suite, scene, dt, &series, nullptr, horizon});
+      }
     }
   return jobs;
 }

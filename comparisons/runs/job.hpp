@@ -36,6 +36,9 @@ struct Job {
 /// True for the variant of that choice: of rk4, which has a time step, or of what a test has measured.
 bool has_choice(const Job& job, Variant::Choice choice);
 
+/// True for runs that another program has made.
+bool is_recorded(const Job& job);
+
 /// Up to when the job's histories are compared, s; the duration where the exact motion cannot be found.
 double horizon_of(const Job& job);
 
@@ -101,7 +104,8 @@ struct MadeReplicates {
 };
 
 /// Makes the replicates of a job but the nominal one, `threads` at a time: an engine's runs at nearby steps
-/// of scenes that hardly differ, each held against the exact solution of its own scene. None is timed. A
+/// of scenes that hardly differ, each held against the exact solution of its own scene; of what another
+/// program has recorded its further runs. None is timed. A
 /// replicate that fails has a row that says why; one that runs out of time or memory ends the set, and those
 /// after it fail likewise.
 MadeReplicates make_replicates(const Job& job, std::size_t threads);

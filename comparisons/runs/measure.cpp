@@ -36,6 +36,7 @@ std::vector<double> acting_friction(const EngineSeries& series, const Scene& sce
 /// Every number that shapes an engine run, with the friction that acts: of each interface, or one number
 /// where all are alike.
 Json all_parameters(const EngineSeries& series, const Scene& scene) {
+  if (series.files) return {{"file", series.files->runs.front().file.string()}};
   const std::vector<double> friction = acting_friction(series, scene);
   const bool alike = std::ranges::adjacent_find(friction, std::not_equal_to<>()) == friction.end();
   Json parameters = with_restitution(*series.engine, scene, series.parameters);
@@ -198,9 +199,9 @@ Json run_engine(const Job& job, RunMetrics& row, const std::string& command, Run
   const Scene& scene = job.scene.scene;
   const EngineSeries& series = *job.series;
   const int sharing = *row.runs_at_a_time;
-  row = engine_metrics(job, scene, job.dt, job.suite.repeats, files);
+  row = engine_metrics(job, 0, job.suite.repeats, files);
   row.runs_at_a_time = sharing;
-  if (row.status == RunStatus::done) {
+  if (row.status == RunStatus::done && !is_recorded(job)) {
     const SolveOptions sampled{.sample_times = regular_times(job.dt, scene.duration)};
     row.exact_sampled_time = std::ranges::min(time_solving(scene, job.suite.repeats, sampled));
     run_perturbed(
@@ -214,16 +215,39 @@ Json run_engine(const Job& job, RunMetrics& row, const std::string& command, Run
   return summary(row, job.scene, all_parameters(series, scene), {series.engine}, command);
 }
 
+/// One run of a series: its scene, its step and what came of it.
+struct ReplicateRun {
+  Scene scene;
+  double dt = 0;  ///< s
+  WorkerRun made = {};
+};
+
+/// By the engine's worker, or what another program has recorded.
+ReplicateRun run_replicate(const Job& job, int replicate, int repeats) {
+  const bool bodies = job.suite.wanted.bodies || job.suite.wanted.angles;
+  if (is_recorded(job)) {
+    const auto& [file, sum, dt, trajectory] = job.series->files->runs.at(static_cast<std::size_t>(replicate));
+    ReplicateRun run{job.scene.scene, dt};
+    run.made.status = name(RunStatus::done);
+    run.made.run =
+        engine_run_of(run.scene, set_up(run.scene, dt, {}), trajectory, bodies && !trajectory.bodies.empty());
+    return run;
+  }
+  const Replicates replicates = replicates_of(job);
+  ReplicateRun run{replicate_scene(job.scene.scene, replicates, replicate),
+                   replicate_step(job.dt, replicates, replicate)};
+  run.made = run_in_worker(*job.series->engine, run.scene, run.dt, job.series->parameters, repeats,
+                           job.suite.limits, bodies);
+  return run;
+}
+
 }  // namespace
 
-RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files,
-                          History* motion) {
-  const EngineSeries& series = *job.series;
-  const WorkerRun made = run_in_worker(*series.engine, scene, dt, series.parameters, repeats,
-                                       job.suite.limits, job.suite.wanted.bodies || job.suite.wanted.angles);
+RunMetrics engine_metrics(const Job& job, int replicate, int repeats, RunFiles& files, History* motion) {
+  const auto [scene, dt, made] = run_replicate(job, replicate, repeats);
   RunMetrics row = describe(job);
   row.dt = dt;
-  row.processor_time = made.processor_time;
+  if (!is_recorded(job)) row.processor_time = made.processor_time;
   if (made.peak_memory > 0) row.peak_memory = made.peak_memory;
   row.status = run_status(made.status);
   row.reason = made.reason;
@@ -233,12 +257,13 @@ RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int rep
   row.warnings = static_cast<int>(warnings);
   row.toppled = observed_toppling(scene, history);
   if (bodies) row.fallen = support_of(bodies->penetration, bodies->unsupported_since).fallen;
-  compare_with_exact(scene, job.suite,
-                     {history, dt, observed_impacts(scene, history, chatter_speed(scene)),
-                      !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(series, scene)},
-                     horizon_of(job), row, files);
+  compare_with_exact(
+      scene, job.suite,
+      {history, dt, observed_impacts(scene, history, chatter_speed(scene)),
+       !row.toppled.empty() || !row.fallen.empty(), bodies, acting_friction(*job.series, scene)},
+      horizon_of(job), row, files);
   compare_with_test(job, scene, history, bodies, row, files);
-  if (repeats > 0) set_time(made.seconds, history.times.back(), row);
+  if (!made.seconds.empty()) set_time(made.seconds, history.times.back(), row);
   if (made.cold) row.timed_cold = 1;
   if (motion != nullptr) *motion = history;
   return row;

@@ -56,11 +56,10 @@ void add_parts(const Scene& scene, const History& exact, const CandidateMotion& 
 /// the summary. `runs_at_a_time`: how many share the machine with it, itself included.
 RunFiles measure(const Job& job, const std::string& command, std::size_t runs_at_a_time);
 
-/// Runs an engine once for a job and sets it beside the exact solution; `repeats`: how often its stepping is
-/// timed. The series' parameters and the suite's wishes are the job's, scene and step may be other ones. The
-/// motion is left in `motion` where that is asked for.
+/// Makes one run of a job's series, replicate 0 its nominal one, and sets it beside the exact solution of its
+/// scene; `repeats`: how often its stepping is timed. The motion is left in `motion` where that is asked for.
 /// @throws std::runtime_error where the scene cannot be solved or the worker not be started.
-RunMetrics engine_metrics(const Job& job, const Scene& scene, double dt, int repeats, RunFiles& files,
+RunMetrics engine_metrics(const Job& job, int replicate, int repeats, RunFiles& files,
                           History* motion = nullptr);
 
 /// A scene to be solved by itself.

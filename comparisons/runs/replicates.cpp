@@ -29,13 +29,11 @@ Suite without_histories(const Job& job) {
 /// One replicate; `angles` are those at rising times, row by row, up to where its motion ends.
 RunMetrics make_replicate(const Job& job, int number, const std::vector<double>& times,
                           std::vector<double>& angles) {
-  const Replicates& replicates = job.suite.replicates;
   RunMetrics row;
   try {
     RunFiles files;
     History motion;
-    row = engine_metrics(job, replicate_scene(job.scene.scene, replicates, number),
-                         replicate_step(job.dt, replicates, number), 0, files, &motion);
+    row = engine_metrics(job, number, 0, files, &motion);
     for (std::size_t i = 0; motion.size() > 1 && i < times.size() && times[i] <= motion.times.back(); ++i)
       for (std::size_t k = 0; k < job.scene.scene.blocks.size(); ++k)
         angles.push_back(angle_at(motion, k, times[i]));

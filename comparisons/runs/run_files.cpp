@@ -96,7 +96,10 @@ std::string identity(const Job& job) {
   if (job.series != nullptr) {
     const WorkerEngine& engine = *job.series->engine;
     run.push_back({engine.solver, fields_of(job.series->parameters)});
-    text = fmt::format("{:x}", file_checksum(engine.program));
+    if (is_recorded(job))
+      run.push_back(mapped(job.series->files->runs, &TrajectoryFile::checksum));
+    else
+      text = fmt::format("{:x}", file_checksum(engine.program));
   }
   const Perturbations& around = job.suite.perturbations;
   const Replicates& nearby = job.suite.replicates;  // the horizon is theirs

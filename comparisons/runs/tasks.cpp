@@ -24,7 +24,7 @@ double expected_work(const std::vector<Job>& jobs, std::size_t number) {
   constexpr double fixed = 2000;
   const Task task = task_of(number, jobs.size());
   const Job& job = jobs[task.job];
-  if (job.series == nullptr) return fixed;
+  if (job.series == nullptr || is_recorded(job)) return fixed;
   const int runs =
       task.replicates ? replicates_of(job).runs : 1 + job.suite.repeats + job.suite.perturbations.runs;
   return fixed + runs * job.scene.scene.duration / job.dt;

@@ -141,6 +141,32 @@ PaperScenes read_statements(const Node& table, const Suite& suite) {
   return {scene("free"), scene("shaken")};
 }
 
+/// The series that the tables [[trajectories]] ask for.
+std::vector<EngineSeries> read_trajectories(const Node& array, const Suite& suite,
+                                            const std::filesystem::path& folder) {
+  std::vector<EngineSeries> list;
+  for (const Node& table : entries(array, "an array of tables")) {
+    require_table(table, trajectory_keys);
+    const Node& name = required(table, "name", "a text");
+    const Node* scene = find(table, "scene");
+    const auto of = std::ranges::find_if(suite.scenes, [&](const NamedScene& one) {
+      return scene == nullptr ? suite.scenes.size() == 1 : one.name == text(*scene);
+    });
+    if (of == suite.scenes.end()) {
+      if (scene == nullptr) required(table, "scene", "the name of a scene of the suite, which has several");
+      throw wrong_value(*scene, "the name of a scene of the suite");
+    }
+    const char* range = "an array of at least one CSV file";
+    const auto files = mapped(entries(required(table, "files", range), range),
+                              [&](const Node& file) { return folder / text(file); });
+    list.push_back(trajectory_series({text(name), files}, *of, name.place));
+    for (std::size_t i = 0; i + 1 < list.size(); ++i)
+      if (list[i].engine->name == text(name) && list[i].files->scene == of->name)
+        throw wrong_value(name, "one that no other trajectory of the scene has");
+  }
+  return list;
+}
+
 /// Refuses what is of engines alone where there are none.
 void require_engines(const Node& root) {
   if (find(root, "engines") != nullptr) return;
@@ -237,6 +263,8 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   AskedEngines engines = read_engines(root, file.parent_path());
   suite.series = std::move(engines.series);
   suite.left_out = std::move(engines.left_out);
+  if (const Node* array = find(root, "trajectories"))
+    std::ranges::move(read_trajectories(*array, suite, file.parent_path()), std::back_inserter(suite.series));
   if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
   require_engines(root);
   return suite;
@@ -288,6 +316,8 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
       suite.series.push_back(make_series(*engine, settings, steps));
   if (choice.engines.empty()) suite.left_out = usual_engines_left_out();
   suite.replicates.runs = replicates_that_tell_apart(suite.series.size(), steps.size());
+  for (const NamedTrajectory& one : choice.trajectories)
+    suite.series.push_back(trajectory_series(one, suite.scenes.front(), "trajectory"));
   return suite;
 }
 

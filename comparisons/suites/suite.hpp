@@ -2,6 +2,7 @@
 
 #include "analytic/scene/ground/records/record.hpp"
 #include "comparisons/suites/measurement.hpp"
+#include "comparisons/suites/trajectory_file.hpp"
 #include "engines/worker/registry.hpp"
 
 namespace rockstack {
@@ -12,6 +13,9 @@ struct EngineSeries {
   std::string settings;  ///< "default" or "tuned", and what is changed of it: "tuned+erp=0.2"
   Parameters parameters;
   std::vector<double> steps;  ///< s
+  /// Runs that another program has written, in the place of those of `engine`, which is that program; else
+  /// none.
+  std::shared_ptr<const TrajectoryFiles> files = {};
 };
 
 /// An engine with its "default" or "tuned" parameters, some of them changed.
@@ -177,16 +181,32 @@ std::vector<std::string> engines_left_out(const std::vector<Suite>& suites);
 void replace_motion(std::vector<Suite>& suites, const std::filesystem::path& record,
                     RecordLimits limits = RecordLimits::usual);
 
+/// A program that is told by files of motion: the name that its rows go by, and a file a run.
+struct NamedTrajectory {
+  std::string name;
+  std::vector<std::filesystem::path> files;
+};
+
+/// The series of a program's runs of a scene. `place`: what names it in errors.
+/// @throws InputError for a name that is taken or none, and as read_trajectory().
+EngineSeries trajectory_series(const NamedTrajectory& named, const NamedScene& scene,
+                               const std::string& place);
+
+/// Trajectories as a command line has them, NAME=FILE.csv; a name that comes again has one more run.
+/// @throws InputError for a text of another form.
+std::vector<NamedTrajectory> named_trajectories(const std::vector<std::string>& texts);
+
 /// What a comparison of a single scene runs.
 struct SceneChoice {
   std::vector<std::string> engines = {};  ///< "ode", "bullet:nncg"; none: the first solver of Bullet and ODE
   std::vector<double> steps = {};         ///< s; none: default_steps, or of a quick one the first two
   bool quick = false;                     ///< one timed run, 2000 samples of each history
   bool softness = false;                  ///< as in a suite
+  std::vector<NamedTrajectory> trajectories = {};  ///< of other programs, beside the engines
 };
 
 /// The suite for a single scene: each engine with its default and its tuned parameters.
-/// @throws InputError for an engine that is not there.
+/// @throws InputError for an engine that is not there, or as trajectory_series().
 Suite suite_for(NamedScene scene, const SceneChoice& choice = {});
 
 }  // namespace rockstack

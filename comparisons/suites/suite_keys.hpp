@@ -30,6 +30,7 @@ inline const KeyTable suite_keys{
      {"memory_limit", "4096", "MiB", "64 to 10⁹", "4096", "of each run of an engine"},
      {"engines", "", "", "tables [[engines]]", "none: exact runs alone",
       "what is compared with the exact solver"},
+     {"trajectories", "", "", "tables [[trajectories]]", "none", "motions that other programs have written"},
      {"draws", "", "", "a table [draws]", no_default, "runs behind each number of an engine"},
      {"perturbations", "", "", "a table [perturbations]", no_default, "distributions where histories part"},
      {"statements", "", "", "a table [statements]", no_default, "scenes held against the paper"}}};
@@ -46,6 +47,15 @@ inline const KeyTable engine_keys{
      {"dt", "[1e-3]", "s", "at least one number > 0", "[1e-2, 1e-3, 1e-4]", "time steps"},
      {"parameters", "{ erp = [0.1, 0.2] }", "", "names of the engine's parameters, each a value or an array",
       "{}", "changes of its parameter set, in every combination"}}};
+
+inline const KeyTable trajectory_keys{
+    "[[trajectories]]",
+    "a motion of a scene that another program has written, beside the engines",
+    {{"name", "\"isaac\"", "", "letters, digits, - and _, no engine's name", required_key,
+      "that its rows go by"},
+     {"files", "[\"isaac.csv\"]", "", "at least one CSV file, seen from the suite's folder", required_key,
+      "a run each, see comparisons/README.md; several are replicates"},
+     {"scene", "\"scene\"", "", "the name of a scene of the suite", "its only scene", "of which it is"}}};
 
 inline const KeyTable replicates_keys{
     "[draws]",
@@ -73,6 +83,6 @@ inline const KeyTable statements_keys{
 
 /// All tables of a suite file, in the order of a file.
 inline constexpr std::initializer_list<const KeyTable*> suite_tables{
-    &suite_keys, &engine_keys, &replicates_keys, &perturbations_keys, &statements_keys};
+    &suite_keys, &engine_keys, &trajectory_keys, &replicates_keys, &perturbations_keys, &statements_keys};
 
 }  // namespace rockstack

@@ -20,7 +20,8 @@ struct CompareArguments {
   std::vector<std::string> inputs;    ///< scenes or suites
   std::optional<std::string> record;  ///< in the place of made-up motions
   std::filesystem::path out;
-  std::size_t jobs = 1;  ///< runs at a time; without effect under mpirun
+  std::vector<std::string> trajectories;  ///< NAME=FILE.csv
+  std::size_t jobs = 1;                   ///< runs at a time; without effect under mpirun
   CompareChoice choice;
 };
 
@@ -38,7 +39,9 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
                              : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
                              : choice.quick          ? "--quick"
                              : choice.softness       ? "--softness"
-                                                     : "";
+                             : !choice.trajectories.empty()
+                                 ? "--trajectory " + choice.trajectories.front().name
+                                 : "";
   if (!option.empty())
     throw InputError(fmt::format("{}: must be left out of {}, a suite or study says its own", option, suite));
 }
@@ -46,7 +49,8 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
   const auto file = compared_file(input);
   const InputKind kind = kind_of(file);
-  const SceneChoice& of_scenes = arguments.choice.scenes;
+  SceneChoice of_scenes = arguments.choice.scenes;
+  of_scenes.trajectories = named_trajectories(arguments.trajectories);
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), of_scenes);
   refuse_choice(input, of_scenes);
   return kind == InputKind::stability_study ? read_stability_study(file, common.overrides).suite
@@ -77,7 +81,8 @@ void announce_disk_use(const std::vector<Suite>& suites, const std::filesystem::
 void announce_undecided(const std::vector<Suite>& suites, const Common& common) {
   std::map<std::string, std::vector<int>> sets;  // how often each of a set's rows is run
   for (const Job& job : jobs_of(suites))
-    if (job.series != nullptr) sets[set_name(describe(job))].push_back(replicates_of(job).runs);
+    if (job.series != nullptr && !is_recorded(job))
+      sets[set_name(describe(job))].push_back(replicates_of(job).runs);
   const auto runs = mapped(sets, [](const auto& set) { return set.second; });
   const std::vector<bool> shown = sets_that_can_change(runs, change_level);
   const auto rows = mapped(runs, [](const std::vector<int>& set) { return set.size(); });
@@ -182,6 +187,11 @@ void print_comparison(const CompareResult& result, const std::vector<std::string
 
 int run_compare(const CompareArguments& arguments, const Common& common) {
   require_valid(arguments.choice, {"--dt", "--draws", "--history-interval"});
+  if (!arguments.trajectories.empty()) {
+    const std::string given = "--trajectory " + arguments.trajectories.front();
+    if (arguments.inputs.size() > 1) throw InputError(given + ": must be left out of several inputs");
+    if (arguments.record) throw InputError(given + ": must be left out beside --record");
+  }
   const auto executor = make_executor(arguments.jobs);
   if (!executor->leads()) {
     serve_comparison(
@@ -255,6 +265,12 @@ void add_compare(CLI::App& command, CompareArguments& arguments) {
   command.add_flag(
       "--softness", arguments.choice.scenes.softness,
       "of scenes: split each engine's difference into contact model, contact softness and time step");
+  command
+      .add_option(
+          "--trajectory", arguments.trajectories,
+          "of a scene: NAME=FILE.csv, a motion that another program has written, beside the engines; may be "
+          "repeated, of one name as replicates")
+      ->allow_extra_args(false);
   command.add_option(
       "--history-interval", arguments.choice.history_interval,
       "least time between the samples that files keep, s; numbers are of all samples; left out: 1e-3");

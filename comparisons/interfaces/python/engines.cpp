@@ -130,8 +130,9 @@ Suite suite_of(const Input& input, const SceneChoice& choice) {
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, {}), choice);
   if (kind != InputKind::suite)
     throw InputError(name + ": must be a scene or a suite, studies are for the program");
-  if (!choice.engines.empty() || !choice.steps.empty() || choice.quick || choice.softness)
-    throw InputError("engines, dt, quick and softness: must be left out of " + name +
+  if (!choice.engines.empty() || !choice.steps.empty() || choice.quick || choice.softness ||
+      !choice.trajectories.empty())
+    throw InputError("engines, dt, quick, softness and trajectories: must be left out of " + name +
                      ", a suite says its own");
   return read_suite(file, {});
 }
@@ -170,8 +171,12 @@ void add_engines(py::module_& core) {
   core.def("canon", &canon);
   py::class_<CompareChoice>(core, "CompareChoice")
       .def(py::init([](const std::vector<std::string>& engines, const std::vector<double>& steps, bool quick,
-                       bool softness, std::optional<int> replicates, std::optional<double> history_interval) {
-        return CompareChoice{{engines, steps, quick, softness}, replicates, history_interval};
+                       bool softness, std::optional<int> replicates, std::optional<double> history_interval,
+                       const std::vector<std::pair<std::string, std::vector<std::filesystem::path>>>& files) {
+        const auto trajectories = mapped(files, [](const auto& one) {
+          return NamedTrajectory{one.first, one.second};
+        });
+        return CompareChoice{{engines, steps, quick, softness, trajectories}, replicates, history_interval};
       }));
   core.def("compare", &compare_all);
   core.def("check_description", [](const std::string& answer) {

@@ -77,6 +77,8 @@ std::string text_of(const std::vector<RunMetrics>& rows) {
 fs::path written(KeyFile file, const Settings& settings, const TemporaryFolder& folder) {
   folder.write("scene.toml", shaken_pair);
   folder.write("other.toml", std::string(shaken_pair) + "start = 0.05\n");
+  folder.write("isaac.csv", "time,theta_1,theta_2\n0,0.05,0.1\n0.1,0.04,0.08\n0.2,0.03,0.05\n");
+  folder.write("other.csv", "time,theta_1,theta_2\n0,0.05,0.1\n0.1,0.05,0.09\n0.2,0.05,0.08\n");
   fs::create_symlink(FAULTY_WORKER, folder.path() / "my_engine.py");
   fs::create_symlink(find_engine("ode").program, folder.path() / "other.py");
   for (const auto& [table, key, value] : settings) file.set(*table, key, value);
@@ -132,6 +134,9 @@ const std::vector<KeyCase> suite_cases{
     {&engine_keys, "settings", "[\"default\"]"},
     {&engine_keys, "dt", "[2e-3]"},
     {&engine_keys, "parameters", "{ erp = 0.3 }"},
+    {&trajectory_keys, "name", "\"genesis\""},
+    {&trajectory_keys, "files", "[\"other.csv\"]"},
+    {&trajectory_keys, "scene", "\"other\"", {{&suite_keys, "scenes", "[\"scene.toml\", \"other.toml\"]"}}},
     {&replicates_keys, "runs", "3"},
     {&replicates_keys, "most_steps", "1", {three_draws}},
     {&replicates_keys, "steps", "0.3", {three_draws}},

@@ -36,6 +36,7 @@ template <class Read>
 std::string key_error(const std::string& text, const Read& read) {
   const TemporaryFolder folder;
   folder.write("scene.toml", key_scene);
+  folder.write("isaac.csv", "time,theta_1,theta_2\n0,0,0\n0.2,0,0\n");
   std::filesystem::permissions(folder.write("my_engine.py", key_worker), std::filesystem::perms::owner_all);
   try {
     read(folder.write("input.toml", text));

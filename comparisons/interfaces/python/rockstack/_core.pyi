@@ -122,7 +122,7 @@ class SolveRequest:
 class CompareChoice:
     def __init__(
         self, engines: list[str], steps: list[float], quick: bool, softness: bool, draws: int | None,
-        history_interval: float | None
+        history_interval: float | None, trajectories: list[tuple[str, list[str]]]
     ) -> None: ...
 
 def solve(scene: Scene, request: SolveRequest) -> tuple[Motion | None, str | None]: ...
