@@ -11,9 +11,7 @@
 namespace rockstack {
 
 using MakeCommand = Command();
-MakeCommand solve_command, simulate_command, compare_command, advise_command, fit_command, sweep_command,
-    threshold_command, diff_command, plot_command, record_command, teach_command, page_command, live_command,
-    list_command, check_engine_command, canon_command, keys_command, new_command;
+#include "comparisons/interfaces/program/command_functions.inc"
 
 }  // namespace rockstack
 
@@ -23,12 +21,8 @@ using namespace rockstack;
 
 /// In the order of `rockstack --help`.
 constexpr MakeCommand* commands[]{
-    solve_command,     simulate_command,     compare_command, advise_command, fit_command,   sweep_command,
-    threshold_command, diff_command,         plot_command,    record_command, teach_command, page_command,
-#ifdef ROCKSTACK_WITH_LIVE
-    live_command,
-#endif
-    list_command,      check_engine_command, canon_command,   keys_command,   new_command};
+#include "comparisons/interfaces/program/command_list.inc"
+};
 
 /// Results are written in it.
 void require_utf8(const std::string& word) {
