@@ -73,6 +73,9 @@ void write_files(const RunFiles& files, const std::filesystem::path& folder);
 /// than an interval, s, to the one kept before; the first and the last stay. 0: all stay.
 void thin_histories(RunFiles& files, double interval);
 
+/// Thins the files of a run that are written, which then counts as unfinished.
+void thin_run(const std::filesystem::path& folder, double interval);
+
 /// Between files and one text, for a message. unpack() throws std::runtime_error for anything else than what
 /// pack() gave.
 std::string pack(const RunFiles& files);

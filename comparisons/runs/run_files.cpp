@@ -33,6 +33,10 @@ std::string thinned(const std::string& csv, double interval) {
   return kept + last;
 }
 
+/// Tables of a run whose rows are samples.
+constexpr std::array sampled_files{"history.csv", "difference.csv", "energy.csv", "reactions.csv",
+                                   "parts.csv"};
+
 /// The checksum of a file's bytes, read once.
 std::uint64_t file_checksum(const std::filesystem::path& file) {
   static std::map<std::filesystem::path, std::uint64_t> known;
@@ -62,9 +66,15 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 void thin_histories(RunFiles& files, double interval) {
   if (interval == 0) return;
-  for (const char* name : {"history.csv", "difference.csv", "energy.csv", "reactions.csv", "parts.csv"})
+  for (const char* name : sampled_files)
     if (const auto file = files.find(name); file != files.end())
       file->second = thinned(file->second, interval);
+}
+
+void thin_run(const std::filesystem::path& folder, double interval) {
+  for (const char* name : sampled_files)
+    if (std::filesystem::exists(folder / name))
+      write_file(folder / name, thinned(bytes_of(folder / name), interval));
 }
 
 void write_files(const RunFiles& files, const std::filesystem::path& folder) {

@@ -7,6 +7,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
+#include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -21,13 +22,28 @@ std::string class_attribute(const std::string& classes) {
   return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes);
 }
 
-/// What lets a page's players and pictures solve; nothing where none has a scene, or there is no solver.
-std::string solver_of(const std::string& content) {
-  const bool solves = content.find("\"scene\":{") != std::string::npos ||
-                      content.find("class=\"moving\"") != std::string::npos;
-  return solver_wasm.empty() || !solves
-             ? ""
-             : solving_scripts({solver_js, engine_js, charts_js, drag_js, share_js, try_js});
+constexpr auto shared_name = "solver.js";
+
+using Packages = std::vector<std::pair<const char*, std::string_view>>;
+
+/// What a page solves with, by its id.
+Packages packages() {
+  return {{"solver", solver_wasm}, {"engine", engine_package}};
+}
+
+/// A script that puts packages into the page which loads it.
+std::string shared_script() {
+  std::string list;
+  for (const auto& [id, package] : packages()) list += fmt::format("[\"{}\", \"{}\"],\n", id, package);
+  return "for (const [id, textContent] of [" + list +
+         "]) document.body.append(Object.assign(document.createElement(\"script\"), "
+         "{ type: \"application/gzip\", id, textContent }));\n";
+}
+
+/// Whether a page's players and pictures solve: one has a scene, and there is a solver.
+bool solves(const std::string& content) {
+  return !solver_wasm.empty() && (content.find("\"scene\":{") != std::string::npos ||
+                                  content.find("class=\"moving\"") != std::string::npos);
 }
 
 }  // namespace
@@ -71,23 +87,37 @@ std::vector<std::string> parts_of(const std::string& text) {
   return parts;
 }
 
-std::string page(const std::string& title, const std::string& kind, const std::string& content) {
+std::string page(const std::string& title, const std::string& kind, const std::string& content,
+                 const std::string& solver) {
+  const auto scripts = {solver_js, engine_js, charts_js, drag_js, share_js, try_js};
   return filled_in(
       page_html, {{"title", escaped(title)},
+                  {"shared", solver.empty() ? "" : "'self' file: "},
                   {"kind", kind},
                   {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
                   {"js", std::string(page_js)},
                   {"player_js", player_scripts()},
-                  {"solver", solver_of(content)},
+                  {"solver", solves(content) ? solving_scripts(scripts, solver) : ""},
                   {"content", content},
                   {"words", kind == "report"
                                 ? details("What the words mean", std::string(glossary_html), " id=\"words\"")
                                 : ""}});
 }
 
-std::string solving_scripts(std::initializer_list<std::string_view> list) {
+void share_solver(const fs::path& course) {
+  if (!solver_wasm.empty()) write_file(course / shared_name, shared_script());
+}
+
+std::string shared_solver(const fs::path& folder) {
+  const std::string up = fs::exists(folder / "lesson.json") ? "../" : "";
+  const fs::path file = folder / (up + shared_name);
+  return fs::exists(file) && file_text(file, largest_results) == shared_script() ? up + shared_name : "";
+}
+
+std::string solving_scripts(std::initializer_list<std::string_view> list, const std::string& shared) {
   std::string scripts;
-  for (const auto& [id, package] : {std::pair{"solver", solver_wasm}, {"engine", engine_package}})
+  if (!shared.empty()) scripts = element("script", "", fmt::format(" src=\"{}\"", shared)) + "\n";
+  for (const auto& [id, package] : shared.empty() ? packages() : Packages())
     scripts +=
         element("script", std::string(package), fmt::format(" type=\"application/gzip\" id=\"{}\"", id)) +
         "\n";

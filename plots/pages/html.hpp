@@ -64,12 +64,19 @@ inline std::string player_scripts() {
   return std::string(stack_js) + std::string(film_js) + std::string(player_js);
 }
 
-/// A page that needs nothing beside itself: its header and main section in the frame, style and script of all
-/// pages. `title` is plain text, `kind` is for the style sheet: "report" or "lesson".
-std::string page(const std::string& title, const std::string& kind, const std::string& content);
+/// A page that needs nothing beside itself, or where it solves the script `solver` alone: its header and main
+/// section in the frame, style and script of all pages. `title` is plain text, `kind` is for the style sheet:
+/// "report" or "lesson".
+std::string page(const std::string& title, const std::string& kind, const std::string& content,
+                 const std::string& solver = "");
 
-/// The exact solver and the engine that pages hold, and then scripts that ask them, for the end of a body.
-std::string solving_scripts(std::initializer_list<std::string_view> list);
+/// Address of the solver that a course's pages share, for those in a folder of it: "solver.js" or
+/// "../solver.js". Empty where pages of the folder have their own, or the one there is another program's.
+std::string shared_solver(const fs::path& folder);
+
+/// The exact solver and the engine that pages hold, or the script that pages share, and then scripts that ask
+/// them, for the end of a body.
+std::string solving_scripts(std::initializer_list<std::string_view> list, const std::string& shared = "");
 
 /// The sentences that a reader came for, in a box of their own; nothing where there are none.
 std::string answer_box(const std::vector<std::string>& sentences);

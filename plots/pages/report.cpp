@@ -181,7 +181,8 @@ std::string content(const fs::path& results, const Motion& motion) {
 }  // namespace
 
 void write_report(const fs::path& results, const Comparison& comparison) {
-  write_file(results / "report.html", page(comparison.title, "report", content(results, comparison)));
+  write_file(results / "report.html",
+             page(comparison.title, "report", content(results, comparison), shared_solver(results)));
 }
 
 /// Writes the report of one motion.

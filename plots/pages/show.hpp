@@ -22,6 +22,10 @@ void show(const fs::path& results);
 /// time and those that come first, each with a link to its folder. False where there is no such thing.
 bool write_study_page(const fs::path& results);
 
+/// Writes the solver that pages of a course share; those that are written into its folders from then on have
+/// none of their own. Nothing where this build has none.
+void share_solver(const fs::path& course);
+
 /// report.html of a comparison.
 void write_report(const fs::path& results, const Comparison& comparison);
 

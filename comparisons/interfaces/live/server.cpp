@@ -144,6 +144,7 @@ void answer_with(httplib::Response& response, const Answer& answer) {
 
 const char* media_type(const std::filesystem::path& file) {
   static const std::map<std::string, const char*> types{{".html", "text/html; charset=utf-8"},
+                                                        {".js", "text/javascript; charset=utf-8"},
                                                         {".json", "application/json"},
                                                         {".svg", "image/svg+xml"},
                                                         {".png", "image/png"},
@@ -173,9 +174,9 @@ class LiveServer : public httplib::Server {
          {"X-Content-Type-Options", "nosniff"},
          {"Referrer-Policy", "no-referrer"},
          {"Cross-Origin-Resource-Policy", "same-origin"},
-         // A course's pages have the solver in them, which they compile and run in workers of their own.
+         // A course's pages load the solver, which they compile and run in workers of their own.
          {"Content-Security-Policy",
-          "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data:; "
+          "default-src 'none'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data:; "
           "connect-src 'self'; frame-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action "
           "'none'"}});
     set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {

@@ -82,6 +82,18 @@ int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& argum
   return std::ranges::all_of(rows, is_done) ? 0 : 1;
 }
 
+/// Leaves of a course's lesson what its pages lead to: histories with fewer samples, and figures in one
+/// format.
+void thin_results(const fs::path& lesson) {
+  constexpr double interval = 1e-2;  // s
+  std::error_code none;
+  for (const auto& run : fs::directory_iterator(lesson / "runs", none)) thin_run(run.path(), interval);
+  std::vector<fs::path> unneeded{lesson / "figures" / "slides"};
+  for (const auto& figure : fs::directory_iterator(lesson / "figures", none))
+    if (figure.is_regular_file() && figure.path().extension() != ".svg") unneeded.push_back(figure.path());
+  for (const fs::path& one : unneeded) fs::remove_all(one);
+}
+
 /// Runs a lesson of a course, unless its pages are there that would come of it.
 int teach_once(const Lesson& lesson, const fs::path& out, const TeachArguments& arguments,
                const Common& common) {
@@ -92,12 +104,17 @@ int teach_once(const Lesson& lesson, const fs::path& out, const TeachArguments& 
     return 0;
   }
   const int code = teach(lesson, out, arguments, common);
-  if (code == 0) write_file(mark, sources);
+  if (code != 0) return code;
+  thin_results(out);
+  write_file(mark, sources);
   return code;
 }
 
 int teach_all(const TeachArguments& arguments, const Common& common) {
   const ResultsFolder folder(arguments.out, Results::course);
+#ifdef ROCKSTACK_WITH_PLOTS
+  plots::share_solver(arguments.out);
+#endif
   int code = 0;
   for (const Lesson& lesson : lessons())
     code = std::max(code, teach_once(lesson, arguments.out / lesson.name, arguments, common));

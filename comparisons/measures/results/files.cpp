@@ -63,7 +63,7 @@ constexpr Kind kinds[]{
     {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
     {"results held together", {"diff.json", "diff.csv", "report.html"}},
     {"a canon", {"canon.json", "canon.csv", "checks.json", "checks.csv", "report.html"}},
-    {"a course", {"index.html", "glossary.html", "course.json"}},
+    {"a course", {"index.html", "glossary.html", "course.json", "solver.js"}},
     {"problem sheets", {}},
     {"a fit", {"fit.json", "fit.csv", "figures", "report.html"}},
     {"a threshold",

@@ -50,7 +50,8 @@ std::string course_page(const fs::path& results, const Json& course) {
               filled_in(course_html, {{"count", fmt::format("{}", course.at("lessons").size())},
                                       {"hours", fmt::format("{:.0f}", minutes / 60)},
                                       {"lessons", lessons}}) +
-                  hidden_player());
+                  hidden_player(),
+              shared_solver(results));
 }
 
 /// Room for an answer, or the answer.
@@ -105,7 +106,8 @@ void write_course(const fs::path& results, const Json& course) {
       results / "glossary.html",
       page("Glossary", "course",
            element("nav", link("index.html", "All lessons"), " class=\"bar\"") + element("h1", "Glossary") +
-               element("main", std::string(glossary_html)) + hidden_player()));
+               element("main", std::string(glossary_html)) + hidden_player(),
+           shared_solver(results)));
 }
 
 SheetPages write_sheet(const fs::path& answers) {

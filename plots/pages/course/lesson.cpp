@@ -150,7 +150,7 @@ std::string page_of(const fs::path& results, const Comparison& comparison, const
   for (const char* key : {"number", "count", "minutes"}) values[key] = lesson.at(key).dump();
   for (const char* key : {"aims", "references"}) values[key] = list_of(lesson.at(key));
   return page(text_at(lesson, "title"), on_slides ? "slides" : "lesson",
-              filled_in(on_slides ? slides_html : lesson_html, values));
+              filled_in(on_slides ? slides_html : lesson_html, values), shared_solver(results));
 }
 
 }  // namespace

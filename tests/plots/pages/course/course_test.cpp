@@ -53,6 +53,26 @@ TEST(Course, ItsGlossaryIsAPageWithPicturesThatMove) {
   EXPECT_EQ(answer.result, nlohmann::json({16, 13}));
 }
 
+TEST(Course, ItsPagesShareTheSolverThatLiesBesideThem) {
+  const fs::path folder = testing::fresh_folder();
+  std::ofstream(folder / "course.json") << R"({"lessons": []})";
+  constexpr auto own = "type=\"application/gzip\"", shared = "<script src=\"solver.js\"></script>";
+  const auto glossary = [&] {
+    show(folder);
+    return testing::bytes_of(folder / "glossary.html");
+  };
+  const bool solves = has_part(glossary(), own);
+  share_solver(folder);
+  EXPECT_EQ(fs::exists(folder / "solver.js"), solves);
+  if (!solves) GTEST_SKIP() << "this build has no solver for pages";
+  EXPECT_FALSE(has_part(glossary(), own));
+  EXPECT_TRUE(has_part(glossary(), shared));
+  EXPECT_TRUE(has_part(glossary(), "script-src 'self' file: 'unsafe-inline'"));
+  std::ofstream(folder / "solver.js", std::ios::app) << "// of another program\n";
+  EXPECT_TRUE(has_part(glossary(), own));
+  EXPECT_FALSE(has_part(glossary(), shared));
+}
+
 TEST(Sheet, ThePageHasRoomWhereTheKeyHasAnswers) {
   const fs::path folder = testing::fresh_folder();
   const fs::path file = folder / "a-key-3.json";
