@@ -23,10 +23,25 @@ std::string exact_sentence(const RunMetrics& exact, const JudgedScene& scene) {
   return fmt::format("The exact motion {} and has {}{}.", end, impacts_text(exact), doubt);
 }
 
+/// "2 to 5 mrad": a unit that both ends have is said once, as is an end that reads like the other.
+std::string range_text(double least, double most, const std::string& unit) {
+  const std::string from = quantity_text(least, unit, 2), to = quantity_text(most, unit, 2);
+  const std::size_t end = from.find(' ');
+  const bool same_unit = from.substr(end) == to.substr(to.find(' '));
+  return from == to ? from : fmt::format("{} to {}", same_unit ? from.substr(0, end) : from, to);
+}
+
+/// "2 to 5 ms early", or "2 ms early to 3 ms late".
+std::string lateness_text(double least, double most, const std::string& unit) {
+  if (most < 0) return range_text(-most, -least, unit) + " early";
+  if (least >= 0) return range_text(least, most, unit) + " late";
+  return fmt::format("{} early to {} late", quantity_text(-least, unit, 2), quantity_text(most, unit, 2));
+}
+
 /// "10 ms: 2 to 5 mrad; 1 ms: …" of a column, in the place of {} in a sentence; empty where no row has it.
 std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<std::string> sentence,
                     const char* unit, std::optional<double> RunMetrics::*measure,
-                    std::string (*text)(double, const std::string&, int) = quantity_text) {
+                    std::string (*text)(double, double, const std::string&) = range_text) {
   std::map<double, std::pair<double, double>, std::greater<>> ranges;  // of each step, the coarsest first
   for (const ReplicatedRow& one : rows) {
     const std::optional<double>& value = one.*measure;
@@ -36,11 +51,8 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
     most = std::max(most, *value);
   }
   std::vector<std::string> parts;
-  for (const auto& [dt, range] : ranges) {
-    const std::string least = text(range.first, unit, 2), most = text(range.second, unit, 2);
-    parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"),
-                                least == most ? least : fmt::format("{} to {}", least, most)));
-  }
+  for (const auto& [dt, range] : ranges)
+    parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"), text(range.first, range.second, unit)));
   return parts.empty() ? "" : fmt::format(sentence, fmt::format("{}", fmt::join(parts, "; ")));
 }
 
@@ -48,11 +60,8 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
 std::string first_impact_sentence(const std::vector<ReplicatedRow>& rows) {
   const auto exact = std::ranges::find(rows, "exact", &RunMetrics::engine);
   if (exact == rows.end() || !exact->first_impact_time) return "";
-  const auto early_or_late = [](double late, const std::string& unit, int digits) {
-    return quantity_text(std::abs(late), unit, digits) + (late < 0 ? " early" : " late");
-  };
   const std::string by_steps =
-      by_step(rows, "{}", "s", &RunMetrics::first_impact_time_difference, early_or_late);
+      by_step(rows, "{}", "s", &RunMetrics::first_impact_time_difference, lateness_text);
   return by_steps.empty() ? ""
                           : fmt::format("Engines have the first impact, at {}, by step: {}.",
                                         quantity_text(*exact->first_impact_time, "s"), by_steps);

@@ -63,6 +63,14 @@ TEST(Verdict, OfOneSceneSaysHowLateTheFirstImpactComes) {
   rows[2].impacts_missed = 1, rows[2].impacts_extra = 2;
   EXPECT_EQ(headline(rows, {scene("a")}).at(1),
             "Engines have the first impact, at 319 ms, by step: 10 ms: 4.9 ms early; 1 ms: 0.5 ms late.");
+  rows.push_back(row("a", "default", 1e-2, 5e-3));
+  rows.back().first_impact_time_difference = -5.2e-3;
+  rows.push_back(row("a", "other", 1e-3, 5e-3));
+  rows.back().first_impact_time_difference = -2e-6;
+  EXPECT_EQ(headline(rows, {scene("a")}).at(1),
+            "Engines have the first impact, at 319 ms, by step: 10 ms: 4.9 to 5.2 ms early; 1 ms: 2 µs early "
+            "to 0.5 ms late.");
+  rows.resize(3);
   const ComparisonEvidence evidence{rows, {}, {}};
   const std::vector<std::string> sentences =
       verdict_of(evidence, std::vector<JudgedScene>{scene("a")}).scenes.at(0);
