@@ -51,20 +51,42 @@ std::string front_facts(const FrontPage& page) {
   return definition_list(facts);
 }
 
+/// Why no impact of a law stops the picture; empty where impacts do.
+std::string no_blows(Law law) {
+  if (law == Law::unilateral)
+    return " Under law unilateral blocks slide and fly as they land, and angles alone do not tell their centres' velocities: "
+           "there are no such arrows here.";
+  if (law == Law::compliant)
+    return " On springs a landing takes its time and no velocity turns at once: there are no such arrows here.";
+  return "";
+}
+
 }  // namespace
 
 void write_front(const fs::path& file, const FrontPage& page) {
   const bool shaken = !page.scene.horizontal.empty() || !page.scene.vertical.empty();
-  write_file(file, filled_in(front_html,
-                             {{"css", std::string(page_css) + std::string(player_css)},
-                              {"begins", shaken ? "The ground moves under a stack of blocks."
-                                                : "A stack of blocks is tilted and let go."},
-                              {"facts", front_facts(page)},
-                              {"data", for_script(data_of(page))},
-                              {"js", std::string(stack_js) + std::string(charts_js) + std::string(front_js)},
-                              {"solver", solver_wasm.empty()
-                                             ? ""
-                                             : solving_scripts({solver_js, engine_js, drag_js, share_js})}}));
+  const bool solves = !solver_wasm.empty();
+  const std::string content =
+      filled_in(front_html,
+                {{"begins", shaken ? "The ground moves under a stack of blocks."
+                                   : "A stack of blocks is tilted and let go."},
+                 {"hides", solves ? " hidden" : ""},
+                 {"why", solves ? "this browser has no WebAssembly" : "it was made without the solver in it"},
+                 {"no_blows", no_blows(page.scene.law)},
+                 {"facts", front_facts(page)},
+                 {"data", for_script(data_of(page))}});
+  write_file(
+      file,
+      filled_in(page_html,
+                {{"title", "How long do physics engines agree with the exact motion?"},
+                 {"kind", "page"},
+                 {"shared", ""},
+                 {"css", std::string(page_css) + std::string(player_css) + std::string(front_css)},
+                 {"content", content},
+                 {"words", ""},
+                 {"js", std::string(stack_js) + std::string(charts_js) + std::string(front_js)},
+                 {"player_js", ""},
+                 {"solver", solves ? solving_scripts({solver_js, engine_js, drag_js, share_js}) : ""}}));
 }
 
 }  // namespace rockstack::plots

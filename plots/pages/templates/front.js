@@ -382,6 +382,8 @@ requestAnimationFrame(() => {
   if (!still && !document.hidden) front.toggle();
 });
 addEventListener("DOMContentLoaded", () => {
-  if (typeof pageSolver !== "undefined" && pageSolver) front.wake(pageSolver, pageEngine, letDrag, share);
+  const solves = typeof pageSolver !== "undefined" && pageSolver;
+  if (solves) front.wake(pageSolver, pageEngine, letDrag, share);
+  document.querySelector(".fixed").hidden = Boolean(solves);
 });
 })();

@@ -89,5 +89,5 @@ class Solver {
 }
 
 const text = document.getElementById("solver")?.textContent;
-return text ? new Solver(text) : null;
+return text && typeof WebAssembly !== "undefined" ? new Solver(text) : null;
 })();

@@ -106,6 +106,16 @@ TEST_F(Front, OpensWithoutComplaintAndMovesByItself) {
   EXPECT_NE(page_.find("rockstack page &lt;made up&gt;"), std::string::npos);
 }
 
+TEST_F(Front, SaysThatItCannotSolveWhereItCannot) {
+  const std::string probe = "return document.querySelector('.fixed').checkVisibility();";
+  EXPECT_EQ(ask_browser(page_, probe).result, page_.find("application/gzip") == std::string::npos);
+  std::string page = page_;
+  page.insert(page.find("<head>") + 6, "<script>delete globalThis.WebAssembly;</script>");
+  const Answer answer = ask_browser(page, probe);
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_TRUE(answer.result.get<bool>());
+}
+
 TEST_F(Front, StandsStillWhereMotionIsNotWanted) {
   std::string page = page_;
   page.insert(page.find("<head>") + 6, "<script>matchMedia = () => ({ matches: true });</script>");
