@@ -63,6 +63,7 @@ class Player {
     this.ground = data.ground ? { times: unpack(data.ground.times), along: unpack(data.ground.values), up: unpack(data.ground.up) } : null;
     this.weight = data.weight;
     this.friction = data.friction;
+    this.horizon = data.horizon;
     this.title = data.title;
     this.end = Math.max(...this.tracks.map((track) => track.end));
     this.most = this.far = this.ways = this.pictured = undefined;
@@ -188,6 +189,7 @@ class Player {
   }
 
   shown() { return this.tracks.filter((track) => track.shown); }
+  rows() { return this.shown().filter((track) => track.exact || track.impacts.length); }
   gain() { return Math.round(10 ** (this.find("gain").value / 50) * 10) / 10; }
   pattern() { return this.sides()?.[1] ?? ""; }
 
@@ -297,7 +299,7 @@ class Player {
     const strip = this.find("strip"), stage = this.find("stage");
     this.type = parseFloat(getComputedStyle(stage).fontSize) / 16;
     if (stage.clientWidth === 0 && this.band) return; // hidden: what was drawn may still be printed
-    strip.style.height = (bandHeight + 4 + 11 * this.shown().length) * this.type + "px";
+    strip.style.height = (bandHeight + 4 + 11 * this.rows().length) * this.type + "px";
     for (const canvas of [stage, strip]) {
       canvas.width = 2 * Math.round(canvas.clientWidth * sharp / 2); // even, as H.264 has it
       canvas.height = 2 * Math.round(canvas.clientHeight * sharp / 2);
@@ -400,6 +402,7 @@ class Player {
   }
 
   caption(pen, track, x, y, room) {
+    if (!track.label) return;
     pen.strokeStyle = track.colour;
     pen.lineWidth = 4;
     pen.setLineDash(track.dash);
@@ -560,6 +563,7 @@ class Player {
         y(c) - (n * Math.cos(face) - s * Math.sin(face)) * full];
       if (this.friction) this.drawCone(pen, [x(a), y(c)], to, this.friction[k], 1.2 * Math.hypot(normal, along));
       arrow(pen, x(a), y(c), ...to(normal, along), "#5b2a86", 3);
+      if (side === 0 && Number.isFinite(centre)) this.drawCentre(pen, [x(a), y(c)], part.wayToEnd(centre));
     });
     const aside = 0.15 * Math.max(this.stack.width, this.stack.height), reach = Math.min(-this.stack.width / 2, ...parts.flatMap((part) => part.corners.map(([a]) => a)));
     const bar = Math.max(x(reach - aside), left + 48);
@@ -572,6 +576,23 @@ class Player {
     pen.font = "11px 'DejaVu Sans', sans-serif";
     pen.textAlign = "right";
     pen.fillText("weight", bar + 4, y(0) - full - 5);
+  }
+
+  // The centre of pressure of a closed face: a ring, and how far it has come from the face's middle to its end.
+  drawCentre(pen, [x, y], way) {
+    pen.beginPath();
+    pen.arc(x, y, 6, 0, 2 * Math.PI);
+    pen.fillStyle = "#fff";
+    pen.fill();
+    pen.strokeStyle = "#5b2a86";
+    pen.lineWidth = 2.5;
+    pen.stroke();
+    pen.font = "bold 12px 'DejaVu Sans', sans-serif";
+    pen.textAlign = "center";
+    pen.strokeStyle = "#fff"; // so that it can be read on an outline
+    pen.strokeText(`${(100 * way).toFixed(1)} %`, x, y + 22);
+    pen.fillStyle = "#5b2a86";
+    pen.fillText(`${(100 * way).toFixed(1)} %`, x, y + 22);
   }
 
   // What friction can hold: forces within the angle of friction from the face's normal.
@@ -608,13 +629,17 @@ class Player {
       pen.fillStyle = "#1a1a1a";
       if (both || room > wide && room <= icon) pen.fillText(name, middle + (both ? icon / 2 : 0), bandHeight / 2 + 4);
     });
-    this.shown().forEach((track, row) => {
+    this.rows().forEach((track, row) => {
       pen.strokeStyle = track.colour;
       pen.lineWidth = 1.5;
       pen.beginPath();
       for (const time of track.impacts) { pen.moveTo(x(time), bandHeight + 3 + 11 * row); pen.lineTo(x(time), bandHeight + 12 + 11 * row); }
       pen.stroke();
     });
+    if (this.horizon !== undefined) {
+      pen.fillStyle = "#1a1a1a";
+      pen.fillRect(x(this.horizon) - 1, 0, 2, height);
+    }
     return sheet;
   }
 
@@ -640,3 +665,13 @@ for (const root of document.querySelectorAll(".player")) {
   if (data) startPlayer(root, data);
   else root.start = (first) => startPlayer(root, first);
 }
+
+// A word that names a thing gets its colour in the pictures: a motion's, by what its name begins with, or that of a block's curve.
+const colourWord = (word, name = word.dataset.colour) => {
+  const block = name.match(/^block-(\d+)$/)?.[1], list = stacks.blockColours;
+  const track = document.querySelector(".player")?.player?.tracks.find(({ label }) => label.startsWith(name));
+  word.dataset.colour = name;
+  word.style.setProperty("--colour", (block ? list[(block - 1) % list.length] : track?.colour) ?? "transparent");
+  return word;
+};
+for (const word of document.querySelectorAll("[data-colour]")) colourWord(word);

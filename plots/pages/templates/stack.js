@@ -71,6 +71,12 @@ class Part {
     return side * Math.min(this.b, side * along);
   }
 
+  // How far a point of the base is on the way from the middle of the faces that meet to their end, 1 at the end.
+  wayToEnd(along) {
+    const [left, right] = [this.end(-1), this.end(1)];
+    return Math.abs(2 * along - left - right) / (right - left);
+  }
+
   // The angle of the face that a corner touches.
   face(side) {
     const rounding = 1e-5 * this.b;
@@ -152,6 +158,9 @@ class Track {
     return this.forces.subarray(at, at + width);
   }
 }
+
+// Colours of blocks' curves, from the ground up.
+const blockColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
 
 const arrow = (pen, fromX, fromY, toX, toY, colour, width) => {
   const length = Math.hypot(toX - fromX, toY - fromY);
@@ -235,7 +244,7 @@ const contactsOf = (name) => {
   return [parts.map(([letter]) => sides[letter]), parts.map(([, way]) => ways[way] ?? 0)];
 };
 
-return { Stack, Part, Track, arrow, contactsOf, drawIcon, iconOf, lastBefore, unpack };
+return { Stack, Part, Track, arrow, blockColours, contactsOf, drawIcon, iconOf, lastBefore, unpack };
 })();
 
 // Names of patterns in the text and in tables, each with its picture.

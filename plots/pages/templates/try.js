@@ -2,7 +2,7 @@
 // What readers may change of a scene: blocks of a player, dragged and let go, and sliders in the text. Each change is solved again.
 (() => {
 const samples = 1000; // of a motion, after the first
-const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+const { blockColours: colours, Track } = stacks;
 const copy = (value) => JSON.parse(JSON.stringify(value));
 
 const made = (tag, properties = {}, ...children) => {
@@ -120,6 +120,52 @@ const wire = (input, get, set) => {
   };
   fit();
   return fit;
+};
+
+// A number in a sentence, which is dragged or changed by keys, as the slider of its keys is.
+const wireNumber = (number, sliders) => {
+  const input = Array.from(sliders.querySelectorAll("input")).find((one) => one.dataset.keys === number.dataset.number);
+  const change = (steps) => {
+    input.value = Number(input.value) + steps * input.step;
+    input.dispatchEvent(new Event("input"));
+  };
+  const tell = () => {
+    number.textContent = input.nextElementSibling.textContent;
+    number.setAttribute("aria-valuenow", input.value);
+  };
+  const far = 10, keys = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: far, PageDown: -far, Home: -Infinity, End: Infinity };
+  Object.assign(number, { tabIndex: 0, role: "slider", title: "Drag to the side, or use arrow keys" });
+  for (const [name, value] of [["label", input.labels[0].firstChild.textContent.trim()], ["valuemin", input.min], ["valuemax", input.max]]) number.setAttribute(`aria-${name}`, value);
+  number.addEventListener("keydown", (event) => {
+    const steps = keys[event.key];
+    if (steps === undefined) return;
+    event.preventDefault();
+    event.stopPropagation(); // slides turn by keys
+    if (Number.isFinite(steps)) return change(steps);
+    input.value = steps < 0 ? input.min : input.max;
+    change(0);
+  });
+  let from = 0;
+  const wide = 4; // pixels a step
+  number.addEventListener("pointerdown", (event) => {
+    number.setPointerCapture(event.pointerId);
+    from = event.clientX;
+  });
+  number.addEventListener("pointermove", (event) => {
+    const steps = event.buttons ? Math.trunc((event.clientX - from) / wide) : 0;
+    if (!steps) return;
+    from += wide * steps;
+    change(steps);
+  });
+  input.addEventListener("input", tell);
+  tell();
+  return tell;
+};
+
+// Tells in a sentence when something happens for the first time.
+const tellEvent = (output, player) => {
+  const stop = player.events.stops.find(([, number, , , , kind]) => kind === output.dataset.event && (!output.dataset.interface || number === Number(output.dataset.interface)));
+  output.textContent = stop ? `after ${stop[0].toFixed(3)} s` : "at no time";
 };
 
 // What a player offers beside its blocks --------------------------------------------------------------------------
@@ -271,8 +317,10 @@ const makeTrial = async (home, page) => {
   const told = made("p", { className: "told", ...home.closest(".slide") ? { tabIndex: 0 } : {} });
   canvas.setAttribute("role", "img");
   told.setAttribute("role", "status");
-  home.append(made("div", {}, sliders, made("figure", {}, canvas, made("figcaption",
-    { textContent: `${what} over time, ${rises ? "m" : "rad"}: ${data.blocks.map((_, k) => `block ${k + 1} ${colourWords[k % colours.length]}`).join(", ")}. Grey: ${begun}${data.blocks.length > 1 ? ", dashed above block 1" : ""}.${withEngine ? " Dashed: the engine." : ""}${home.dataset.branches !== undefined ? " Dotted: other motions that satisfy the laws." : ""}` })), told), root);
+  const blocks = data.blocks.map((_, k) => colourWord(made("span", { textContent: `block ${k + 1} ${colourWords[k % colours.length]}` }), `block-${k + 1}`));
+  const caption = made("figcaption", {}, `${what} over time, ${rises ? "m" : "rad"}: `, ...blocks.flatMap((word, k) => k ? [", ", word] : [word]), `. Grey: ${begun}${blocks.length > 1 ? ", dashed above block 1" : ""}.`,
+    withEngine ? " Dashed: the engine." : "", home.dataset.branches !== undefined ? " Dotted: other motions that satisfy the laws." : "");
+  home.append(made("div", {}, sliders, made("figure", {}, canvas, caption), told), root);
   const player = startPlayer(root, data), trial = new Trial(player, data), first = player.tracks[0];
   trial.branches = home.dataset.branches !== undefined;
   trial.rises = rises;
@@ -294,11 +342,15 @@ const makeTrial = async (home, page) => {
     const keys = input.dataset.keys.split(" ");
     return wire(input, () => valueAt(trial.scene, keys[0]), (value) => trial.change((scene) => { for (const key of keys) setValue(scene, key, value); }));
   });
+  for (const number of sliders.querySelectorAll("[data-number]")) fits.push(wireNumber(number, sliders));
+  const tellEvents = () => { for (const output of sliders.querySelectorAll("[data-event]")) tellEvent(output, player); };
+  tellEvents();
   const back = made("button", { type: "button", textContent: begun.replace("a", "A") });
   back.addEventListener("click", () => trial.reset());
   sliders.append(back, ...share.buttons(trial));
   trial.shows.push((answer) => {
     for (const fit of fits) fit();
+    tellEvents();
     tell(answer ? `${sentences(answer.verdict)}${trial.others ? ` Other motions that satisfy the laws: ${trial.others}.` : ""} ${firstEvents(player)}` : asInText);
     draw();
   });
@@ -316,21 +368,31 @@ for (const root of document.querySelectorAll(".player")) {
 }
 // Pictures that move -------------------------------------------------------------------------------------------
 
+const sceneOfPage = () => Array.from(document.querySelectorAll(".player")).find((root) => root.trial).trial.data.scene;
+
+// When the first of these motions is further from the first one than a tolerance, s; its end where none ever is.
+const partingOf = ([first, ...others], blocks, tolerance) => {
+  const exact = new Track(first, blocks), motions = others.map((track) => new Track(track, blocks));
+  return exact.times.find((time) => motions.some((motion) => motion.angles(time).some((angle, k) => Math.abs(angle - exact.angles(time)[k]) > tolerance))) ?? exact.end;
+};
+
 // Trial of a word: the exact motion of its own scene, some whose sizes hardly differ, and the engine's at a step.
 const makeMoving = async (home, place) => {
-  const { scene: text, speed = 0.5, gain = 1, members = 0, spread = 0, step, moves } = home.dataset, scene = JSON.parse(text), interval = scene.duration / samples;
-  const answer = await pageSolver.ask(home, { scene, interval }), tracks = [answer.track];
+  const { scene: text, speed = 0.5, gain = 1, members = 0, spread = 0, step, moves, horizon } = home.dataset, scene = text ? JSON.parse(text) : sceneOfPage(), interval = scene.duration / samples;
+  const answer = await pageSolver.ask(home, { scene, interval }), tracks = [answer.track], most = 6; // that are named
   for (let member = 1; member <= members; ++member) {
     const { track } = await pageSolver.ask(home, { scene, interval, member, spread: Number(spread) });
-    tracks.push({ ...track, label: `replicate ${member}`, colour: colours[member % colours.length], dash: "solid", shown: true, exact: false, impacts: [] });
+    tracks.push({ ...track, label: members > most ? "" : `replicate ${member}`, colour: colours[member % colours.length], dash: "solid", shown: true, exact: false, impacts: [] });
   }
   if (step) tracks.push(await pageEngine.trackOf(await pageEngine.run(await pageSolver.ask(home, { ...await engineAsked(), scene, dt: Number(step) }))));
   const root = blankPlayer.cloneNode(true);
   Object.assign(root, { id: `moving-${place}`, hidden: false });
   root.classList.add("compact");
   root.querySelector(".stage").id = root.id + "-stage";
-  home.append(root, made("figcaption", { textContent: scene.title + "." }));
-  const player = startPlayer(root, { ...answer.stage, tracks, start: { time: 0, speed, gain, overlaid: true, chatter: false } });
+  const parted = horizon && partingOf(tracks, scene.blocks.length, Number(horizon));
+  const told = parted && ` All ${tracks.length} are within ${horizon} rad of the first ${parted < scene.duration ? `until ${parted.toFixed(2)} s, the black line under the picture` : "to the end"}.`;
+  home.append(root, made("figcaption", { textContent: `${scene.title}.${told || ""}` }));
+  const player = startPlayer(root, { ...answer.stage, tracks, ...parted ? { horizon: parted } : {}, start: { time: 0, speed, gain, overlaid: true, chatter: false } });
   if (moves !== undefined && !matchMedia("(prefers-reduced-motion: reduce)").matches) player.toggle();
 };
 

@@ -1,3 +1,8 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <ranges>
+
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -73,6 +78,7 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
   const double by_shape = fifth(block_of(scene, concrete, shape)),
                by_ratio = fifth(block_of(scene, concrete, found)),
                on_rubber = fifth(block_of(scene, rubber, rubber.share * shape));
+  const std::vector<double> shape_times = impact_times(block_of(scene, concrete, shape));
   const auto measured_times = impact_times(block_of(scene, concrete, found)),
              later_times = impact_times(block_of(scene, concrete, found + 0.01));
   const RunMetrics& ode = find_run(rows, "ode", 1e-3);
@@ -92,6 +98,8 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
                       {"fifth_later", fixed(later_times.at(4) - measured_times.at(4), 3)},
                       {"tenth_later", fixed(later_times.at(9) - measured_times.at(9), 3)},
                       {"tenth", fixed(measured_times.at(9), 2)},
+                      {"second_swing", fixed(shape_times.at(1) - shape_times.at(0), 2)},
+                      {"six_impacts", fmt::format("{}", fmt::join(shape_times | std::views::take(6), ", "))},
                       {"tenth_swing", fixed(measured_times.at(9) - measured_times.at(8), 2)},
                       {"engine_late", quantity_text(std::abs(*ode.first_impact_time_difference), "s", 2)},
                       {"spread", percent(assumed_spread, 0)}},

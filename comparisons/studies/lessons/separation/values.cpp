@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "analytic/solve.hpp"
+#include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/metrics/impacts.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/studies/lessons/mechanics.hpp"
@@ -90,7 +91,10 @@ LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>
   const Landing right = land(scene, {}), printed = land(scene, {true, true});
   const double height = 2 * scene.blocks.back().half_height;
   constexpr double lower = 2;  // m
+  // Of the top block on the base, whose face is the wider one.
+  const double start = reactions_of(scene, history).at(1).centre / scene.blocks.back().half_width;
   return {.numbers = {{"opening", fixed(opening.time, 4)},
+                      {"centre_start", percent(start, 0)},
                       {"height", fixed(height, 1)},
                       {"lower", fixed(lower, 1)},
                       {"lower_opening", fixed(first_event(with_top(lower), EventKind::opening)->time, 4)},

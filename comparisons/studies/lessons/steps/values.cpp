@@ -5,6 +5,7 @@
 #include "analytic/solve.hpp"
 #include "comparisons/measures/metrics/difference.hpp"
 #include "comparisons/measures/metrics/leans.hpp"
+#include "comparisons/measures/metrics/motion_verdict.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 
@@ -85,6 +86,10 @@ struct FallingBlock {
 /// Angle and angular velocity.
 using FallState = Eigen::Vector2d;
 
+FallState explicit_euler_step(const FallingBlock& falling, const FallState& from, double dt) {
+  return from + dt * FallState{from[1], falling.acceleration(from[0])};
+}
+
 FallState euler_step(const FallingBlock& falling, const FallState& from, double dt) {
   const double velocity = from[1] + dt * falling.acceleration(from[0]);
   return {from[0] + dt * velocity, velocity};
@@ -113,14 +118,50 @@ std::pair<double, double> landing_by_steps(FallState (*step)(const FallingBlock&
   return {(done + 1) * dt, done * dt + within};
 }
 
+FallingBlock falling_block(const Scene& scene) {
+  const Block& block = scene.blocks.front();
+  const double b = block.half_width, h = block.half_height, radius2 = b * b + h * h;
+  return {block.mass * scene.gravity * std::sqrt(radius2) / (block.inertia + block.mass * radius2),
+          std::atan2(b, h)};
+}
+
+constexpr double fall_time = 0.4;  // s, before the block lands
+
+/// State of the fall after fall_time by steps of that length, which divide it.
+FallState fallen(FallState (*step)(const FallingBlock&, const FallState&, double), const Scene& scene,
+                 double dt) {
+  const FallingBlock falling = falling_block(scene);
+  FallState state{scene.initial.angles.front(), 0};
+  for (int i = 0; i < std::lround(fall_time / dt); ++i) state = step(falling, state, dt);
+  return state;
+}
+
+/// Housner's block by three schemes and two engines, beside the exact one, after fall_time: as numbers.
+std::map<std::string, std::string> fall_numbers(const Scene& scene) {
+  constexpr double dt = 1e-2, fine = 1e-4;  // s
+  const double exact = angle_at(exact_answer(scene), 0, fall_time);
+  const double speed = -fallen(fourth_order_step, scene, fine)[1];
+  const auto steps = [&](double off) { return fixed(std::abs(off) / speed / dt, 2); };
+  Json engines = Json::array();
+  std::string leads;
+  for (const auto& [name, engine] : {std::pair{"Bullet", "bullet"}, {"ODE", "ode"}}) {
+    Json errors = Json::array();
+    for (const double step : {dt, dt / 5, dt / 10})
+      errors.push_back({step, angle_at(answer(engine, scene, step), 0, fall_time) - exact});
+    leads += (leads.empty() ? "" : " and ") + steps(errors[0][1].get<double>());
+    engines.push_back({name, errors});
+  }
+  return {{"fall_exact", cell(exact)},
+          {"fall_engines", engines.dump()},
+          {"euler_steps", steps(fallen(explicit_euler_step, scene, dt)[0] - exact)},
+          {"semi_steps", steps(fallen(euler_step, scene, dt)[0] - exact)},
+          {"engine_steps", leads}};
+}
+
 /// One fall by two methods, with the landing at the end of its step and where it is in it, less the exact
 /// time.
 Table by_steps(const Scene& scene) {
-  const Block& block = scene.blocks.front();
-  const double b = block.half_width, h = block.half_height, radius2 = b * b + h * h;
-  const FallingBlock falling{
-      block.mass * scene.gravity * std::sqrt(radius2) / (block.inertia + block.mass * radius2),
-      std::atan2(b, h)};
+  const FallingBlock falling = falling_block(scene);
   const double exact = first_event(exact_answer(scene), EventKind::impact)->time;
   Table table{{"step (s)", "semi-implicit Euler, end of step (s)", "Runge–Kutta of order 4, end of step (s)",
                "semi-implicit Euler, in the step (s)", "Runge–Kutta of order 4, in the step (s)"}};
@@ -170,14 +211,16 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
     return fmt::format("{} times ({} to {})", fixed(fall(engine), 0), fixed(fall(engine, lower, upper), 0),
                        fixed(fall(engine, upper, lower), 0));
   };
-  const double fall_time = first_event(exact_answer(read_shipped("housner-block")), EventKind::impact)->time;
+  const double landing_time =
+      first_event(exact_answer(read_shipped("housner-block")), EventKind::impact)->time;
   Suite few = suite;
   set_runs(few.replicates, 3);
   const auto finer = [&](const char* engine) {
     return power(median(errors_of_draws(few, engine, finest_step)), 1);
   };
   const double first_impact = first_event(exact_answer(scene.scene), EventKind::impact)->time;
-  return {
+  std::map<std::string, std::string> falls_by_steps = fall_numbers(read_shipped("housner-block"));
+  LessonValues values{
       .numbers = {{"bullet_slope", fixed(slope(rows, "bullet", 1e-2, 1e-4), 2)},
                   {"ode_slope", fixed(slope(rows, "ode", 1e-2, 1e-4), 2)},
                   {"bullet_shares", shares(rows, "bullet")},
@@ -185,7 +228,7 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
                   {"ode_share", fixed(*find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3, 2)},
                   {"tolerance", fixed(suite.tolerance, 2)},
                   {"peak", fixed(std::ranges::max(peak_angles(exact_answer(scene.scene))), 2)},
-                  {"seen_at", fixed(std::ceil(fall_time / 0.01) * 0.01, 2)},
+                  {"seen_at", fixed(std::ceil(landing_time / 0.01) * 0.01, 2)},
                   {"draws", std::to_string(suite.replicates.runs)},
                   {"few", std::to_string(few.replicates.runs)},
                   {"bullet_fall", falls("bullet")},
@@ -209,6 +252,8 @@ LessonValues steps_values(const Suite& suite, const std::vector<RunMetrics>& row
       .measured = {
           {"first_impact_in_steps", *find_run(rows, "ode", 1e-3).first_impact_time_difference / 1e-3},
           {"rms_fall", fall("ode")}}};
+  values.numbers.merge(falls_by_steps);
+  return values;
 }
 
 }  // namespace rockstack

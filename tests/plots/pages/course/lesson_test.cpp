@@ -106,6 +106,19 @@ TEST(Lesson, ItsPageWorksInABrowser) {
   EXPECT_EQ(answer.result["answered"], true);
 }
 
+TEST(Lesson, WordsThatNameAThingHaveItsColourInThePicture) {
+  if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = lesson_folder(
+      "{{player:sample}}<p><b data-colour=\"exact\">a</b> <b data-colour=\"block-2\">b</b> "
+      "<b data-colour=\"nothing\">c</b></p>");
+  write_lesson(folder, read_comparison(folder));
+  const testing::Answer answer = testing::ask_browser(testing::bytes_of(folder / "lesson.html"), R"js(
+    const colours = Array.from(document.querySelectorAll("[data-colour]"), (word) => word.style.getPropertyValue("--colour"));
+    return [colours[0] === player.tracks.find((track) => track.exact).colour, colours[1] === stacks.blockColours[1], colours[2]];)js");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  EXPECT_EQ(answer.result, nlohmann::json({true, true, "transparent"}));
+}
+
 TEST(Lesson, OneOfItsPlayersHasTheHint) {
   if (!testing::has_browser()) GTEST_SKIP() << "chromium is not installed";
   const fs::path folder = lesson_folder("{{player:sample}}{{player:sample}}");
