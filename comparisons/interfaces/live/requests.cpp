@@ -56,6 +56,42 @@ LiveRequest read_request(const std::string& text, const std::set<std::string>& r
   return request;
 }
 
+/// `whole`, and what is wrong with each value alone that a state has in the place of a sound one's.
+std::vector<std::string> faults_of(const Json& asked, const Json& sound, const std::string& whole,
+                                   const std::set<std::string>& records, MotionLibrary& library) {
+  constexpr std::size_t most_changes = 64;
+  std::vector<std::string> lines{whole};
+  const Json changes = sound.is_null() ? Json::array() : Json(Json::diff(sound, asked));
+  for (std::size_t i = 0; i < std::min(most_changes, changes.size()); ++i) {
+    if (changes[i].at("op") != "replace") continue;
+    try {
+      read_state(sound.patch(Json::array({changes[i]})), records, library);
+    } catch (const std::invalid_argument& error) {
+      if (std::ranges::find(lines, error.what()) == lines.end()) lines.emplace_back(error.what());
+    } catch (const nlohmann::json::exception&) {
+      continue;  // a value that needs others
+    }
+  }
+  return lines;
+}
+
+/// @throws Faults as faults_of().
+LiveRequest read_request(const std::string& text, const std::set<std::string>& records,
+                         MotionLibrary& library, SoundState& sound) {
+  try {
+    LiveRequest request = read_request(text, records, library);
+    const std::lock_guard lock(sound.mutex);
+    sound.state = request.state;
+    return request;
+  } catch (const std::invalid_argument& error) {
+    const Json asked = parse_json(text, "the page: ").value("state", Json());
+    std::unique_lock lock(sound.mutex);
+    const Json before = sound.state;
+    lock.unlock();
+    throw Faults(faults_of(asked, before, error.what(), records, library));
+  }
+}
+
 /// An engine's run as exact_answers.hpp has a motion, of `stride` samples one; of a member of a cloud times
 /// and angles alone.
 Json told(const LiveState& state, const WorkerRun& run, std::size_t stride, bool member) {
@@ -152,7 +188,7 @@ std::size_t Requests::most_at_once() const {
 
 std::string Requests::answer(const std::string& text, const std::function<bool()>& gone) {
   const auto start = std::chrono::steady_clock::now();
-  const LiveRequest request = read_request(text, records_, library_);
+  const LiveRequest request = read_request(text, records_, library_, sound_);
   scheduler_.note(request.client);
   const std::function<bool()> cancelled = [&] { return scheduler_.is_superseded(request.client) || gone(); };
   const Limits limits{

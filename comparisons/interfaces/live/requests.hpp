@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <semaphore>
 
 #include "analytic/scene/ground/motion_library.hpp"
@@ -24,6 +25,20 @@ struct Client {
 class Busy : public std::runtime_error {
  public:
   Busy() : std::runtime_error("busy with other requests: ask again in a second") {}
+};
+
+/// All that is wrong with a request, a line each.
+class Faults : public std::invalid_argument {
+ public:
+  explicit Faults(std::vector<std::string> all)
+      : std::invalid_argument("a request with several faults"), lines(std::move(all)) {}
+  std::vector<std::string> lines;
+};
+
+/// The state that was read last without a fault; null before the first.
+struct SoundState {
+  std::mutex mutex;
+  Json state;
 };
 
 /// Keeps to a few runs at a time and a few that wait, and knows which are superseded. Safe to call from
@@ -62,7 +77,8 @@ class Requests {
   /// {"page", "sequence", "kind": "exact", "engine" or "cloud", "member", "state"}: what live_state.hpp says,
   /// with "milliseconds", or "failure" with the reason, or "dropped" for what is cancelled: superseded, or
   /// `gone`, which is asked now and then: whether the page has left. Safe to call from several threads.
-  /// @throws InputError, std::invalid_argument or nlohmann::json::exception for a request that is none; Busy.
+  /// @throws Faults, InputError, std::invalid_argument or nlohmann::json::exception for a request that is
+  /// none; Busy.
   std::string answer(const std::string& text, const std::function<bool()>& gone);
 
   /// {"state", "name", "runs"}: the texts "scene" and "suite" of files to save. @throws likewise.
@@ -73,6 +89,7 @@ class Requests {
  private:
   std::set<std::string> records_;
   MotionLibrary library_{std::size_t{16} << 20U};
+  SoundState sound_;
   Scheduler scheduler_;
 };
 

@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include "analytic/scene/input/json_words.hpp"
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 #include "comparisons/interfaces/live/lobby.hpp"
 #include "comparisons/interfaces/live/requests.hpp"
@@ -132,6 +133,9 @@ void answer_with(httplib::Response& response, const Answer& answer) {
     response.set_content(answer(), "application/json");
   } catch (const nlohmann::json::exception& error) {
     refuse(response, 400, one_line("the page: must be a question in JSON: " + plain_words(error)));
+  } catch (const Faults& faults) {
+    const auto line = [](const std::string& fault) { return one_line(fault); };
+    refuse(response, 400, joined_texts(faults.lines, line, "\n"));
   } catch (const std::invalid_argument& error) {
     refuse(response, 400, one_line(error.what()));
   } catch (const Busy& busy) {

@@ -82,16 +82,13 @@ int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& argum
   return std::ranges::all_of(rows, is_done) ? 0 : 1;
 }
 
-/// Leaves of a course's lesson what its pages lead to: histories with fewer samples, and figures in one
-/// format.
+/// Leaves of a course's lesson what its pages lead to: histories with fewer samples. They have their figures
+/// in them.
 void thin_results(const fs::path& lesson) {
   constexpr double interval = 1e-2;  // s
   std::error_code none;
   for (const auto& run : fs::directory_iterator(lesson / "runs", none)) thin_run(run.path(), interval);
-  std::vector<fs::path> unneeded{lesson / "figures" / "slides"};
-  for (const auto& figure : fs::directory_iterator(lesson / "figures", none))
-    if (figure.is_regular_file() && figure.path().extension() != ".svg") unneeded.push_back(figure.path());
-  for (const fs::path& one : unneeded) fs::remove_all(one);
+  fs::remove_all(lesson / "figures");
 }
 
 /// Runs a lesson of a course, unless its pages are there that would come of it.

@@ -587,6 +587,8 @@ class Player {
     pen.strokeStyle = "#5b2a86";
     pen.lineWidth = 2.5;
     pen.stroke();
+    const seen = 0.05; // nearer to the middle it is there
+    if (way < seen) return;
     pen.font = "bold 12px 'DejaVu Sans', sans-serif";
     pen.textAlign = "center";
     pen.strokeStyle = "#fff"; // so that it can be read on an outline

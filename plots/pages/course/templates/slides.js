@@ -75,8 +75,9 @@ const slidesOf = (text) => {
 const text = document.getElementById("text");
 text.replaceWith(...slidesOf(text));
 
-const least = 0.4;
+// On a screen that is higher than wide, as a phone's, a slide is scrolled rather than small.
 const fit = (one) => {
+  const least = innerHeight > innerWidth ? 0.8 : 0.4;
   for (let scale = 1; scale >= least; scale -= 0.05) {
     one.style.setProperty("--fit", scale);
     if (one.scrollHeight <= one.clientHeight + 1 && one.scrollWidth <= one.clientWidth + 1) break;
