@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Planck, Box2D's port to JavaScript, beside the exact model. ../README.md says what is set in both sets and why.
+// Planck, a port of Box2D 2 to JavaScript, beside the exact model. ../README.md says what is set in both sets and why.
 
 import { groundReach, onOff, restitution, serve, setting, threshold, whole } from '../serve.mjs';
 
