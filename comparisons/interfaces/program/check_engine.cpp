@@ -3,38 +3,13 @@
 #include <cstdio>
 
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/interfaces/program/commands.hpp"
+#include "comparisons/interfaces/program/check_engine.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/tables.hpp"
-#include "comparisons/studies/canon/canon.hpp"
-#include "comparisons/suites/shipped.hpp"
 #include "engines/conformance/check.hpp"
 
 namespace rockstack {
 namespace {
-
-struct CheckEngineArguments {
-  std::vector<std::string> engines;  ///< empty: all
-  std::vector<std::string> settings{"default", "tuned"};
-  std::vector<std::string> checks;  ///< names of checks, or of the canon's scenes; empty: all
-  bool canon = false;               ///< the long form: the canon's scenes in the place of the checks
-  std::filesystem::path out;        ///< empty: nothing is written
-};
-
-/// Those of some names, or all. @throws InputError naming all for another name.
-template <class List, class Name>
-List chosen_from(List list, const std::vector<std::string>& names, const Name& name_of) {
-  const auto there = mapped(list, [&](const auto& one) { return std::string(name_of(one)); });
-  const auto is_in = [](const std::vector<std::string>& all, const std::string& name) {
-    return std::ranges::find(all, name) != all.end();
-  };
-  for (const std::string& name : names)
-    if (!is_in(there, name))
-      throw InputError(fmt::format("--check {}: must be one of {}{}", name, fmt::join(there, ", "),
-                                   did_you_mean(name, there)));
-  if (!names.empty()) std::erase_if(list, [&](const auto& one) { return !is_in(names, name_of(one)); });
-  return list;
-}
 
 /// What became of a check.
 struct Finding {
@@ -177,7 +152,7 @@ Json check_sets(const WorkerEngine& engine, const CheckEngineArguments& argument
   for (const std::string& settings : arguments.settings) {
     // What no check can be held to is not run, unless checks are named.
     const std::string beyond =
-        arguments.checks.empty() ? known_limit(engine.name, engine.solver, settings, "*") : "";
+        arguments.scenes.empty() ? known_limit(engine.name, engine.solver, settings, "*") : "";
     if (!beyond.empty())
       tell({engine.full_name(), settings, "all", beyond, "known limit"});
     else
@@ -189,7 +164,7 @@ Json check_sets(const WorkerEngine& engine, const CheckEngineArguments& argument
 /// The short form: some twenty laws.
 int check_laws(const CheckEngineArguments& arguments, const Common& common) {
   refuse_overrides(common, "its scenes are its own");
-  const std::vector<Check> chosen = chosen_from(checks(), arguments.checks, std::mem_fn(&Check::name));
+  const std::vector<Check> chosen = chosen_from(checks(), arguments.scenes, std::mem_fn(&Check::name));
   std::optional<ResultsFolder> folder;
   if (!arguments.out.empty()) folder.emplace(arguments.out, Results::canon);
   Json report{{"engines", Json::array()}};
@@ -216,49 +191,6 @@ int check_laws(const CheckEngineArguments& arguments, const Common& common) {
   return broken == 0 ? 0 : 1;
 }
 
-void print_answer(const CanonRow& row, const CanonAnswer& answer) {
-  fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
-             answer.verdict, answer.reason);
-  std::fflush(stdout);
-}
-
-/// The long form: the canon's scenes at five steps.
-int run_canon(const CheckEngineArguments& arguments, const Common& common) {
-  Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
-  suite.scenes = chosen_from(suite.scenes, arguments.checks, std::mem_fn(&NamedScene::name));
-  const std::vector<const WorkerEngine*> asked = engines_named(arguments.engines, [] { return engines(); });
-  const ResultsFolder folder(arguments.out, Results::canon);
-  if (common.prints_text())
-    fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
-               "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
-  const auto show = progress(common);
-  const std::size_t total = asked.size() * arguments.settings.size() * suite.scenes.size();
-  std::size_t done = 0, off = 0;
-  std::vector<CanonRow> rows;
-  for (const WorkerEngine* engine : asked) {
-    for (const std::string& settings : arguments.settings) {
-      CanonRow& row = rows.emplace_back(CanonRow{engine, settings, {}});
-      for (const NamedScene& scene : suite.scenes) {
-        const std::string what = fmt::format("{} {} {}", engine->full_name(), settings, scene.name);
-        show({done++, total, "", what, {}});
-        row.answers.push_back(kept_canon_answer(suite, scene, *engine, settings, arguments.out / "answers"));
-        if (!follows_law(row.answers.back())) ++off;
-        clear_progress(common);
-        if (common.prints_text()) print_answer(row, row.answers.back());
-      }
-    }
-  }
-  const std::string json = canon_json(suite, rows, common.command);
-  write_file(arguments.out / "canon.csv", canon_csv(rows));
-  write_file(arguments.out / "canon.json", json);
-  if (common.json) fmt::print("{}", json);
-  show_report(arguments.out, common);
-  if (common.prints_text())
-    fmt::print("{}\n{} of {} answers neither agree nor converge{}\n", canon_headline(suite, rows), off, total,
-               off > 0 ? ": exit code 1" : "");
-  return off == 0 ? 0 : 1;
-}
-
 int run_check_engine(const CheckEngineArguments& arguments, const Common& common) {
   if (!arguments.canon) return check_laws(arguments, common);
   CheckEngineArguments asked = arguments;
@@ -272,7 +204,9 @@ void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
       "engines", arguments.engines,
       "worker programs, e.g. ./my_engine.py, or names from `rockstack list engines`; left out: all");
   add_settings(command, arguments.settings);
-  command.add_option("--check", arguments.checks, "names of checks, or of the canon's scenes; left out: all")
+  command
+      .add_option("--scene,--check", arguments.scenes,
+                  "names of scenes: of checks, or of the canon; left out: all")
       ->delimiter(',');
   command.add_flag("--canon", arguments.canon,
                    "the long form: sixteen scenes, most with a closed form, at five steps");

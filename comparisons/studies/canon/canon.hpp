@@ -18,11 +18,17 @@ inline constexpr double canon_agreement = 3;
 /// A deviation that is left at any step counts from here, s of the fastest motion: a tenth of a step of 1 ms.
 inline constexpr double canon_resolution = 1e-4;
 
+/// Where successive samples of what an engine is off by correlate by less, either way, it is scatter: a law
+/// leaves less than half of the mean square, since blocks move smoothly. White noise correlates by 0 ± 1/√n
+/// over n samples, 100 or more at the finest step, so that 0.5 is five deviations off.
+inline constexpr double canon_scatter = 0.5;
+
 /// How far an engine is off at most in one quantity, over the fastest motion of it.
 struct Deviation {
   double time = 0;            ///< what it is off by, over the speed, s
   double speed = 1;           ///< rad/s or m/s
   std::string of = "angles";  ///< or "slips", "gaps"
+  double correlation = 1;     ///< of what it is off by at successive samples, from −1 to 1
 
   double amount() const { return time * speed; }  ///< rad or m
   const char* unit() const { return of == "angles" ? "rad" : "m"; }
@@ -33,7 +39,7 @@ struct CanonAnswer {
   std::string scene;  ///< its name
   std::vector<Deviation>
       deviations;                  ///< at canon_steps, of the median replicate, in one quantity; none: no run
-  std::string verdict = "no run";  ///< or "agrees", "converges", "another law", "cannot tell"
+  std::string verdict = "no run";  ///< or "agrees", "converges", "another law", "cannot tell", "scatters"
   std::string reason;              ///< what the verdict rests on, or why there is no run
 };
 
@@ -62,7 +68,8 @@ struct CanonErrors {
 /// above there and hardly changes, or where the fit leaves a deviation above canon_resolution at any step;
 /// "converges" where none is left at the two finest; "cannot tell" where errors scatter, do not fall, are
 /// none at some step, or leave room for one of canon_agreement steps of 1 ms; "agrees" where it is off by
-/// canon_agreement steps at most at the finest; else "converges".
+/// canon_agreement steps at most at the finest; else "converges". What neither agrees nor converges
+/// "scatters" where it does at the finest step (canon_scatter).
 CanonAnswer judge_canon(const std::string& scene, const std::vector<CanonErrors>& errors);
 
 /// Runs a scene at all steps, each with the suite's replicates.
@@ -73,6 +80,17 @@ CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const Work
 /// where there was no run, it is tried again.
 CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
                               const std::string& settings, const std::filesystem::path& folder);
+
+/// What a worker takes to answer the canon.
+struct CanonTime {
+  double start = 0, step = 0;  ///< of a process, and of one step of one block, s
+
+  /// Estimate of a scene's at all steps and replicates, on all cores, s.
+  double of(const Suite& suite, const NamedScene& scene) const;
+};
+
+/// Measured on a block at rest; none where the worker does not answer.
+CanonTime time_of(const WorkerEngine& engine, const std::string& settings, const Limits& limits);
 
 /// Whether an engine follows the law: it agrees or converges.
 bool follows_law(const CanonAnswer& answer);

@@ -211,13 +211,16 @@ TEST(CanonPage, ShowsItsHeadlineAndEveryVerdict) {
              {"scenes", Json::array()},   {"command", "rockstack canon"}};
   canon["scenes"].push_back({{"name", "rest"}, {"title", "A scene"}, {"scene_file", ""}});
   const Json answer{{"verdict", "another law"}, {"reason", ""}, {"steps_off", {1.0, 0.1}}};
+  Json noisy = answer;
+  noisy["verdict"] = "scatters";
   canon["rows"].push_back(
-      {{"engine", "own"}, {"solver", "s1"}, {"settings", "tuned"}, {"answers", {answer}}});
+      {{"engine", "own"}, {"solver", "s1"}, {"settings", "tuned"}, {"answers", {answer, noisy}}});
   const fs::path folder = testing::fresh_folder();
   put(folder / "canon.json", canon.dump());
   write_study_page(folder);
   const std::string page = study_page(folder);
-  for (const char* part : {"own:s1 (tuned) agrees.", "class=\"another-law\"", "1 → 0.1"})
+  for (const char* part :
+       {"own:s1 (tuned) agrees.", "class=\"another-law\"", "class=\"scatters\"", "1 → 0.1"})
     EXPECT_TRUE(tells(page, part)) << part;
 }
 

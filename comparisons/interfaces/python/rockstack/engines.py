@@ -115,7 +115,7 @@ def canon(engine: str | os.PathLike[str] | type[Worker], *, settings: str = "tun
 
     Columns scene, verdict, reason, shape (scenes,); of the median replicate at each step, shape (scenes, 5): amounts,
     what it is off by, rad or m, and steps_off, over what the fastest motion does in a step. verdict, by a fit of error = model error + c·dtᵖ: "agrees", "converges", "another law",
-    "cannot tell", "no run". draws: replicates of each step. scenes: some of the sixteen by their names, as
+    "scatters", where successive samples do not share what it is off by, "cannot tell", "no run". draws: replicates of each step. scenes: some of the sixteen by their names, as
     "rocking-impact"; None: all. engine and settings as of simulate(), progress as of solve_many().
     """
     with programs_of([engine]) as (program,), progress_bar(progress, "canon") as tell:
