@@ -10,12 +10,15 @@ WIDTH = 0.03  # steps are spread by as much, either way
 
 
 def replicates(scene, dt, count=5):
-    """Scenes whose angles and slips differ in the sixth digit, each with its step, s."""
+    """Scenes whose angles and slips differ in the sixth digit, each with its step, s. Blocks that fly differ by amounts, since a factor
+    leaves a flat landing flat."""
     for number in range(count):
         share = 2 * number / (count - 1) - 1
         start = scene.to_dict().get("initial", {})
         changed = {f"initial.{key}": [value * (1 + 1e-6 * share) for value in start[key]]
                    for key in ("angles", "slip_velocities") if key in start}
+        if any(start.get("gaps", ())):
+            changed["initial.angles"] = [angle + 1e-6 * share for angle in changed["initial.angles"]]
         yield scene.replace(changed) if changed else scene, dt * (1 + WIDTH * share)
 
 

@@ -171,5 +171,54 @@ TEST(Flights, ChatterOfTwoContactsEndsBySpeedNotByHeight) {
   for (const Event& event : history.events) EXPECT_FALSE(gains(scene, event)) << event.time;
 }
 
+/// Velocities after all impacts of a landing on either corner in turn, tilted by so little that nothing moves
+/// between them: the corner that is lower first, then whichever comes down.
+Pose<> landed_in_turn(const Block& block, double angle, double speed, double e, double friction) {
+  const std::array<testing::LowCorner, 2> corners{{{block, angle}, {block, -angle}}};
+  Pose<> rate{0, -speed, 0};
+  for (std::size_t impact = 0; corners[impact % 2].up(rate) < -exactly; ++impact) {
+    const testing::LowCorner& corner = corners[impact % 2];
+    rate = corner.after(rate, corner.newton(rate, e, friction));
+  }
+  return rate;
+}
+
+/// What a landing leaves of a block that falls by `height`, its impacts within a microsecond together.
+Pose<> landed(const Scene& scene) {
+  const History history = solve_unilateral(scene);
+  const double end = history.events.at(0).time + 1e-6;
+  const auto after = std::ranges::find_if(history.events, [&](const Event& event) {
+    return event.time > end || event.kind != EventKind::impact;
+  });
+  return bodies_after(*std::prev(after)).velocity[0];
+}
+
+// Which of both a law means where a block lands flat is a choice: no number there tells laws apart.
+TEST(Flights, ATiltOfABillionthMakesAFlatLandingAnotherMotion) {
+  const double e = 0.8, tilt = 1e-9, close = 1e-5;  // what gravity gives in a microsecond, in m/s
+  for (const Block& one : {block(1, 0.5), block(1, 0.4), block(0.8, 0.8)}) {
+    for (const double friction : {0.2, 0.5, 1.0}) {
+      Scene scene = flat_drop({one}, e, 0.25, friction);
+      const double speed = std::sqrt(2 * scene.gravity * height);
+      EXPECT_NEAR(landed(scene).y, e * speed, exactly);
+      for (const double angle : {tilt, -tilt}) {
+        scene.initial.angles = {angle};
+        const Pose<> found = landed(scene), expected = landed_in_turn(one, angle, speed, e, friction);
+        SCOPED_TRACE(::testing::Message() << one.half_height << ' ' << friction << ' ' << angle);
+        EXPECT_NEAR(found.x, expected.x, close);
+        EXPECT_NEAR(found.y, expected.y, close);
+        EXPECT_NEAR(found.angle, expected.angle, close);
+        EXPECT_GT(std::abs(found.angle), 0.1);
+      }
+    }
+  }
+  // Numbers of comparisons/findings.md.
+  const Block low = block(1, 0.5);
+  const Pose<> kept = landed_in_turn(low, tilt, 1, e, 0.5);
+  EXPECT_NEAR(kept.y, 0.616, 5e-4);
+  EXPECT_NEAR(testing::LowCorner(low, tilt).up(kept), 0.021, 5e-4);
+  EXPECT_NEAR(testing::LowCorner(low, -tilt).up(kept), 1.211, 5e-4);
+}
+
 }  // namespace
 }  // namespace rockstack
