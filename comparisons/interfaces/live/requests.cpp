@@ -57,15 +57,15 @@ LiveRequest read_request(const std::string& text, const std::set<std::string>& r
 }
 
 /// `whole`, and what is wrong with each value alone that a state has in the place of a sound one's.
-std::vector<std::string> faults_of(const Json& asked, const Json& sound, const std::string& whole,
+std::vector<std::string> faults_of(const Json& asked, const Json* sound, const std::string& whole,
                                    const std::set<std::string>& records, MotionLibrary& library) {
   constexpr std::size_t most_changes = 64;
   std::vector<std::string> lines{whole};
-  const Json changes = sound.is_null() ? Json::array() : Json(Json::diff(sound, asked));
+  const Json changes = sound == nullptr ? Json::array() : Json(Json::diff(*sound, asked));
   for (std::size_t i = 0; i < std::min(most_changes, changes.size()); ++i) {
     if (changes[i].at("op") != "replace") continue;
     try {
-      read_state(sound.patch(Json::array({changes[i]})), records, library);
+      read_state(sound->patch(Json::array({changes[i]})), records, library);
     } catch (const std::invalid_argument& error) {
       if (std::ranges::find(lines, error.what()) == lines.end()) lines.emplace_back(error.what());
     } catch (const nlohmann::json::exception&) {
@@ -81,14 +81,14 @@ LiveRequest read_request(const std::string& text, const std::set<std::string>& r
   try {
     LiveRequest request = read_request(text, records, library);
     const std::lock_guard lock(sound.mutex);
-    sound.state = request.state;
+    sound.state = std::make_shared<const Json>(request.state);
     return request;
   } catch (const std::invalid_argument& error) {
     const Json asked = parse_json(text, "the page: ").value("state", Json());
     std::unique_lock lock(sound.mutex);
-    const Json before = sound.state;
+    const std::shared_ptr<const Json> before = sound.state;
     lock.unlock();
-    throw Faults(faults_of(asked, before, error.what(), records, library));
+    throw Faults(faults_of(asked, before.get(), error.what(), records, library));
   }
 }
 

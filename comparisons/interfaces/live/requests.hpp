@@ -35,10 +35,10 @@ class Faults : public std::invalid_argument {
   std::vector<std::string> lines;
 };
 
-/// The state that was read last without a fault; null before the first.
+/// The state that was read last without a fault; none before the first.
 struct SoundState {
   std::mutex mutex;
-  Json state;
+  std::shared_ptr<const Json> state;
 };
 
 /// Keeps to a few runs at a time and a few that wait, and knows which are superseded. Safe to call from

@@ -389,6 +389,7 @@ const makeMoving = async (home, place) => {
   Object.assign(root, { id: `moving-${place}`, hidden: false });
   root.classList.add("compact");
   root.querySelector(".stage").id = root.id + "-stage";
+  root.querySelector(".forces").checked = !tracks[1]; // others would lie over them
   const parted = horizon && partingOf(tracks, scene.blocks.length, Number(horizon));
   const told = parted && ` All ${tracks.length} are within ${horizon} rad of the first ${parted < scene.duration ? `until ${parted.toFixed(2)} s, the black line under the picture` : "to the end"}.`;
   home.append(root, made("figcaption", { textContent: `${scene.title}.${told || ""}` }));
