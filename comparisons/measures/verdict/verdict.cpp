@@ -51,6 +51,7 @@ std::string by_step(const std::vector<ReplicatedRow>& rows, fmt::format_string<s
     most = std::max(most, *value);
   }
   std::vector<std::string> parts;
+  parts.reserve(ranges.size());
   for (const auto& [dt, range] : ranges)
     parts.push_back(fmt::format("{}: {}", quantity_text(dt, "s"), text(range.first, range.second, unit)));
   return parts.empty() ? "" : fmt::format(sentence, fmt::format("{}", fmt::join(parts, "; ")));

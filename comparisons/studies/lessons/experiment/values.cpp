@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <ranges>
+#include <span>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/solve.hpp"
@@ -99,7 +99,7 @@ LessonValues experiment_values(const Suite& suite, const std::vector<RunMetrics>
                       {"tenth_later", fixed(later_times.at(9) - measured_times.at(9), 3)},
                       {"tenth", fixed(measured_times.at(9), 2)},
                       {"second_swing", fixed(shape_times.at(1) - shape_times.at(0), 2)},
-                      {"six_impacts", fmt::format("{}", fmt::join(shape_times | std::views::take(6), ", "))},
+                      {"six_impacts", fmt::format("{}", fmt::join(std::span(shape_times).first(6), ", "))},
                       {"tenth_swing", fixed(measured_times.at(9) - measured_times.at(8), 2)},
                       {"engine_late", quantity_text(std::abs(*ode.first_impact_time_difference), "s", 2)},
                       {"spread", percent(assumed_spread, 0)}},
