@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // MuJoCo 3 beside the exact model, set up as ../../mujoco sets up version 2.2.2: the same settings by the same names, but for one
-// more integrator. ../../mujoco/README.md says what its contacts are, ../README.md what is set in both sets and why.
+// more integrator and friction's own spring. ../../mujoco/README.md says what its contacts are, ../README.md what is set in both sets and why.
 
 import { massFactor, NotFinite, onOff, serve, setting, whole } from '../serve.mjs';
 
@@ -13,6 +13,8 @@ const settings = (solver) => [
   setting('cone', 1, 1, 0, 1, choices('pyramidal', 'elliptic')),
   setting('solref_timeconst', 0.02, 1e-3, -stiffest, stiffest, { unit: 's' }),
   setting('solref_dampratio', 1, solver === 'pgs' ? 6 : 3, -stiffest, stiffest),
+  setting('solreffriction_timeconst', 0, 0, -stiffest, stiffest, { unit: 's' }),  // both 0: solref is friction's too
+  setting('solreffriction_dampratio', 0, 0, -stiffest, stiffest),
   setting('solimp_d0', 0.9, 0.995, 0, 1),
   setting('solimp_dwidth', 0.95, 0.995, 0, 1),
   setting('solimp_width', 1e-3, 1e-3, 0, 1e9, metres),
@@ -61,6 +63,7 @@ function pairs(question) {
   const values = (start, ...names) => names.map((name) => given[`${start}_${name}`]);
   const surface = {
     solref: values('solref', 'timeconst', 'dampratio'),
+    solreffriction: values('solreffriction', 'timeconst', 'dampratio'),
     solimp: values('solimp', 'd0', 'dwidth', 'width', 'midpoint', 'power'),
     margin: given.margin,
     gap: given.gap,

@@ -1,5 +1,6 @@
 #!/usr/bin/env node
 // A stack of blocks in MuJoCo 3 by its own calls alone. What is not set stays as the library has it, but for the cone.
+// `convex 1` has the library's two newer ways to let convex shapes touch the other way round.
 
 import { inPackage, printAngles, readQuestion } from './question.mjs';
 
@@ -20,7 +21,8 @@ const pairs = names.flatMap((upper, k) => names.slice(0, k).map((lower) => `
   <pair geom1="${lower}" geom2="${upper}" condim="3" friction="${friction} ${friction} 0 0 0" solref="${solref}" solimp="${solimp}"/>`));
 mujoco.FS.writeFile('stack.xml', `<mujoco>
   <option timestep="${question.dt}" solver="${{ newton: 'Newton', cg: 'CG', pgs: 'PGS' }[question.solver]}" cone="elliptic"
-    iterations="${of('iterations', 100)}" tolerance="${of('tolerance', 1e-8)}"/>
+    iterations="${of('iterations', 100)}" tolerance="${of('tolerance', 1e-8)}">
+    <flag ${question.convex ? 'multiccd="enable" nativeccd="disable"' : ''}/></option>
   <worldbody><geom name="ground" type="plane" ${still} size="${reach} ${reach} 1" zaxis="0 1 0"/>${bodies.join('')}</worldbody>
   <contact>${pairs.join('')}</contact></mujoco>`);
 const model = mujoco.MjModel.loadFromXML('stack.xml');

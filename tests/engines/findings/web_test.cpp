@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engines/scene_setup.hpp"
 #include "engines/worker/registry.hpp"
 #include "tests/engines/bare.hpp"
 #include "tests/engines/findings/draws.hpp"
@@ -112,6 +113,50 @@ TEST(WebEngines, FrictionOfCannonIsAnImpulseThatKnowsNoStep) {
     EXPECT_GT(turn_on_pushed_ground(*engine, dt, 2 * 0.075 * dt), 0.02) << dt;
     EXPECT_GT(turn_on_pushed_ground(*engine, dt, 0.1), 0.02) << dt;
   }
+}
+
+/// A block on ground that accelerates by 0.2 g, which a friction of 0.5 holds.
+Scene held_on_a_slope() {
+  Scene scene = slender_block(1);
+  scene.blocks = {make_block(2, 1, 2500)};
+  scene.initial = {{0}, {0}};
+  scene.friction = {0.5};
+  scene.horizontal.interval = 10;
+  scene.horizontal.samples = {0.2 * scene.gravity, 0.2 * scene.gravity};
+  return scene;
+}
+
+/// How fast that block creeps in MuJoCo 3 in its second half of a second, m/s.
+double creep_in_mujoco(const WorkerEngine& engine, const Parameters& changes) {
+  const Parameters parameters = with(engine.default_parameters(), changes);
+  const std::vector<BodyState> bodies =
+      run(engine, set_up(held_on_a_slope(), 1e-3, parameters), parameters, true).bodies;
+  return std::abs(bodies.back().x - bodies.at(bodies.size() / 2).x) / 0.5;
+}
+
+/// What sticks is held by a dashpot of friction's own: the block creeps by its time constant, and by the
+/// share of the normal's compliance that friction has.
+TEST(WebEngines, FrictionsOwnTimeConstantMakesBlocksCreepInMuJoCo3) {
+  const WorkerEngine* engine = there("mujoco-js:newton");
+  if (engine == nullptr) GTEST_SKIP() << "MuJoCo 3 is not there";
+  const double creep = creep_in_mujoco(*engine, {});
+  EXPECT_GT(creep, 1e-4);
+  const auto slower = [&](const Parameters& changes) { return creep / creep_in_mujoco(*engine, changes); };
+  EXPECT_NEAR(slower({{"solreffriction_timeconst", 0.2}, {"solreffriction_dampratio", 1}}), 0.1, 1e-3);
+  EXPECT_NEAR(slower({{"solreffriction_timeconst", 0.002}, {"solreffriction_dampratio", 1}}), 10, 0.1);
+  EXPECT_NEAR(slower({{"impratio", 10}}), 10, 0.1);
+}
+
+/// Boxes have a way to touch of their own.
+TEST(WebEngines, MuJoCo3sWaysForConvexShapesAreNotThoseOfBoxes) {
+  const WorkerEngine* engine = there("mujoco-js:newton");
+  if (engine == nullptr) GTEST_SKIP() << "MuJoCo 3 is not there";
+  Scene scene = slender_block(0.7);
+  scene.blocks.push_back(make_block(0.3, 1, 2500));
+  scene.initial = {{0.1, 0.1}, {0, 0}};
+  scene.friction.assign(2, 1);
+  const std::string question = bare_question(*engine, scene, 1e-3, engine->default_parameters());
+  EXPECT_EQ(bare_angles(engine->name, question), bare_angles(engine->name, question + "convex 1\n"));
 }
 
 /// How fast a block creeps in PhysX on ground that accelerates by 0.364 g, which a friction of 0.5 holds,
