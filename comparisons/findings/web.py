@@ -1,5 +1,6 @@
 """What npm's engines converge to: for each a table of the same small scenes, with its defaults and tuned."""
 import csv
+import re
 from pathlib import Path
 from statistics import median
 
@@ -89,7 +90,7 @@ FOLDER = Path(__file__).resolve().parents[2] / "engines" / "web"
 SOLVERS = {"mujoco-js": ":newton"}
 TABLES = {name: table(name, SOLVERS.get(name, "")) for name in
           sorted(worker.parent.name for worker in FOLDER.glob("*/worker.mjs"))}
-FILES = {name: FOLDER / name / "findings.csv" for name in TABLES} | {"limits": FOLDER / "limits.csv"}
+FILES = {name: FOLDER / name / "findings.csv" for name in TABLES} | {name: FOLDER / f"{name}.csv" for name in ("limits", "packages")}
 
 
 def limits():
@@ -102,3 +103,31 @@ def limits():
         for one in dict.fromkeys((row.get("solver", ""), row["set"]) for row in rows):
             own = [row for row in rows if (row.get("solver", ""), row["set"]) == one]
             yield " ".join(filter(None, (name, one[0]))), one[1], *(row["step 0.1 ms"] for row in own)
+
+
+def listed_checks(engine, solver, settings):
+    """How many checks of check-engine limits.txt lists for a set of an engine's solver."""
+    checks = set()
+    for file in (FOLDER.parent / "conformance" / "limits.txt", *FOLDER.glob("*/limits.txt")):
+        for paragraph in file.read_text().split("\n\n"):
+            lines = [line for line in paragraph.splitlines() if line and not line.startswith("#")]
+            if not lines:
+                continue
+            names = [part.split() for part in lines[0].split("|")]
+            if all("*" in known or one in known for one, known in zip((engine, solver, settings), names)):
+                checks |= set(" ".join(lines[2:]).split())
+    return len(checks)
+
+
+def packages():
+    """packages of npm's engines as they tell of themselves, and how many of 24 checks limits.txt lists for each set."""
+    yield "engine", "package", "precision", "licence", "listed checks by default", "listed checks tuned"
+    for one in sorted((one for one in rockstack.engines() if one["name"] in TABLES), key=lambda one: one["name"]):
+        name, solver = one["name"], one["solver"]
+        module = re.search("module: '(.*)'", (FOLDER / name / "worker.mjs").read_text()).group(1)
+        version, _, more = one["version"].partition(" of npm, ")
+        inside = [part for part in more.split(", ") if part[-1].isdigit()]
+        title = " ".join([f"[`{name}`]({name}/page.md)", *[solver] * (len(solvers(name)) > 1)])
+        package = " ".join([module, version, *(f"({part})" for part in inside)])
+        yield (title, package, more.split(", ")[-1].removesuffix(" precision"), one["licence"].replace(",", ";"),
+               *(listed_checks(name, solver, settings) for settings in ("default", "tuned")))
