@@ -203,6 +203,12 @@ EngineRun engine_run_of(const Scene& scene, const Setup& setup, Trajectory traje
     }
     if (bodies) run.bodies = account.record();
   }
+  if (!trajectory.reactions.empty()) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    run.history.reactions.assign(scene.blocks.size(), {none, none, none});
+    run.history.reactions.insert(run.history.reactions.end(), trajectory.reactions.begin(),
+                                 trajectory.reactions.end());
+  }
   if (run.bodies) run.bodies->contacts = std::move(trajectory.contacts);
   run.history.angles = std::move(trajectory.angles);
   run.history.velocities = std::move(trajectory.velocities);

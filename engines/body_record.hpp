@@ -56,7 +56,8 @@ std::vector<double> elastic_energy(const BodyRecord& record);
 /// What an engine made of a scene, as the exact solver would tell it.
 struct EngineRun {
   /// The state at t = 0 and after every step; ends early where a block has toppled. Of laws that leave pivots
-  /// with slips, gaps (negative: overlap) and places, whether or not the blocks touch.
+  /// with slips, gaps (negative: overlap) and places, whether or not the blocks touch. Reactions, where they
+  /// are asked for and told, are means over the step before each sample; no numbers at the start.
   History history;
   std::size_t warnings = 0;          ///< as of a Trajectory
   std::optional<BodyRecord> bodies;  ///< where asked for

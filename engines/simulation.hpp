@@ -26,6 +26,7 @@ struct ContactPoint {
   double gap = 0;             ///< where the step ends: the bodies' points moved on, along the same normal, m
   double normal = 0;          ///< impulse of the step that pushes the bodies apart, N·s
   double tangential = 0;      ///< magnitude of the impulse across that, N·s
+  double impulse_x = 0, impulse_y = 0;  ///< both on the upper body, to the right and up, N·s
   double stiffness = std::numeric_limits<double>::infinity();  ///< N/m where it is a spring, else infinite
   double damping = 0;  ///< N s/m where a dashpot is beside the spring; without meaning where there is none
 };

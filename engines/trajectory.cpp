@@ -116,6 +116,26 @@ void ContactWatch::add_impacts(const std::vector<Ends>& ends, const std::vector<
   }
 }
 
+std::vector<Reaction> step_reactions(const Setup& setup, const std::vector<ContactPoint>& points,
+                                     std::span<const double> angles) {
+  const std::size_t blocks = setup.blocks.size();
+  std::vector<Reaction> list(blocks);
+  std::vector<double> pushed(blocks), moments(blocks);
+  for (const ContactPoint& point : points) {
+    const std::size_t k = point.interface;
+    const bool on_upper = k > 0 && setup.blocks[k].width > setup.blocks[k - 1].width;
+    const double angle = on_upper ? angles[k] : k > 0 ? angles[k - 1] : 0;
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    list[k].normal += (point.impulse_x * sine + point.impulse_y * cosine) / setup.dt;
+    list[k].tangential += (point.impulse_x * cosine - point.impulse_y * sine) / setup.dt;
+    pushed[k] += point.normal;
+    moments[k] += point.normal * point.along;
+  }
+  for (std::size_t k = 0; k < blocks; ++k)
+    list[k].centre = pushed[k] > 0 ? moments[k] / pushed[k] : std::numeric_limits<double>::quiet_NaN();
+  return list;
+}
+
 bool has_ended(const Setup& setup, const Trajectory& trajectory) {
   const auto last = trajectory.angles.end() - static_cast<std::ptrdiff_t>(setup.blocks.size());
   return !std::equal(last, trajectory.angles.end(), setup.toppling_angles.begin(),
@@ -141,14 +161,16 @@ void require_finite(const Trajectory& trajectory, std::size_t blocks, double dt)
   }
 }
 
-Trajectory run(const Engine& engine, const Setup& setup, const Parameters& parameters, bool bodies) {
+Trajectory run(const Engine& engine, const Setup& setup, const Parameters& parameters, bool bodies,
+               bool reactions) {
   const auto simulation = engine.start(setup, parameters);
   const std::size_t blocks = setup.blocks.size();
   Trajectory trajectory;
   trajectory.angles.reserve((setup.steps + 1) * blocks);
   trajectory.velocities.reserve((setup.steps + 1) * blocks);
   std::optional<ContactWatch> contacts;
-  if (bodies && simulation->watch_contacts()) contacts.emplace(setup, engine.capabilities.largest_friction);
+  const bool watched = (bodies || reactions) && simulation->watch_contacts();
+  if (bodies && watched) contacts.emplace(setup, engine.capabilities.largest_friction);
   const auto observe = [&] {
     for (std::size_t k = 0; k < blocks; ++k) {
       const BodyState body = simulation->body(k);
@@ -165,6 +187,11 @@ Trajectory run(const Engine& engine, const Setup& setup, const Parameters& param
     const std::size_t before = simulation->warnings();
     simulation->step();
     if (simulation->warnings() > before) ++trajectory.warnings;
+    if (reactions && watched) {
+      const auto start = std::span(trajectory.angles).last(blocks);
+      const std::vector<Reaction> made = step_reactions(setup, simulation->contacts(), start);
+      trajectory.reactions.insert(trajectory.reactions.end(), made.begin(), made.end());
+    }
     observe();
     if (has_ended(setup, trajectory)) break;
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "analytic/scene/history.hpp"
 #include "engines/engine.hpp"
 
 namespace rockstack {
@@ -78,6 +79,12 @@ class ContactWatch {
   std::vector<double> angles_, angles_before_, velocities_;
 };
 
+/// What each interface bears in one step: the mean of its contact points' forces over it, on the upper body.
+/// Its axes are those of the face that corners stand on where the step starts, with blocks at `angles`, rad:
+/// of the block below, or of the one above where that is wider. Nothing bears: the centre is no number.
+std::vector<Reaction> step_reactions(const Setup& setup, const std::vector<ContactPoint>& points,
+                                     std::span<const double> angles);
+
 /// What an engine made of a scene, at t = 0 and after every step; it ends early where a block has toppled.
 /// All lists go sample by sample, and in each from the lowest block up.
 struct Trajectory {
@@ -86,6 +93,8 @@ struct Trajectory {
   std::vector<BodyState> bodies;   ///< where asked for
   /// What its contacts tell, where asked for and where the engine tells them.
   std::optional<ContactRecord> contacts;
+  /// What interfaces bear in each step, a row a step; where asked for and where the engine tells contacts.
+  std::vector<Reaction> reactions;
   std::size_t warnings = 0;  ///< steps in which the solver failed and went on
   std::vector<double> times = {};  ///< of samples that come unevenly, s; empty: one after every step
 };
@@ -96,9 +105,10 @@ class NotFinite : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a scene to its end in this process; `bodies`: keeps these and the contacts.
+/// Runs a scene to its end in this process; `bodies`: keeps these and the contacts; `reactions`: keeps these.
 /// @throws NotFinite with the time at which that happened, or the engine's own error.
-Trajectory run(const Engine& engine, const Setup& setup, const Parameters& parameters, bool bodies = false);
+Trajectory run(const Engine& engine, const Setup& setup, const Parameters& parameters, bool bodies = false,
+               bool reactions = false);
 
 /// True where a block has toppled in the last sample, or an angle there is no number any more.
 bool has_ended(const Setup& setup, const Trajectory& trajectory);

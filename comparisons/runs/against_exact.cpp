@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparisons/measures/metrics/bodies.hpp"
+#include "comparisons/measures/metrics/forces.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
 
@@ -201,6 +202,25 @@ void add_contact_impacts(const Scene& scene, const History& exact, const Candida
   files["contact_impacts.csv"] = impacts_csv(alignment);
 }
 
+/// What an engine's interfaces bear, where it tells that.
+void add_forces(const Scene& scene, const History& exact, const CandidateMotion& candidate,
+                const Difference& gaps, double horizon, RunMetrics& row, RunFiles& files) {
+  if (candidate.history.reactions.empty()) return;
+  const auto expected = reported_impacts(scene, exact, chatter_speed(scene));
+  const auto alignment =
+      align(expected, candidate.impacts, matching_windows(expected, gaps, candidate.interval));
+  const auto [forces, impulses] = compare_forces(
+      scene, up_to(exact, horizon), up_to(candidate.history, horizon), up_to(alignment, horizon));
+  row.normal_force_error = forces.normal;
+  row.friction_force_error = forces.tangential;
+  row.peak_normal_force = forces.peak;
+  row.exact_peak_normal_force = forces.exact_peak;
+  row.impulse_error = impulse_error(impulses);
+  if (!impulses.empty())
+    row.first_impulse_error = impulses.front().engine.normal / impulses.front().exact.normal - 1;
+  files["impulses.csv"] = impulses_csv(impulses);
+}
+
 /// @throws std::runtime_error where there is none, so that it is not taken for a failure of the other
 /// candidate.
 History exact_motion(const Scene& scene, const std::vector<double>& times) {
@@ -313,7 +333,9 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
   if (bodies) add_rest(scene, exact, candidate, horizon, row);
   if (bodies && wanted.impacts) add_contact_impacts(scene, exact, candidate, gaps, horizon, row, files);
   if (bodies && suite.softness) add_parts(scene, exact, candidate, horizon, wanted.histories, row, files);
+  if (wanted.forces) add_forces(scene, exact, candidate, gaps, horizon, row, files);
   if (!wanted.histories) return;
+  if (!history.reactions.empty()) files["reactions.csv"] = reactions_csv(scene, history);
   files["history.csv"] = history_csv(history);
   files["difference.csv"] = difference_csv(apart);
   if (bodies) files["energy.csv"] = energy_csv(apart.times, energies(scene, exact), *candidate.bodies);

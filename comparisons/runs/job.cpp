@@ -44,6 +44,7 @@ double line_bytes(const Job& job) {
   if (job.suite.wanted.bodies)
     bytes += time + exact_number + 3 * number + (shaken ? number : nought) + nought;
   if (job.suite.softness) bytes += time + 3 * blocks * number;
+  if (job.suite.wanted.forces) bytes += time + 3 * blocks * force;
   return bytes;
 }
 

@@ -237,7 +237,7 @@ ReplicateRun run_replicate(const Job& job, int replicate, int repeats) {
   ReplicateRun run{replicate_scene(job.scene.scene, replicates, replicate),
                    replicate_step(job.dt, replicates, replicate)};
   run.made = run_in_worker(*job.series->engine, run.scene, run.dt, job.series->parameters, repeats,
-                           job.suite.limits, bodies);
+                           job.suite.limits, bodies, job.suite.wanted.forces);
   return run;
 }
 
@@ -316,9 +316,13 @@ BranchTree solve_branches_into(const SolveJob& job, std::size_t most) {
 }
 
 std::pair<History, SupportLoss> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                                              const std::filesystem::path& folder,
-                                              const std::string& command) {
-  auto [history, warnings, bodies] = simulate(*series.engine, scene.scene, dt, series.parameters, {}, true);
+                                              const std::filesystem::path& folder, const std::string& command,
+                                              const std::vector<std::string>& histories) {
+  auto [history, warnings, bodies] =
+      simulate(*series.engine, scene.scene, dt, series.parameters, {}, true, !histories.empty());
+  if (!histories.empty() && history.reactions.empty())
+    throw InputError(fmt::format("--histories {}: must be left out of {}, which tells none",
+                                 histories.front(), series.engine->full_name()));
   const SupportLoss support = support_of(bodies->penetration, bodies->unsupported_since);
   RunMetrics row = describe({{}, scene, dt, &series});
   row.steps = static_cast<int>(history.size() - 1);
@@ -327,8 +331,8 @@ std::pair<History, SupportLoss> simulate_into(const NamedScene& scene, const Eng
   row.fallen = support.fallen;
   write_motion(
       scene, history, support,
-      summary(motion_cells(row), scene, all_parameters(series, scene.scene), {series.engine}, command), {},
-      folder);
+      summary(motion_cells(row), scene, all_parameters(series, scene.scene), {series.engine}, command),
+      histories_csv(scene.scene, history, histories), folder);
   return {std::move(history), support};
 }
 

@@ -19,8 +19,8 @@ struct CandidateMotion {
 
 /// Sets a candidate beside the exact solution at its own times: fills in the columns that the suite wants, of
 /// histories up to `horizon` s (job.hpp), and adds history.csv, difference.csv, impacts.csv,
-/// contact_impacts.csv, patterns.csv, energy.csv and parts.csv as far as it wants them, patterns.csv up to
-/// the horizon and the others whole.
+/// contact_impacts.csv, patterns.csv, energy.csv, reactions.csv, impulses.csv and parts.csv as far as it
+/// wants them, patterns.csv and impulses.csv up to the horizon and the others whole.
 /// @throws std::runtime_error where the scene cannot be solved.
 void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateMotion& candidate,
                         double horizon, RunMetrics& row, RunFiles& files);
@@ -84,7 +84,7 @@ BranchTree solve_branches_into(const SolveJob& job, std::size_t most);
 /// an engine reports no events, so events.csv has its header alone. Returns how its blocks end on what they
 /// stand on as well.
 std::pair<History, SupportLoss> simulate_into(const NamedScene& scene, const EngineSeries& series, double dt,
-                                              const std::filesystem::path& folder,
-                                              const std::string& command);
+                                              const std::filesystem::path& folder, const std::string& command,
+                                              const std::vector<std::string>& histories = {});
 
 }  // namespace rockstack

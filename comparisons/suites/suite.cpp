@@ -52,14 +52,12 @@ std::vector<Variant> read_variants(const Node& array) {
 }
 
 constexpr std::initializer_list<std::pair<const char*, bool ResultSelection::*>> result_names{
-    {"angles", &ResultSelection::angles},
-    {"impacts", &ResultSelection::impacts},
-    {"patterns", &ResultSelection::patterns},
-    {"bodies", &ResultSelection::bodies},
-    {"histories", &ResultSelection::histories}};
+    {"angles", &ResultSelection::angles},       {"impacts", &ResultSelection::impacts},
+    {"patterns", &ResultSelection::patterns},   {"bodies", &ResultSelection::bodies},
+    {"histories", &ResultSelection::histories}, {"forces", &ResultSelection::forces}};
 
 ResultSelection read_results(const Node& array) {
-  ResultSelection wanted{false, false, false, false, false};
+  ResultSelection wanted{false, false, false, false, false, false};
   for (const Node& child : entries(array, "an array of at least one name, e.g. [\"angles\"]")) {
     bool& one = wanted.*choice<bool ResultSelection::*>(child, result_names);
     if (one) throw wrong_value(child, "named once");
@@ -304,6 +302,7 @@ Suite suite_for(NamedScene scene, const SceneChoice& choice) {
   Suite suite;
   suite.title = scene.scene.title;
   suite.softness = choice.softness;
+  suite.wanted.forces = choice.forces;
   if (choice.quick) {
     suite.repeats = 1;
     suite.history_interval = scene.scene.duration / 2000;

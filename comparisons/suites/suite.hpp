@@ -129,6 +129,7 @@ struct ResultSelection {
   bool patterns = true;   ///< shares of time; patterns.csv
   bool bodies = true;     ///< what the engine's bodies do: energy, penetration, slip, …; energy.csv
   bool histories = true;  ///< history.csv and difference.csv: every sample of every run
+  bool forces = false;    ///< what interfaces bear, where engines tell it; reactions.csv and impulses.csv
 };
 
 /// The names of those that are wanted, as suite files have them.
@@ -203,6 +204,7 @@ struct SceneChoice {
   bool quick = false;                     ///< one timed run, 2000 samples of each history
   bool softness = false;                  ///< as in a suite
   std::vector<NamedTrajectory> trajectories = {};  ///< of other programs, beside the engines
+  bool forces = false;                             ///< whether these are among its results
 };
 
 /// The suite for a single scene: each engine with its default and its tuned parameters.

@@ -22,7 +22,7 @@ inline const KeyTable suite_keys{
      {"tolerance", "0.01", "rad", "> 0", "0.01", "histories agree as long as angles stay that close"},
      {"repeats", "5", "", "a whole number from 1", "5", "timed runs after one to warm up"},
      {"results", "[\"angles\", \"impacts\"]", "",
-      "of \"angles\", \"impacts\", \"patterns\", \"bodies\", \"histories\"", "all",
+      "of \"angles\", \"impacts\", \"patterns\", \"bodies\", \"histories\", \"forces\"", "all but \"forces\"",
       "what is computed and written"},
      {"softness", "\"split\"", "", "\"whole\" or \"split\", which needs \"bodies\" in `results`", "\"whole\"",
       "whether differences of engines are split into contact model, contact softness and time step"},

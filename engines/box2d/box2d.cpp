@@ -27,6 +27,8 @@ struct Touch {
   ContactPoint point;
   const b2Contact* pair = nullptr;
   int number = 0;
+  b2Vec2 normal{0, 0};  ///< from the pair's first body to its second, where the step starts
+  double on_upper = 1;  ///< −1 where the upper body is the first
 };
 
 /// What the library tells of pairs that touch, and asks.
@@ -50,7 +52,12 @@ class Contacts : public b2ContactListener {
     b2WorldManifold solved;
     pair->GetWorldManifold(&solved);
     for (int i = 0; i < impulse->count; ++i) {
-      ContactPoint& point = find(*pair, i)->point;
+      Touch& touch = *find(*pair, i);
+      ContactPoint& point = touch.point;
+      const b2Vec2 total =
+          impulse->normalImpulses[i] * touch.normal + impulse->tangentImpulses[i] * b2Cross(touch.normal, 1);
+      point.impulse_x += touch.on_upper * unit_.from(total.x);
+      point.impulse_y += touch.on_upper * unit_.from(total.y);
       point.gap = unit_.from(solved.separations[i]);
       point.normal += unit_.from(impulse->normalImpulses[i]);
       point.tangential += unit_.from(std::abs(impulse->tangentImpulses[i]));
@@ -71,7 +78,8 @@ class Contacts : public b2ContactListener {
     pair.GetWorldManifold(&found);
     for (int i = 0; i < pair.GetManifold()->pointCount; ++i) {
       if (find(pair, i) != touches.end()) continue;
-      ContactPoint& point = touches.emplace_back(Touch{{}, &pair, i}).point;
+      const double on_upper = &upper == pair.GetFixtureB()->GetBody() ? 1 : -1;
+      ContactPoint& point = touches.emplace_back(Touch{{}, &pair, i, found.normal, on_upper}).point;
       point.interface = interface;
       point.along = unit_.from(upper.GetLocalPoint(found.points[i]).x);
       point.gap_before = unit_.from(found.separations[i]);

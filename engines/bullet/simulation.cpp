@@ -185,6 +185,10 @@ class BulletSimulation final : public ShakenSimulation {
     const double stiffness = split || info.m_linearSlop != 0
                                  ? std::numeric_limits<double>::infinity()
                                  : contact_stiffness(softness.erp, softness.cfm, dt());
+    const btScalar on_upper = scalar((number_a > number_b ? 1 : -1) / mass_factor_);
+    const btVector3 impulse = on_upper * (found.getAppliedImpulse() * found.m_normalWorldOnB +
+                                          found.m_appliedImpulseLateral1 * found.m_lateralFrictionDir1 +
+                                          found.m_appliedImpulseLateral2 * found.m_lateralFrictionDir2);
     return {.interface = static_cast<std::size_t>(std::max(number_a, number_b) - 1),
             .along = (number_a > number_b ? found.m_localPointA : found.m_localPointB).x(),
             .gap_before = found.getDistance(),
@@ -193,6 +197,8 @@ class BulletSimulation final : public ShakenSimulation {
             .normal = found.getAppliedImpulse() / mass_factor_,
             .tangential =
                 std::hypot(found.m_appliedImpulseLateral1, found.m_appliedImpulseLateral2) / mass_factor_,
+            .impulse_x = impulse.x(),
+            .impulse_y = impulse.y(),
             .stiffness = stiffness / mass_factor_,
             .damping = contact_damping(softness.erp, softness.cfm) / mass_factor_};
   }

@@ -22,7 +22,8 @@ struct Destroy {
 struct Touch {
   ContactPoint point;  ///< its impulses are those that the library remembers without applying them
   const cpArbiter* pair = nullptr;
-  int number = 0;  ///< of the point among its pair's
+  int number = 0;       ///< of the point among its pair's
+  cpVect normal{0, 0};  ///< out of the lower body
 };
 
 class ChipmunkSimulation final : public ShakenSimulation {
@@ -59,7 +60,11 @@ class ChipmunkSimulation final : public ShakenSimulation {
       const cpContact& solved = touch.pair->contacts[touch.number];
       ContactPoint& point = points.emplace_back(touch.point);
       point.normal = solved.jnAcc - point.normal;
-      point.tangential = std::abs(solved.jtAcc - point.tangential);
+      const double across = solved.jtAcc - point.tangential;
+      point.tangential = std::abs(across);
+      const cpVect impulse = cpvrotate(touch.normal, cpv(point.normal, across));
+      point.impulse_x = impulse.x;
+      point.impulse_y = impulse.y;
     }
     return points;
   }
@@ -77,7 +82,7 @@ class ChipmunkSimulation final : public ShakenSimulation {
     const cpContactPointSet set = cpArbiterGetContactPointSet(pair);
     for (int i = 0; i < set.count; ++i) {
       const auto& found = set.points[i];
-      Touch& touch = touches_.emplace_back(Touch{{}, pair, i});
+      Touch& touch = touches_.emplace_back(Touch{{}, pair, i, a > b ? cpvneg(set.normal) : set.normal});
       touch.point.interface = std::max(a, b) - 1;
       touch.point.along = a > b ? on_body(a, found.pointA).x : on_body(b, found.pointB).x;
       touch.point.gap_before =

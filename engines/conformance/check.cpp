@@ -71,6 +71,11 @@ const std::vector<Check>& checks() {
       {"PairKeepsItsMomentum", pair_keeps_its_momentum},
       {"PairMeetsTheGroundInTime", pair_meets_the_ground_in_time},
       {"MotionStaysInThePlane", motion_stays_in_the_plane},
+      {"RestingBlockPressesWithItsWeight", resting_block_presses_with_its_weight},
+      {"BlockOnASlopePressesByItsTilt", block_on_a_slope_presses_by_its_tilt},
+      {"SlidingBlockRubsByItsFriction", sliding_block_rubs_by_its_friction},
+      {"PivotBearsATurningBlock", pivot_bears_a_turning_block},
+      {"ForcesAreWhatMovesTheBlocks", forces_are_what_moves_the_blocks},
   };
   return list;
 }

@@ -11,7 +11,8 @@ struct Adapter {
   bool single_precision = false;
   double lead = 0.5;  ///< as Capabilities have it, of these parameters
   Parameters parameters;
-  /// Runs a scene and tells its bodies. @throws the engine's own error.
+  /// Runs a scene and tells its bodies, and what interfaces bear where it can. @throws the engine's own
+  /// error.
   std::function<Trajectory(const Setup&, const Parameters&)> run;
 };
 
@@ -74,7 +75,7 @@ inline double short_step(const Adapter& adapter) {
   return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
 }
 
-/// All of them: promises, smooth motion, contact, and planar motion of one block and of pairs.
+/// All of them: promises, smooth motion, contact, planar motion of one block and of pairs, forces.
 const std::vector<Check>& checks();
 
 // Under a constant acceleration the place after time t is that at t + lead × dt, less a constant of order
@@ -87,7 +88,8 @@ Judge initial_state_is_the_scenes, same_run_gives_the_same_bits, history_ends_wh
     mirrored_scene_mirrors_motion, falling_ground_is_weaker_gravity, quarter_period_is_housners,
     quarter_period_error_is_of_first_order, impact_loses_housners_share, flat_landing_does_not_bounce,
     topples_from_its_slenderness, pair_keeps_its_momentum, pair_meets_the_ground_in_time,
-    motion_stays_in_the_plane;
+    motion_stays_in_the_plane, resting_block_presses_with_its_weight, block_on_a_slope_presses_by_its_tilt,
+    sliding_block_rubs_by_its_friction, pivot_bears_a_turning_block, forces_are_what_moves_the_blocks;
 
 /// Why an engine with one of its solvers and a parameter set cannot pass a check, or an empty text.
 std::string known_limit(const std::string& engine, const std::string& solver, const std::string& settings,

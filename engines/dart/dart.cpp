@@ -167,11 +167,13 @@ class DartSimulation final : public ShakenSimulation {
       const Eigen::Vector3d apart =
           body_of(upper)->getWorldTransform() * on_upper - body_of(lower)->getWorldTransform() * on_lower;
       const double impulse = dt() / mass_factor_;
+      const double on_body = number_of(owner(contact.collisionObject1)) == upper ? impulse : -impulse;
       // Across the plane nothing moves, and DART's forces there mean nothing.
       const double across = contact.force[0] * contact.normal[1] - contact.force[1] * contact.normal[0];
-      contacts_.push_back(
-          {upper - 1, on_upper[0], -contact.penetrationDepth, -contact.penetrationDepth + up.dot(apart),
-           impulse * std::abs(contact.force.dot(contact.normal)), impulse * std::abs(across)});
+      contacts_.push_back({upper - 1, on_upper[0], -contact.penetrationDepth,
+                           -contact.penetrationDepth + up.dot(apart),
+                           impulse * std::abs(contact.force.dot(contact.normal)), impulse * std::abs(across),
+                           on_body * contact.force[0], on_body * contact.force[1]});
     }
   }
 

@@ -258,6 +258,11 @@ class MujocoSimulation final : public ShakenSimulation {
                 way_along(contact.frame, contact.pos, before_[one], now[one]);
     point.normal = dt() * force[0] / mass_factor_;
     point.tangential = dt() * std::hypot(force[1], force[2]) / mass_factor_;
+    const double on_upper = (other > one ? dt() : -dt()) / mass_factor_;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.impulse_x += on_upper * force[axis] * contact.frame[3 * axis];
+      point.impulse_y += on_upper * force[axis] * contact.frame[3 * axis + 1];
+    }
     if (contact.efc_address < 0) return point;
     // Where nothing accelerates, each row of a contact is a spring of k d/R and a dashpot of b/R (README.md).
     // A pyramidal cone has four rows that share the normal force.

@@ -130,7 +130,7 @@ class OdeSimulation final : public ShakenSimulation {
     const auto first = number_of(touch.first), second = number_of(touch.second);
     const dReal *normal = touch.geom.normal, *force = touch.feedback.f1;
     const double push = dCalcVectorDot3(force, normal);
-    const double impulse = dt() / mass_factor_;
+    const double impulse = dt() / mass_factor_, on_upper = first > second ? impulse : -impulse;
     return {.interface = std::max(first, second) - 1,
             .along = (first > second ? touch.on_first : touch.on_second)[0],
             .gap_before = -touch.geom.depth,
@@ -139,6 +139,8 @@ class OdeSimulation final : public ShakenSimulation {
             .normal = impulse * std::abs(push),
             .tangential = impulse * std::hypot(force[0] - push * normal[0], force[1] - push * normal[1],
                                                force[2] - push * normal[2]),
+            .impulse_x = on_upper * force[0],
+            .impulse_y = on_upper * force[1],
             .stiffness = stiffness_ / mass_factor_,
             .damping = damping_ / mass_factor_};
   }

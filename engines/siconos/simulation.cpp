@@ -68,6 +68,13 @@ class CornerOverFace : public LagrangianRheonomousR {
   /// Where the corner is along the lower face of the upper body, from its middle to the right, m.
   double along(const BlockVector& q) const { return frame(q, 0).seen(corner(q)).x; }
 
+  /// On the upper body, of a force along the normal and to its right on the corner's.
+  Vector on_upper(const BlockVector& q, double push, double right) const {
+    const Vector normal = frame(q, 1 - touch_.corner_body).outward({0, touch_.normal});
+    const double sign = touch_.corner_body == 0 ? 1 : -1;
+    return {sign * (push * normal.x + right * normal.y), sign * (push * normal.y - right * normal.x)};
+  }
+
   void computeh(double, const BlockVector& q, BlockVector&, SiconosVector& y) override {
     y.setValue(0, gap(q));
   }
@@ -253,9 +260,11 @@ class SiconosSimulation final : public ShakenSimulation {
       const Corner& corner = corners_[i];
       if (!touching->is_vertex(corner.interaction)) continue;
       const SiconosVector& impulse = *corner.interaction->lambda(1);
+      const Vector on_upper = corner.relation->on_upper(corner.places(), impulse.getValue(0) / mass_factor_,
+                                                        impulse.getValue(1) / mass_factor_);
       contacts_.push_back({corner.interface, corner.relation->along(corner.places()), gaps_before[i],
                            corner.relation->gap(corner.places()), impulse.getValue(0) / mass_factor_,
-                           std::abs(impulse.getValue(1)) / mass_factor_});
+                           std::abs(impulse.getValue(1)) / mass_factor_, on_upper.x, on_upper.y});
     }
   }
 

@@ -63,13 +63,14 @@ class SimbodySimulation final : public ShakenSimulation {
     const SimTK::ContactSnapshot& touching = tracker_.getActiveContacts(state);
     for (int i = 0; i < touching.getNumContacts(); ++i) {
       const SimTK::Contact& contact = touching.getContact(i);
-      const int upper = std::max(tracker_.getMobilizedBody(contact.getSurface1()).getMobilizedBodyIndex(),
-                                 tracker_.getMobilizedBody(contact.getSurface2()).getMobilizedBodyIndex());
+      const int one = tracker_.getMobilizedBody(contact.getSurface1()).getMobilizedBodyIndex();
+      const int other = tracker_.getMobilizedBody(contact.getSurface2()).getMobilizedBodyIndex();
+      const int upper = std::max(one, other);
       const std::size_t interface = static_cast<std::size_t>(upper - blocks_.front().getMobilizedBodyIndex());
       SimTK::ContactPatch patch;
       contact_.calcContactPatchDetailsById(state, contact.getContactId(), patch);
       for (int k = 0; k < patch.getNumDetails(); ++k)
-        points.push_back(point_of(patch.getContactDetail(k), interface));
+        points.push_back(point_of(patch.getContactDetail(k), interface, other > one ? 1 : -1));
     }
     return points;
   }
@@ -112,7 +113,8 @@ class SimbodySimulation final : public ShakenSimulation {
     }
   }
 
-  ContactPoint point_of(const SimTK::ContactDetail& detail, std::size_t interface) const {
+  /// `on_upper`: 1 where the upper body has the contact's second surface, −1 where it has the first.
+  ContactPoint point_of(const SimTK::ContactDetail& detail, std::size_t interface, double on_upper) const {
     const Vec3 place =
         blocks_[interface].findStationAtGroundPoint(integrator_->getState(), detail.getContactPoint());
     const Vec3& force = detail.getForceOnSurface2();
@@ -124,6 +126,8 @@ class SimbodySimulation final : public ShakenSimulation {
     point.gap_before = point.gap + dt() * detail.getDeformationRate();
     point.normal = dt() * push / mass_factor_;
     point.tangential = dt() * std::sqrt(std::max(0.0, SimTK::dot(force, force) - push * push)) / mass_factor_;
+    point.impulse_x = on_upper * dt() * force[0] / mass_factor_;
+    point.impulse_y = on_upper * dt() * force[1] / mass_factor_;
     point.stiffness = stiffness_ / 2 / mass_factor_;
     point.damping = point.stiffness * dissipation_ * detail.getDeformation();
     return point;

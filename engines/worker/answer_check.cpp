@@ -142,6 +142,15 @@ void require_contacts(const ContactRecord& contacts, std::size_t samples, const 
   }
 }
 
+void require_reactions(const std::vector<Reaction>& reactions, std::size_t count) {
+  require_count("reactions.normal", reactions.size(), count, "one for each step and interface");
+  for (const Reaction& reaction : reactions) {
+    require_range("reactions.normal", reaction.normal, -largest_number);
+    require_range("reactions.tangential", reaction.tangential, -largest_number);
+    if (!std::isnan(reaction.centre)) require_range("reactions.centre", reaction.centre, -largest_number);
+  }
+}
+
 }  // namespace
 
 void check_descriptions(const std::vector<EngineDescription>& engines) {
@@ -181,6 +190,7 @@ void require_answer(const RunReply& reply, const RunRequest& asked) {
   const std::size_t blocks = asked.setup.blocks.size();
   require(made.bodies.empty() || asked.bodies, "`bodies` must be left out, they are not asked for");
   require(!made.contacts || asked.bodies, "`contacts` must be left out, `bodies` are not asked for");
+  require(made.reactions.empty() || asked.reactions, "`reactions` must be left out, they are not asked for");
   require(!made.bodies.empty() || !asked.bodies, "`bodies` must be there, they are asked for");
   require_all_samples(asked.setup, made);
   if (asked.bodies) require_count("bodies.x", made.bodies.size(), made.angles.size(), "as many as `angles`");
@@ -191,6 +201,7 @@ void require_answer(const RunReply& reply, const RunRequest& asked) {
   require_range("seconds", reply.seconds, 0);
   require_range("warnings", static_cast<double>(made.warnings), 0, static_cast<double>(samples - 1));
   if (made.contacts) require_contacts(*made.contacts, samples, asked.setup);
+  if (!made.reactions.empty()) require_reactions(made.reactions, (samples - 1) * blocks);
 }
 
 bool answers_rather(const Trajectory& made, const Setup& other, const Setup& asked) {

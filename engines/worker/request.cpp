@@ -39,6 +39,9 @@ constexpr std::array<Named<BodyState>, 4> body_fields{{{"x", &BodyState::x},
 constexpr std::array<Named<BodyState>, 2> out_of_plane_fields{
     {{"z", &BodyState::z}, {"tilt", &BodyState::tilt}}};
 
+constexpr std::array<Named<Reaction>, 3> reaction_fields{
+    {{"normal", &Reaction::normal}, {"tangential", &Reaction::tangential}, {"centre", &Reaction::centre}}};
+
 constexpr std::array<Named<ContactImpact>, 3> impact_fields{
     {{"time", &ContactImpact::time}, {"speed", &ContactImpact::speed}, {"after", &ContactImpact::after}}};
 
@@ -80,6 +83,7 @@ json fields_of(const RunRequest& run, Form form) {
     object["parameters"][name] = parameter_field(run, name, value);
   if (run.warm_up > 0) object["warm_up"] = run.warm_up;
   if (run.question > 0) object["question"] = run.question;
+  if (run.reactions) object["reactions"] = true;
   if (!setup.accelerations.empty())
     write_columns(object["accelerations"], setup.accelerations, acceleration_fields, form);
   if (!setup.ground.empty()) write_columns(object["ground"], setup.ground, ground_fields, form);
@@ -100,6 +104,7 @@ RunRequest read_run_request(const json& object) {
   run.bodies = flag_field(object, "bodies");
   if (has_field(object, "warm_up")) run.warm_up = count_field(object, "warm_up");
   if (has_field(object, "question")) run.question = count_field(object, "question");
+  if (has_field(object, "reactions")) run.reactions = flag_field(object, "reactions");
   setup.blocks =
       read_list(object, "blocks", [](const json& block) { return read_object(block, placement_fields); });
   for (const auto& [name, value] : field(object, "parameters").items()) {
@@ -218,6 +223,7 @@ json fields_of(const RunReply& run, Form form) {
     write_columns(object["bodies"], made.bodies, out_of_plane_fields, form);
   }
   if (made.contacts) object["contacts"] = fields_of(*made.contacts, form);
+  if (!made.reactions.empty()) write_columns(object["reactions"], made.reactions, reaction_fields, form);
   return object;
 }
 
@@ -241,6 +247,8 @@ RunReply read_run_reply(const json& object) {
     });
   if (has_field(object, "contacts"))
     made.contacts = within("contacts", [&] { return read_contacts(object["contacts"]); });
+  if (has_field(object, "reactions"))
+    within("reactions", [&] { read_columns(object["reactions"], made.reactions, reaction_fields); });
   return run;
 }
 

@@ -17,6 +17,7 @@ struct RunRequest {
   std::size_t warm_up = 0;  ///< steps to take before the first timed run, the trajectory's among them
   std::set<std::string> whole = {};  ///< names of parameters that are written as whole numbers
   std::size_t question = 0;          ///< its number in a process that takes several; 0: it takes one
+  bool reactions = false;            ///< whether the trajectory is to tell what interfaces bear
 };
 
 /// A worker is asked for a run, or without one to describe its engines.

@@ -27,7 +27,7 @@ double peak_memory() {
 RunReply answer_run(const Engine& engine, const RunRequest& request) {
   RunReply reply{"done"};
   try {
-    reply.trajectory = run(engine, request.setup, request.parameters, request.bodies);
+    reply.trajectory = run(engine, request.setup, request.parameters, request.bodies, request.reactions);
     const std::size_t steps = reply.trajectory.angles.size() / request.setup.blocks.size() - 1;
     if (request.warm_up > steps) {  // those of the trajectory are among them
       const std::size_t runs = (request.warm_up - 1) / steps;

@@ -54,7 +54,7 @@ double question_memory(const WorkerEngine& engine, const Scene& scene, double dt
 /// The most bytes of a reply: numbers of up to 25 characters; no more impacts than steps of each interface.
 std::uint64_t reply_limit(const RunRequest& asked) {
   const std::uint64_t numbers = (asked.setup.steps + 1) * asked.setup.blocks.size();
-  const std::uint64_t each = asked.bodies ? 8 * 27 + 160 : 2 * 27;
+  const std::uint64_t each = (asked.bodies ? 8 * 27 + 160 : 2 * 27) + (asked.reactions ? 3 * 27 : 0);
   return (std::uint64_t{1} << 20) + numbers * each;
 }
 
@@ -216,10 +216,12 @@ std::vector<WorkerEngine> engines_of(const std::filesystem::path& program, doubl
 }
 
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
-                        const Parameters& parameters, int repeats, const Limits& limits, bool bodies) {
+                        const Parameters& parameters, int repeats, const Limits& limits, bool bodies,
+                        bool reactions) {
   WorkerRun result;
   RunRequest asked = request(engine, with_restitution(engine, scene, parameters),
                              static_cast<std::size_t>(repeats), needs_bodies(scene, bodies));
+  asked.reactions = reactions;
   RunReply run = ask(engine, scene, dt, parameters, limits, asked);
   result.status = std::move(run.status);
   result.reason = std::move(run.reason);
@@ -234,17 +236,18 @@ WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double d
 }
 
 Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters& parameters, bool bodies,
-               const Limits& limits, std::size_t repeats) {
+               const Limits& limits, std::size_t repeats, bool reactions) {
   RunRequest asked = request(engine, parameters, repeats, bodies);
   asked.setup = setup;
+  asked.reactions = reactions;
   RunReply answer = ask(engine, asked, limits);
   if (answer.status != "done") throw std::runtime_error(answer.status + ": " + answer.reason);
   return std::move(answer.trajectory);
 }
 
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
-                   const Limits& limits, bool bodies) {
-  WorkerRun result = run_in_worker(engine, scene, dt, parameters, 0, limits, bodies);
+                   const Limits& limits, bool bodies, bool reactions) {
+  WorkerRun result = run_in_worker(engine, scene, dt, parameters, 0, limits, bodies, reactions);
   if (result.status != "done") throw std::runtime_error(result.status + ": " + result.reason);
   return std::move(result.run);
 }

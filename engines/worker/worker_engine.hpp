@@ -36,16 +36,18 @@ struct WorkerRun {
 /// for.
 /// @throws std::runtime_error for whatever kept the run from being done.
 Trajectory run(const WorkerEngine& engine, const Setup& setup, const Parameters& parameters, bool bodies,
-               const Limits& limits = {}, std::size_t repeats = 0);
+               const Limits& limits = {}, std::size_t repeats = 0, bool reactions = false);
 
 /// Runs a scene for its duration, then times stepping alone `repeats` times; `bodies`: keeps a BodyRecord of
-/// the first. No failure of the engine throws.
+/// the first; `reactions`: what its interfaces bear. No failure of the engine throws.
 /// @throws std::runtime_error where the operating system will not start the worker.
 WorkerRun run_in_worker(const WorkerEngine& engine, const Scene& scene, double dt,
-                        const Parameters& parameters, int repeats, const Limits& limits, bool bodies = false);
+                        const Parameters& parameters, int repeats, const Limits& limits, bool bodies = false,
+                        bool reactions = false);
 
-/// Runs a scene for its duration; `bodies`: keeps a BodyRecord. @throws std::runtime_error where not done.
+/// Runs a scene for its duration; `bodies`: keeps a BodyRecord; `reactions`: what its interfaces bear.
+/// @throws std::runtime_error where not done.
 EngineRun simulate(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
-                   const Limits& limits = {}, bool bodies = false);
+                   const Limits& limits = {}, bool bodies = false, bool reactions = false);
 
 }  // namespace rockstack

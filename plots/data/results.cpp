@@ -88,6 +88,7 @@ ComparedScene scene_by_itself(const Json& summary, const Run& run) {
   scene.name = run.scene;
   scene.ground = summary.at("scene_as_run").at("ground").get<std::string>();
   scene.results = {"histories"};
+  if (fs::exists(run.folder / "reactions.csv")) scene.results.emplace_back("forces");
   scene.slips = run.tells_slips();
   scene.alone = true;
   if (!run.exact()) scene.heading = scene.title;

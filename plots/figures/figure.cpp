@@ -34,6 +34,8 @@ std::vector<Figure> all_figures() {
   static constexpr auto both_equations = [](auto& scene) { return sampled(scene) && scene.both_equations; };
   static constexpr auto bodies = [](auto& scene) { return sampled(scene) && scene.has("bodies"); };
   static constexpr auto impacts = [](auto& scene) { return scene.has("impacts"); };
+  static constexpr auto carried = [](auto& scene) { return sampled(scene) && scene.has("forces"); };
+  static constexpr auto struck = [](auto& scene) { return carried(scene) && !scene.alone; };
   static constexpr auto shaken = [](auto& scene) { return !scene.ground_motion.empty(); };
   static constexpr auto losses = [](auto& scene) {
     return bodies(scene) && impacts(scene) && !shaken(scene);

@@ -98,17 +98,11 @@ Json blows_of(const Scene& scene, const History& history) {
     if (!counts) continue;
     const double width = interface_width(scene, static_cast<std::size_t>(event.interface - 1));
     if (approach_speed(event, width) < chatter_speed(scene) * width) continue;
-    const Vector<double> angles = vector_of<double>(event.angles);
-    const Points<double> before =
-        centre_velocities(make_chain(stack, event.from, angles), vector_of<double>(event.before));
-    const Points<double> after =
-        centre_velocities(make_chain(stack, event.to, angles), vector_of<double>(event.after));
-    Points<double> impulses = (after - before) * stack.mass.asDiagonal();
-    for (Eigen::Index k = impulses.cols() - 2; k >= 0; --k) impulses.col(k) += impulses.col(k + 1);
+    const Blow blow = blow_of(stack, event);
     std::vector<double> sides(static_cast<std::size_t>(event.to.size));
     for (int k = 0; k < event.to.size; ++k) sides[static_cast<std::size_t>(k)] = side<double>(event.to, k);
-    list.push_back(
-        {event.time, event.interface, values(before), values(after), values(impulses), std::move(sides)});
+    list.push_back({event.time, event.interface, values(blow.before), values(blow.after),
+                    values(blow.impulses), std::move(sides)});
   }
   return list;
 }

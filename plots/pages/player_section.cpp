@@ -42,7 +42,7 @@ Json track_of(const Run& run, const Json& events, std::size_t samples, bool show
       player_track(motion, stride_for(motion.size(), samples),
                    {run_label(run), style.colour, coarse ? "(5,5)" : style.dash, shown, run.exact()});
   track["impacts"] = impacts_in(run, events);
-  if (const auto file = run.folder / "reactions.csv"; run.exact() && fs::exists(file))
+  if (const auto file = run.folder / "reactions.csv"; fs::exists(file))
     read_forces(file, history->blocks, samples, track);
   return track;
 }

@@ -26,6 +26,7 @@ struct Mistake {
   std::function<void(Trajectory&)> answer = {};
   Parameters settings = {};  ///< of these, those that the engine has
   bool coefficient = false;  ///< of friction: not to be seen in an engine that takes it for something else
+  bool forces = false;       ///< of them: not to be seen in an engine that tells none
 };
 
 /// As convex hulls in Bullet are by their collision margin, which comes on top of the given size.
@@ -100,6 +101,20 @@ const std::vector<Mistake>& mistakes() {
            [](Setup& setup) {
              for (Placement& block : setup.blocks) block.y += 0.03;
            }},
+      {.name = "FrictionOnTheLowerBody",
+       .seen_by = "BlockOnASlopePressesByItsTilt",
+       .answer =
+           [](Trajectory& trajectory) {
+             for (Reaction& reaction : trajectory.reactions) reaction.tangential *= -1;
+           },
+       .forces = true},
+      {.name = "ForcesAStepLate",
+       .seen_by = "ForcesAreWhatMovesTheBlocks",
+       .answer =
+           [](Trajectory& trajectory) {
+             std::ranges::rotate(trajectory.reactions, trajectory.reactions.end() - 2);
+           },
+       .forces = true},
       {.name = "AnglesCounterClockwise",
        .seen_by = "StrongPushRocks",
        .answer =
@@ -127,7 +142,7 @@ Adapter adapter_of(const WorkerEngine& engine, const Mistake& mistake) {
             for (const auto& [name, value] : mistake.settings) {
               if (parameters.count(name) != 0) parameters[name] = value;
             }
-            Trajectory trajectory = run(engine, setup, parameters, true);
+            Trajectory trajectory = run(engine, setup, parameters, true, {}, 0, true);
             if (mistake.answer) mistake.answer(trajectory);
             return trajectory;
           }};
@@ -173,6 +188,7 @@ TEST(Mutants, AreSeen) {
                                          [&](const Check& one) { return one.name == mistake.seen_by; });
       if (unbroken.count(check.name) == 0) unbroken[check.name] = check.judge(adapter_of(engine, none));
       const Judgement& before = unbroken[check.name];
+      if (mistake.forces && before.what == "the engine tells no forces") continue;
       const bool limited = !known_limit(engine.name, engine.solver, "tuned", check.name).empty();
       EXPECT_NE(before.holds(), limited)
           << before.value << " against " << before.limit << ", " << before.what;

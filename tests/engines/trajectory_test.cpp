@@ -298,6 +298,27 @@ TEST(ContactWatch, EachInterfaceHasItsOwnCone) {
   EXPECT_DOUBLE_EQ(record.friction_excess, (1.5 - 0.25 * 4) / (4 + 4));
 }
 
+// Impulses of 3 N·s along the face and 4 N·s across it in a step of 1 ms, and of a point that pushes alone.
+TEST(StepReactions, AreMeansOverTheStepInTheAxesOfTheFace) {
+  Scene scene = stack(2, 1);
+  const std::vector<double> angles{0.3, 0.1};
+  for (const bool overhangs : {false, true}) {
+    scene.blocks[1] = make_block(overhangs ? 1.5 : 0.5, 1, 2500);
+    const double face = overhangs ? 0.1 : 0.3, c = std::cos(face), s = std::sin(face);
+    ContactPoint rubs = point(0.25, 4), pushes = point(-0.25, 2);
+    rubs.interface = pushes.interface = 1;
+    rubs.impulse_x = 3 * c + 4 * s, rubs.impulse_y = 4 * c - 3 * s;
+    pushes.impulse_x = 2 * s, pushes.impulse_y = 2 * c;
+    const auto reactions = step_reactions(rubbing(scene, {1, 1}, 1e-3), {rubs, pushes}, angles);
+    ASSERT_EQ(reactions.size(), 2U);
+    EXPECT_EQ(reactions[0].normal, 0);
+    EXPECT_TRUE(std::isnan(reactions[0].centre));
+    EXPECT_NEAR(reactions[1].normal, 6e3, 1e-9);
+    EXPECT_NEAR(reactions[1].tangential, 3e3, 1e-9);
+    EXPECT_NEAR(reactions[1].centre, 0.25 * (4 - 2) / 6, 1e-15);
+  }
+}
+
 /// A block 1 m wide that turns back from leaning to the right, at −1 rad/s in steps of 0.1 s.
 struct Landing {
   void observe(double angle, const std::vector<ContactPoint>& points) {

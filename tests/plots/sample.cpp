@@ -164,6 +164,30 @@ void write_reactions(const fs::path& folder, const Sample& sample) {
   reactions << "\n";
 }
 
+bool tells_forces(const Sample& sample) {
+  return std::ranges::find(sample.results, "forces") != sample.results.end();
+}
+
+/// An engine's, of which a step before an impact bears nothing and the next one ten weights; and impulses
+/// that are larger by a share.
+void write_forces(const fs::path& folder, const Sample& sample, double share) {
+  std::ofstream reactions = create(folder / "reactions.csv"), impulses = create(folder / "impulses.csv");
+  reactions << "time";
+  for (const char* stem : {"normal_", "tangential_", "centre_"}) write_header(reactions, stem, sample.blocks);
+  reactions << "\n0" << std::string(3 * static_cast<std::size_t>(sample.blocks), ',');
+  for (int i = 1; i <= 500; ++i) {
+    const double force = i % 100 == 50 ? 0 : i % 100 == 51 ? 98100 : 4905 * (1 + share);
+    fmt::print(reactions, "\n{}", 0.01 * i);
+    for (int k = 0; k < sample.blocks; ++k) fmt::print(reactions, ",{}", force);
+    for (int k = 0; k < sample.blocks; ++k) fmt::print(reactions, ",{}", 0.02 * force);
+    for (int k = 0; k < sample.blocks; ++k) reactions << (force > 0 ? ",0.1" : ",");
+  }
+  reactions << "\n";
+  impulses << "number,interface,exact_time,engine_time,exact_normal,engine_normal\n";
+  for (int i = 1; i <= sample.impacts; ++i)
+    fmt::print(impulses, "{},1,{},{},{},{}\n", i, i * period, i * period, 1e3 / i, 1e3 / i * (1 + share));
+}
+
 /// Readings, one of them missing, and what a run has there.
 void write_readings(const fs::path& folder, const Sample& sample, double lag) {
   if (!sample.tested) return;
@@ -272,6 +296,10 @@ RunMetrics write_engine(const fs::path& folder, const Sample& sample, const Samp
   write_readings(place, sample, lag);
   RunMetrics row = row_of(sample, run, engine);
   if (sample.tested) row.rms_test_difference = 0.002 + lag;
+  if (tells_forces(sample)) {
+    write_forces(place, sample, lag);
+    row.normal_force_error = row.impulse_error = lag;
+  }
   row.dt = dt;
   row.steps = static_cast<int>(duration / dt);
   row.stepping_time_minimum = 2e-5 / dt;

@@ -30,7 +30,7 @@ Adapter adapter_of(const WorkerEngine& engine, const std::string& settings, std:
   return {able.single_precision, settings == "tuned" ? able.tuned_lead : able.lead,
           make_series(engine, settings, {}).parameters,
           [&engine, &warnings](const Setup& setup, const Parameters& given) {
-            Trajectory made = run(engine, setup, given, true, limits);
+            Trajectory made = run(engine, setup, given, true, limits, 0, true);
             warnings += made.warnings;
             return made;
           }};

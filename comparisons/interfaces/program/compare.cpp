@@ -39,6 +39,7 @@ void refuse_choice(const std::string& suite, const SceneChoice& choice) {
                              : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
                              : choice.quick          ? "--quick"
                              : choice.softness       ? "--softness"
+                             : choice.forces         ? "--forces"
                              : !choice.trajectories.empty()
                                  ? "--trajectory " + choice.trajectories.front().name
                                  : "";
@@ -271,6 +272,8 @@ void add_compare(CLI::App& command, CompareArguments& arguments) {
           "of a scene: NAME=FILE.csv, a motion that another program has written, beside the engines; may be "
           "repeated, of one name as replicates")
       ->allow_extra_args(false);
+  command.add_flag("--forces", arguments.choice.scenes.forces,
+                   "of scenes: contact forces of engines that tell them, and impulses of impacts");
   command.add_option(
       "--history-interval", arguments.choice.history_interval,
       "least time between the samples that files keep, s; numbers are of all samples; left out: 1e-3");

@@ -23,6 +23,7 @@ struct SimulateArguments {
   std::string settings = "tuned";
   std::vector<std::string> parameters;  ///< name=value, changes of those settings
   double dt = 0;                        ///< s
+  std::vector<std::string> histories;   ///< "forces", or none
   bool plots = true;                    ///< figures and a page
 };
 
@@ -118,7 +119,8 @@ int run_simulate(const SimulateArguments& arguments, const Common& common) {
   check_step(arguments.dt, scene.scene.duration);
   const ResultsFolder folder(arguments.out, Results::motion, scene.name, common.replace);
   const EngineSeries series = make_series(engine, arguments.settings, {arguments.dt}, changes);
-  const auto [history, support] = simulate_into(scene, series, arguments.dt, arguments.out, common.command);
+  const auto [history, support] =
+      simulate_into(scene, series, arguments.dt, arguments.out, common.command, arguments.histories);
   if (named.size() > 1 && common.prints_text())
     fmt::print("engine: {}, the first of {}\n", engine.full_name(),
                fmt::join(mapped(named, &WorkerEngine::solver), ", "));
@@ -165,6 +167,8 @@ void add_simulate(CLI::App& command, SimulateArguments& arguments) {
       .add_option("--parameter", arguments.parameters,
                   "change of the parameter set, e.g. erp=0.05; may be repeated")
       ->allow_extra_args(false);
+  command.add_option("--histories", arguments.histories, "what else to write of each step")
+      ->check(one_of({"forces"}));
   add_results(command, arguments.out, [&] { return arguments.scene; });
   add_plots(command, arguments.plots);
 }

@@ -130,9 +130,9 @@ Suite suite_of(const Input& input, const SceneChoice& choice) {
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, {}), choice);
   if (kind != InputKind::suite)
     throw InputError(name + ": must be a scene or a suite, studies are for the program");
-  if (!choice.engines.empty() || !choice.steps.empty() || choice.quick || choice.softness ||
+  if (!choice.engines.empty() || !choice.steps.empty() || choice.quick || choice.softness || choice.forces ||
       !choice.trajectories.empty())
-    throw InputError("engines, dt, quick, softness and trajectories: must be left out of " + name +
+    throw InputError("engines, dt, quick, softness, forces and trajectories: must be left out of " + name +
                      ", a suite says its own");
   return read_suite(file, {});
 }
@@ -171,12 +171,14 @@ void add_engines(py::module_& core) {
   core.def("canon", &canon);
   py::class_<CompareChoice>(core, "CompareChoice")
       .def(py::init([](const std::vector<std::string>& engines, const std::vector<double>& steps, bool quick,
-                       bool softness, std::optional<int> replicates, std::optional<double> history_interval,
+                       bool softness, bool forces, std::optional<int> replicates,
+                       std::optional<double> history_interval,
                        const std::vector<std::pair<std::string, std::vector<std::filesystem::path>>>& files) {
         const auto trajectories = mapped(files, [](const auto& one) {
           return NamedTrajectory{one.first, one.second};
         });
-        return CompareChoice{{engines, steps, quick, softness, trajectories}, replicates, history_interval};
+        return CompareChoice{
+            {engines, steps, quick, softness, trajectories, forces}, replicates, history_interval};
       }));
   core.def("compare", &compare_all);
   core.def("check_description", [](const std::string& answer) {

@@ -178,6 +178,22 @@ std::vector<Reaction> reactions_of(const Scene& scene, const History& history) {
   return rows;
 }
 
+Blow blow_of(const Stack<double>& stack, const Event& event) {
+  Blow blow;
+  const auto blocks = static_cast<Eigen::Index>(event.angles.size());
+  if (event.centres.empty()) {
+    const Vector<double> angles = vector_of(event.angles);
+    blow.before = centre_velocities(make_chain(stack, event.from, angles), vector_of(event.before));
+    blow.after = centre_velocities(make_chain(stack, event.to, angles), vector_of(event.after));
+  } else {
+    blow.before = Points<double>::Map(event.centres.data() + 2 * blocks, 2, blocks);
+    blow.after = Points<double>::Map(event.centres.data() + 4 * blocks, 2, blocks);
+  }
+  blow.impulses = (blow.after - blow.before) * stack.mass.asDiagonal();
+  for (Eigen::Index k = blocks - 2; k >= 0; --k) blow.impulses.col(k) += blow.impulses.col(k + 1);
+  return blow;
+}
+
 double damping_ratio(const CornerSpring& spring, const Block& block) {
   const double inverse_mass = 1 / block.mass + block.half_width * block.half_width / block.inertia;
   return spring.damping / 2 * std::sqrt(inverse_mass / spring.stiffness);

@@ -2,6 +2,7 @@
 
 #include "analytic/scene/history.hpp"
 #include "analytic/scene/input/json.hpp"
+#include "analytic/scene/kinematics.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -43,6 +44,15 @@ std::vector<std::string> validity_warnings(const Scene& scene, const History& hi
 /// What each interface carries from the block below to the block above at every sample, row by row; open
 /// interfaces have no centre: there it is the pivot. Precondition: the history has patterns.
 std::vector<Reaction> reactions_of(const Scene& scene, const History& history);
+
+/// What an impact does, x and y a block: velocities of centres just before and after, m/s, and what each
+/// interface gives to the block above, N·s.
+struct Blow {
+  Points<double> before, after, impulses;
+};
+
+/// Precondition: the event has the states on both its sides; `stack` is that of its scene.
+Blow blow_of(const Stack<double>& stack, const Event& event);
 
 /// Spring and dashpot of a block's corner.
 struct CornerSpring {

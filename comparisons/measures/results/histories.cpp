@@ -12,7 +12,7 @@ namespace {
 
 /// To the digits that the accelerations behind it are good for.
 std::string shortened(double value) {
-  return fmt::format("{:.7g}", value);
+  return std::isfinite(value) ? fmt::format("{:.7g}", value) : "";
 }
 
 struct HistoryTable {
@@ -60,8 +60,7 @@ std::string reactions_csv(const Scene& scene, const History& history) {
     csv.add(history.times[i]);
     for (const Reaction& reaction : row) csv.add(shortened(reaction.normal));
     for (const Reaction& reaction : row) csv.add(shortened(reaction.tangential));
-    for (const Reaction& reaction : row)
-      csv.add(std::isfinite(reaction.centre) ? shortened(reaction.centre) : "");
+    for (const Reaction& reaction : row) csv.add(shortened(reaction.centre));
     csv.end_line();
   }
   return csv.text();

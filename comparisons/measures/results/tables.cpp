@@ -183,6 +183,16 @@ std::string parts_csv(const DifferenceParts& parts) {
   return csv.text();
 }
 
+std::string impulses_csv(const std::vector<ImpactImpulse>& impulses) {
+  CsvWriter csv;
+  csv.line("number", "interface", "exact_time", "engine_time", "exact_normal", "engine_normal",
+           "exact_tangential", "engine_tangential");
+  for (const ImpactImpulse& one : impulses)
+    csv.line(one.number, one.interface, one.exact_time, one.engine_time, one.exact.normal, one.engine.normal,
+             one.exact.tangential, one.engine.tangential);
+  return csv.text();
+}
+
 std::string impacts_csv(const std::vector<AlignedImpact>& alignment) {
   CsvWriter csv;
   csv.line("number", "interface", "exact_time", "engine_time", "difference", "verdict", "exact_side",

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/measures/metrics/alignment.hpp"
+#include "comparisons/measures/metrics/forces.hpp"
 #include "comparisons/measures/metrics/sampled_patterns.hpp"
 #include "comparisons/measures/results/run_metrics.hpp"
 #include "engines/body_record.hpp"
@@ -42,6 +42,10 @@ std::string parts_csv(const DifferenceParts& parts);
 /// number,interface,exact_time,engine_time,difference,verdict,exact_side,engine_side.
 std::string impacts_csv(const std::vector<AlignedImpact>& alignment);
 
+/// number,interface,exact_time,engine_time,exact_normal,engine_normal,exact_tangential,engine_tangential: in
+/// s and N·s.
+std::string impulses_csv(const std::vector<ImpactImpulse>& impulses);
+
 /// exact,engine,share: the share of time that both spend in a pair of patterns.
 std::string patterns_csv(const std::vector<PatternShare>& shares);
 
@@ -54,7 +58,8 @@ std::string energy_csv(const std::vector<double>& times, const std::vector<doubl
 /// time,normal_1,…,tangential_1,…,centre_1,…: what each interface carries from the block below to the block
 /// above at every sample, in N along the normal of its face and along the face; and where a closed interface
 /// carries it, in m from its middle (empty where it is open: there it is the pivot).
-/// Precondition: the history has patterns.
+/// An engine's are means over the step before, and empty at the start.
+/// Precondition: the history has patterns, or reactions.
 std::string reactions_csv(const Scene& scene, const History& history);
 
 /// What a solution may keep of its samples besides history.csv: "forces", "energies", "corners".

@@ -16,6 +16,7 @@ const { Stack, Part, Track, arrow, contactsOf, drawIcon, iconOf, lastBefore, unp
 const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
 const clear = 5e-4; // of the stack's height: blocks that are further from each other do not touch
 const steepest = 1.45; // rad: angles are not exaggerated beyond
+const longest = 3; // weights: arrows of reactions are drawn no longer
 const bandHeight = 32; // of the patterns over the rows of impacts, pixels
 const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
 
@@ -554,16 +555,17 @@ class Player {
     const full = 0.3 * Math.max(this.stack.height, this.stack.width) * scale; // pixels for the weight of all blocks
     const blocks = parts.length, forces = track.reactions(this.time);
     parts.forEach((part, k) => {
-      const { side } = contacts[k];
-      if (side === 2) return;
-      const normal = forces[k] / this.weight, along = forces[blocks + k] / this.weight, centre = forces[2 * blocks + k];
-      const [a, c] = part.under(side === 0 ? Number.isFinite(centre) ? centre : 0 : part.end(side));
+      const centre = forces[2 * blocks + k], borne = Number.isFinite(centre), side = !track.exact && contacts[k].side === 2 ? 0 : contacts[k].side;
+      if (side === 2 || !track.exact && !borne) return;
+      const size = Math.hypot(forces[k], forces[blocks + k]) / this.weight, shown = Math.min(1, longest / size) / this.weight;
+      const normal = forces[k] * shown, along = forces[blocks + k] * shown;
+      const [a, c] = part.under(borne ? centre : side === 0 ? 0 : part.end(side));
       const face = part.face(side);
       const to = (n, s) => [x(a) + (n * Math.sin(face) + s * Math.cos(face)) * full,
         y(c) - (n * Math.cos(face) - s * Math.sin(face)) * full];
       if (this.friction) this.drawCone(pen, [x(a), y(c)], to, this.friction[k], 1.2 * Math.hypot(normal, along));
-      arrow(pen, x(a), y(c), ...to(normal, along), "#5b2a86", 3);
-      if (side === 0 && Number.isFinite(centre)) this.drawCentre(pen, [x(a), y(c)], part.wayToEnd(centre));
+      arrow(pen, x(a), y(c), ...to(normal, along), track.exact ? "#5b2a86" : track.colour, 3);
+      if (track.exact && side === 0 && Number.isFinite(centre)) this.drawCentre(pen, [x(a), y(c)], part.wayToEnd(centre));
     });
     const aside = 0.15 * Math.max(this.stack.width, this.stack.height), reach = Math.min(-this.stack.width / 2, ...parts.flatMap((part) => part.corners.map(([a]) => a)));
     const bar = Math.max(x(reach - aside), left + 48);

@@ -28,6 +28,7 @@ Request full_request() {
                .accelerations = {{1, -9}, {2, -8}},
                .ground = {{1, 2, 3, 4}, {5, 6, 7, 8}}};
   run.warm_up = 4000;
+  run.reactions = true;
   return {run};
 }
 
@@ -37,6 +38,7 @@ Reply full_reply() {
                     .velocities = {0, -HUGE_VAL},
                     .bodies = {{.x = 1, .y = 2, .velocity_x = 3, .velocity_y = 4, .z = 5, .tilt = 6}, {}},
                     .contacts = ContactRecord{{0, 0.1}, 1, 2, 3e5, 40, {{0.05, 1, 0.3, -0.2}}},
+                    .reactions = {{1, 2, 3}, {4, 5, std::nan("")}},
                     .warnings = 4};
   run.warm_up = 4002;
   return {{}, run};
@@ -107,6 +109,7 @@ TEST_P(Messages, HaveEveryFieldOfARequest) {
       [](RunRequest& run) { run.parameters["erp"] = 0.3; },
       [](RunRequest& run) { run.repeats = 4; },
       [](RunRequest& run) { run.bodies = false; },
+      [](RunRequest& run) { run.reactions = false; },
       [](RunRequest& run) { run.warm_up = 0; },
       [](RunRequest& run) { run.setup.dt = 2e-3; },
       [](RunRequest& run) { run.setup.steps = 7; },
@@ -171,7 +174,11 @@ TEST_P(Messages, HaveEveryFieldOfAReply) {
       [](RunReply& run) { run.trajectory.contacts->impacts[0].interface = 7; },
       [](RunReply& run) { run.trajectory.contacts->impacts[0].speed = 7; },
       [](RunReply& run) { run.trajectory.contacts->impacts[0].after = 7; },
-      [](RunReply& run) { run.trajectory.contacts.reset(); }};
+      [](RunReply& run) { run.trajectory.contacts.reset(); },
+      [](RunReply& run) { run.trajectory.reactions[1].normal = 7; },
+      [](RunReply& run) { run.trajectory.reactions[1].tangential = 7; },
+      [](RunReply& run) { run.trajectory.reactions[1].centre = 7; },
+      [](RunReply& run) { run.trajectory.reactions.clear(); }};
   std::set<std::string> messages{to_bytes(full_reply(), GetParam())};
   for (const auto& change : changes) {
     Reply changed = full_reply();

@@ -27,6 +27,7 @@ RunRequest asked(bool bodies = true, std::size_t repeats = 2) {
   request.setup.toppling_angles = {0.8};
   request.setup.dt = 0.5;
   request.setup.steps = 2;
+  request.reactions = true;
   return request;
 }
 
@@ -40,6 +41,7 @@ json whole() {
                      {"stiffness", 1e5},     {"damping", 10},        {"points", 1.5}};
   run["contacts"]["impacts"] =
       json::array({json{{"time", 0.5}, {"interface", 1}, {"speed", 0.3}, {"after", -0.1}}});
+  run["reactions"] = {{"normal", {2, 1}}, {"tangential", {1, -1}}, {"centre", {0.1, 0.2}}};
   return run;
 }
 
@@ -58,7 +60,7 @@ std::string said_of(const json& run, const RunRequest& request = asked()) {
 struct Field {
   std::string path;
   double least = 0, most = largest_number;
-  bool whole = false, optional = false, may_be_infinite = false;
+  bool whole = false, optional = false, may_be_infinite = false, may_be_none = false;
 };
 
 const std::vector<Field>& fields() {
@@ -84,7 +86,10 @@ const std::vector<Field>& fields() {
       {"/contacts/impacts/0/time", 0, 1},
       {.path = "/contacts/impacts/0/interface", .least = 1, .most = 1, .whole = true},
       {"/contacts/impacts/0/speed"},
-      {"/contacts/impacts/0/after", -any}};
+      {"/contacts/impacts/0/after", -any},
+      {"/reactions/normal", -any},
+      {"/reactions/tangential", -any},
+      {.path = "/reactions/centre", .least = -any, .may_be_none = true}};
   return list;
 }
 
@@ -95,7 +100,8 @@ double number_of(const json& value) {
 }
 
 bool may_be(const Field& field, const json& value) {
-  if (value.is_null()) return field.optional;
+  if (value.is_null()) return field.optional || field.may_be_none;
+  if (value == "nan" && field.may_be_none) return true;
   const double number = number_of(value);
   if (std::isinf(number)) return field.may_be_infinite && number > 0;
   return number >= field.least && number <= field.most && (!field.whole || value.is_number_integer());
@@ -143,7 +149,7 @@ TEST(Reply, EveryFieldIsHeldToItsRange) {
       json& place = run[json::json_pointer(field.path)];
       const bool list = place.is_array();
       (list ? place[1] : place) = value;
-      const bool taken = !(list && value.is_null()) && may_be(field, value);
+      const bool taken = (!(list && value.is_null()) || field.may_be_none) && may_be(field, value);
       const std::string said = said_of(run);
       EXPECT_EQ(said.empty(), taken) << field.path << " = " << value << ": " << said;
       EXPECT_EQ(said, one_line(said));
@@ -182,6 +188,9 @@ TEST(Reply, EveryFieldMayBeMissingOnlyWhereThatMeansSomething) {
   EXPECT_EQ(said_of(whole(), asked(false)), "`bodies` must be left out, they are not asked for");
   run["contacts"] = whole()["contacts"];
   EXPECT_EQ(said_of(run, asked(false)), "`contacts` must be left out, `bodies` are not asked for");
+  RunRequest without = asked();
+  without.reactions = false;
+  EXPECT_EQ(said_of(whole(), without), "`reactions` must be left out, they are not asked for");
 }
 
 TEST(Reply, ListsAreAsLongAsTheQuestionAsks) {
@@ -207,7 +216,7 @@ TEST(Reply, ListsAreAsLongAsTheQuestionAsks) {
 
 TEST(Reply, EndsWithTheFirstSampleInWhichABlockHasToppled) {
   json run = whole();
-  run.erase("contacts");
+  for (const char* later : {"contacts", "reactions"}) run.erase(later);
   for (const char* list : {"/angles", "/velocities", "/bodies/x", "/bodies/y", "/bodies/velocity_x",
                            "/bodies/velocity_y", "/bodies/z", "/bodies/tilt"})
     run[json::json_pointer(list)].erase(2);

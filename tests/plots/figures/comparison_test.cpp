@@ -132,6 +132,8 @@ TEST(Figures, AreThoseThatTheResultsHaveDataFor) {
             (Names{"ranking", "peaks", "amplitude-phase", "error-time"}));
   EXPECT_EQ(names_of_figures({.results = {"patterns"}}), Names{"occupancy"});
   EXPECT_EQ(names_of_figures({.shaken = true, .results = {}}), Names{"ground-motion"});
+  EXPECT_EQ(names_of_figures({.results = {"histories", "forces"}}),
+            (Names{"histories", "differences", "forces", "impulses", "phase"}));
   EXPECT_EQ(names_of_figures({.slides = true, .results = {"histories"}}),
             (Names{"histories", "slip", "differences", "phase"}));
 }
@@ -143,6 +145,14 @@ constexpr const char* two_fits = R"([
   {"scene": "sample", "engine": "ode", "solver": "step", "settings": "default", "quantity": "rms_angle_difference",
    "steps": 4, "gap": null, "gap_low": null, "gap_high": null, "order": null, "order_low": null, "order_high": null,
    "coefficient": null, "scatter": null, "holds": false, "reason": "4 steps are fewer than 5"}])";
+
+TEST(Figures, ForcesOfFewAndOfManyEngines) {
+  draw_sample({.blocks = 1, .results = {"histories", "forces"}});
+  std::vector<testing::SampleEngine> many;
+  for (const char* solver : {"nncg", "mlcp-pgs", "mlcp-lemke", "mlcp-dantzig"})
+    for (const char* settings : {"default", "tuned"}) many.push_back({"bullet", solver, settings, 2e-3});
+  draw_sample({.engines = many, .steps = {1e-3}, .results = {"histories", "forces"}});
+}
 
 TEST(Figures, FitsAreDrawnWhereTheyHold) {
   draw_sample(

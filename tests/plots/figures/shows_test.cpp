@@ -254,5 +254,13 @@ TEST(RunSelection, FiguresOverTimeExplainWhatLiesBeyondTheHorizon) {
   }
 }
 
+// An engine whose forces are all larger by 2 %: marks of impulses stand there, and the answers say so.
+TEST(Forces, AreShownAsFarOffAsTheyAre) {
+  const testing::Sample sample{.blocks = 1, .steps = {1e-2}, .results = {"histories", "forces"}};
+  const Shot impulses = shot(sample, "impulses"), forces = shot(sample, "forces");
+  EXPECT_TRUE(impulses.picture.says("Off by 2 % of all exact impulses"));
+  EXPECT_TRUE(forces.picture.says("off by 2 % of the weight above"));
+}
+
 }  // namespace
 }  // namespace rockstack::plots

@@ -92,8 +92,8 @@ def _column(cells: list[Any]) -> np.ndarray:
 @checked
 def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.PathLike[str]],
             out: str | os.PathLike[str] | None = None, *, engines: Sequence[str | os.PathLike[str] | type[Worker]] = (),
-            dt: Sequence[float] = (), quick: bool = False, softness: bool = False, draws: int = 0,
-            history_interval: float | None = None,
+            dt: Sequence[float] = (), quick: bool = False, softness: bool = False, forces: bool = False,
+            draws: int = 0, history_interval: float | None = None,
             trajectories: Mapping[str, str | os.PathLike[str] | Sequence[str | os.PathLike[str]]] = {}, jobs: int = 1,
             progress: bool | None = None) -> Comparison:
     """Solves scenes exactly and in engines, and measures how far each engine is off.
@@ -101,8 +101,8 @@ def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.P
     inputs: scenes (Scene, file or name) or suites (file or name). engines: "ode", "bullet:nncg", "./my_engine.py" or a
     class as of simulate(); none: Bullet and ODE, each with default and tuned settings. dt: time steps, s. quick: fewer
     draws and samples. softness: splits
-    differences into contact model, softness and step. draws: behind each number. history_interval: least time between
-    samples that are kept, s. trajectories: motions of a scene that other programs have written, by names for their rows: a CSV file each,
+    differences into contact model, softness and step. forces: contact forces and impulses, too. draws: behind each number. history_interval: least
+    time between samples that are kept, s. trajectories: motions of a scene that other programs have written, by names for their rows: a CSV file each,
     or several, which are replicates. jobs: runs at a time. progress: as of solve_many(). Results go to the folder `out`, where runs
     that are there already are not made again.
 
@@ -114,7 +114,7 @@ def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.P
     kept = _Kept(folder) if out is None else None
     with programs_of(engines) as names, progress_bar(progress, "compare") as tell:
         files = [(name, [one] if isinstance(one, str) else list(one)) for name, one in trajectories.items()]
-        choice = _core.CompareChoice(names, list(dt), quick, softness, draws or None, history_interval, files)
+        choice = _core.CompareChoice(names, list(dt), quick, softness, forces, draws or None, history_interval, files)
         rows = _core.compare(asked, str(folder), choice, thread_count(jobs, "jobs"), tell)
     return Comparison(json.loads(rows), folder, kept)
 
