@@ -1,4 +1,4 @@
-#include "analytic/batch/kernel.hpp"
+#include "analytic/batch/kernel_forces.hpp"
 
 namespace rockstack {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 
 #include "analytic/mechanics/dynamics.hpp"
@@ -154,6 +155,25 @@ inline Pattern with_closed(Pattern pattern, const Interfaces& closed) {
   for (int k = 0; k < pattern.size; ++k)
     if (closed.test(k)) pattern[k] = Contact::closed;
   return pattern;
+}
+
+/// A pattern, and of those with interfaces of `either` on their other sides all that are admissible, up to 64
+/// in all.
+template <class Admissible>
+std::vector<Pattern> with_other_sides(const Pattern& pattern, const Interfaces& either,
+                                      const Admissible& is_admissible) {
+  constexpr std::size_t most = 64;
+  std::vector<Pattern> ways{pattern};
+  for (int k = 0; k < pattern.size; ++k) {
+    const std::size_t known = either.test(k) && ways.size() < most ? ways.size() : 0;
+    for (std::size_t i = 0; i < known; ++i) {
+      ways.push_back(ways[i]);
+      ways.back()[k] = opposite(ways.back()[k]);
+    }
+  }
+  const auto others = ways.begin() + 1;
+  ways.erase(std::remove_if(others, ways.end(), std::not_fn(is_admissible)), ways.end());
+  return ways;
 }
 
 /// Principal pivoting: changes what violates, lowest interface first or all at once, until nothing does.

@@ -259,29 +259,16 @@ class Solver {
     for (int k = 0; k < state_.size(); ++k) changed.set(k, from[k] != state_.pattern[k]);
     if (changed.none()) return;
     if (pulled.any()) recorder_.note_choices(pulled & changed, time());
-    if (branching_ != nullptr)
-      take_sides((pulled | either) & changed, [&](const Pattern& pattern) {
-        return !first_violation(model_.stack, evaluate(pattern), touching, ties_.slack());
-      });
+    const auto is_admissible = [&](const Pattern& pattern) {
+      return !first_violation(model_.stack, evaluate(pattern), touching, ties_.slack());
+    };
+    if (branching_ != nullptr) {
+      const std::vector<Pattern> ways =
+          with_other_sides(state_.pattern, (pulled | either) & changed, is_admissible);
+      state_.pattern = ways[branching_->take(static_cast<double>(time()), ways)];
+    }
     ties_.note_opening(changed);
     recorder_.note_event(time(), EventKind::opening, lowest(changed) + 1, from, state_.velocities, state_);
-  }
-
-  /// Opens interfaces for which both sides would do, as far as these are admissible, as a branch takes them.
-  template <class Admissible>
-  void take_sides(const Interfaces& either, const Admissible& admissible) {
-    constexpr std::size_t most = 64;
-    std::vector<Pattern> ways{state_.pattern};
-    for (int k = 0; k < state_.size(); ++k) {
-      const std::size_t known = either.test(k) && ways.size() < most ? ways.size() : 0;
-      for (std::size_t i = 0; i < known; ++i) {
-        ways.push_back(ways[i]);
-        ways.back()[k] = opposite(ways.back()[k]);
-      }
-    }
-    const auto others = ways.begin() + 1;
-    ways.erase(std::remove_if(others, ways.end(), std::not_fn(admissible)), ways.end());
-    state_.pattern = ways[branching_->take(static_cast<double>(time()), ways)];
   }
 
   const Scene& scene_;
