@@ -37,11 +37,12 @@ std::vector<ReplicatedRow> reported_rows(const std::vector<RunWithReplicates>& r
   std::vector<ReplicatedRow> reported;
   reported.reserve(rows.size());
   std::map<std::pair<std::string, double>, std::vector<ReplicatedRow*>> cells;
-  for (const auto& [nominal, replicates] : rows) {
+  for (const auto& [nominal, replicates, shown] : rows) {
     ReplicatedRow& one = reported.emplace_back(ReplicatedRow{nominal, {}});
     add_evidence(nominal, one);
     for (const RunMetrics& replicate : replicates) add_evidence(replicate, one);
     if (!replicates.empty() && nominal.status == RunStatus::done) summarise(replicates, one);
+    one.shown_replicate = shown;
     if (!is_engine(one)) continue;
     std::vector<RunMetrics> runs{nominal};
     runs.insert(runs.end(), replicates.begin(), replicates.end());

@@ -144,7 +144,8 @@ std::vector<Job> jobs_of(const std::vector<Suite>& suites) {
 
 double result_bytes(const std::vector<Suite>& suites) {
   double bytes = 0;
-  for (const Job& job : jobs_of(suites)) bytes += samples_of(job) * line_bytes(job) + record_bytes(job);
+  for (const Job& job : jobs_of(suites))
+    bytes += (is_replicated(job) ? 2 : 1) * samples_of(job) * line_bytes(job) + record_bytes(job);
   return bytes;
 }
 

@@ -66,8 +66,10 @@ inline constexpr const char* summary_name = "summary.json";
 /// All of a file; empty where it cannot be read.
 std::string bytes_of(const std::filesystem::path& file);
 
-/// Makes the folder anew and writes all files. @throws std::runtime_error where one cannot be written.
-void write_files(const RunFiles& files, const std::filesystem::path& folder);
+/// Makes the folder anew and writes all files, that of the name `last` last.
+/// @throws std::runtime_error where one cannot be written.
+void write_files(const RunFiles& files, const std::filesystem::path& folder,
+                 const std::string& last = summary_name);
 
 /// Leaves out samples of history.csv, difference.csv, energy.csv, reactions.csv and parts.csv that are nearer
 /// than an interval, s, to the one kept before; the first and the last stay. 0: all stay.
@@ -128,12 +130,22 @@ void write_replicates(const std::string& packed, const RunMetrics& nominal,
 /// quartiles, and says how many there were.
 void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal);
 
-/// A line a run and quantity: run,quantity,draws,least,lower_quartile,median,upper_quartile,greatest, of
-/// rows with their replicates.
 struct RunWithReplicates {
   RunMetrics nominal;
   std::vector<RunMetrics> replicates;
+  std::optional<int> shown = {};  ///< the one whose history stands for all, as representative()
 };
+
+/// The replicate whose error is the median: of rank ⌈n/2⌉ among n that are done. 0 is the nominal run, which
+/// comes before others of the same error, and stands for a row that has no errors.
+int representative(const RunWithReplicates& row);
+
+/// The files of that replicate's motion, as measure() makes those of the nominal run, without a summary; none
+/// where it cannot be made again.
+RunFiles replicate_files(const Job& job, int number);
+
+/// A line a run and quantity: run,quantity,draws,least,lower_quartile,median,upper_quartile,greatest, of
+/// rows with their replicates.
 std::string spread_csv(const std::vector<RunWithReplicates>& rows);
 
 }  // namespace rockstack

@@ -162,10 +162,34 @@ void summarise(const std::vector<RunMetrics>& replicates, RunMetrics& nominal) {
   }
 }
 
+int representative(const RunWithReplicates& row) {
+  std::vector<std::pair<double, int>> errors;
+  const auto add = [&](const RunMetrics& run, int number) {
+    if (run.status == RunStatus::done && run.error) errors.emplace_back(*run.error, number);
+  };
+  add(row.nominal, 0);
+  for (std::size_t i = 0; i < row.replicates.size(); ++i) add(row.replicates[i], static_cast<int>(i) + 1);
+  if (errors.empty()) return 0;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() - 1) / 2);
+  std::ranges::nth_element(errors, middle);
+  return row.nominal.error == middle->first ? 0 : middle->second;
+}
+
+RunFiles replicate_files(const Job& job, int number) {
+  RunFiles files;
+  try {
+    engine_metrics(job, number, 0, files);
+  } catch (const std::exception&) {
+    return {};
+  }
+  thin_histories(files, job.suite.history_interval);
+  return files;
+}
+
 std::string spread_csv(const std::vector<RunWithReplicates>& rows) {
   CsvWriter csv;
   csv.line("run", "quantity", "draws", "least", "lower_quartile", "median", "upper_quartile", "greatest");
-  for (const auto& [nominal, replicates] : rows) {
+  for (const auto& [nominal, replicates, shown] : rows) {
     if (replicates.empty()) continue;
     for (const auto& [column, values] : values_of(nominal, replicates))
       csv.line(nominal.run, column.name, values.size(), quantile(values, 0), quantile(values, lower),

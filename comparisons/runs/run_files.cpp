@@ -72,17 +72,18 @@ void thin_histories(RunFiles& files, double interval) {
 }
 
 void thin_run(const std::filesystem::path& folder, double interval) {
-  for (const char* name : sampled_files)
-    if (std::filesystem::exists(folder / name))
-      write_file(folder / name, thinned(bytes_of(folder / name), interval));
+  for (const std::filesystem::path& own : {folder, folder / shown_name})
+    for (const char* name : sampled_files)
+      if (std::filesystem::exists(own / name))
+        write_file(own / name, thinned(bytes_of(own / name), interval));
 }
 
-void write_files(const RunFiles& files, const std::filesystem::path& folder) {
+void write_files(const RunFiles& files, const std::filesystem::path& folder, const std::string& last) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   for (const auto& [name, text] : files)
-    if (name != summary_name) write_file(folder / name, text);
-  write_file(folder / summary_name, files.at(summary_name));
+    if (name != last) write_file(folder / name, text);
+  write_file(folder / last, files.at(last));
 }
 
 std::string pack(const RunFiles& files) {

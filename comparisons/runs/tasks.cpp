@@ -118,6 +118,7 @@ class Runs {
     if (task.replicates) {
       row.replicates = unpack_replicates(text, replicates_identity(jobs_[task.job])).value();
       texts_[task.job] = text;
+      std::filesystem::remove_all(run_folder(task.job) / shown_name);
     } else {
       const RunFiles files = unpack(text);
       write_files(files, run_folder(task.job));
@@ -127,6 +128,21 @@ class Runs {
       write_replicates(drawn->second, row.nominal, run_folder(task.job));
       texts_.erase(drawn);
     }
+  }
+
+  /// Makes the files of the replicate that stands for a job's row, unless they are there or are the nominal
+  /// run's.
+  void show_representative(std::size_t job) {
+    RunWithReplicates& row = rows_[job];
+    if (row.replicates.empty() || !jobs_[job].suite.wanted.histories) return;
+    row.shown = representative(row);
+    const std::filesystem::path folder = run_folder(job) / shown_name;
+    constexpr const char* last = "history.csv";
+    if (row.shown == 0 || std::filesystem::exists(folder / last)) return;
+    if (const RunFiles files = replicate_files(jobs_[job], *row.shown); files.contains(last))
+      write_files(files, folder, last);
+    else
+      row.shown = 0;
   }
 
   /// True for replicates of a run that has failed.
@@ -190,7 +206,9 @@ std::pair<std::vector<RunWithReplicates>, std::size_t> carry_out(
   const auto finish = [&](std::size_t task, bool made) {
     progress.finish(runs.name(task), expected_work(jobs, task), made);
     const std::size_t job = task_of(task, jobs.size()).job;
-    if (runs.finish_task(job)) row(job, runs.rows()[job]);
+    if (!runs.finish_task(job)) return;
+    runs.show_representative(job);
+    row(job, runs.rows()[job]);
   };
   std::vector<std::size_t> tasks;
   std::size_t reused = 0;

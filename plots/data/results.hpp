@@ -44,6 +44,8 @@ struct Run : RunMetrics {
   fs::path folder = {};
   std::shared_ptr<KeptFiles> files = {};  ///< what was read of them; null: nothing is kept
 
+  /// Where the files of the motion are that stands for the row: the run's own, or a replicate's.
+  fs::path shown_folder() const { return shown_replicate.value_or(0) > 0 ? folder / shown_name : folder; }
   bool done() const { return status == RunStatus::done; }
   bool exact() const { return engine == "exact"; }
   /// Whether it is of the exact solver in another way than the scene's: other equations, a coefficient of

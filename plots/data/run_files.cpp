@@ -8,14 +8,14 @@ namespace rockstack::plots {
 namespace {
 
 template <class Read>
-auto kept(const Run& run, const char* name, const Read& read) {
-  return run.files ? run.files->get(run.folder / name, read) : KeptFiles().get(run.folder / name, read);
+auto kept(const Run& run, const fs::path& file, const Read& read) {
+  return run.files ? run.files->get(file, read) : KeptFiles().get(file, read);
 }
 
 /// Nothing where the file is not there.
 template <class Read>
-auto kept_list(const Run& run, const char* name, const Read& read) {
-  return kept(run, name,
+auto kept_list(const Run& run, const fs::path& path, const Read& read) {
+  return kept(run, path,
               [&](const auto& file) { return fs::exists(file) ? read(file) : decltype(read(file))(); });
 }
 
@@ -28,22 +28,23 @@ double at(const std::vector<double>& times, const std::vector<double>& values, d
 }  // namespace
 
 std::shared_ptr<const History> history_of(const Run& run) {
-  return kept(run, "history.csv", [&](const auto& file) { return read_history(file.parent_path()); });
+  return kept(run, run.shown_folder() / "history.csv",
+              [&](const auto& file) { return read_history(file.parent_path()); });
 }
 
 std::shared_ptr<const std::vector<AlignedImpact>> impacts_of(const Run& run) {
-  return kept_list(run, "impacts.csv", read_impacts);
+  return kept_list(run, run.shown_folder() / "impacts.csv", read_impacts);
 }
 
 std::shared_ptr<const EnergyHistory> energies_of(const Run& run) {
-  return kept(run, "energy.csv", [](const auto& file) {
+  return kept(run, run.shown_folder() / "energy.csv", [](const auto& file) {
     const auto columns = read_columns(file, {"time", "exact", "engine", "input", "balance"});
     return EnergyHistory{columns[0], columns[1], columns[2], columns[3], columns[4]};
   });
 }
 
 std::shared_ptr<const std::vector<MotionTally>> tallies_of(const Run& run) {
-  return kept_list(run, "perturbed.csv", read_tallies);
+  return kept_list(run, run.folder / "perturbed.csv", read_tallies);
 }
 
 std::vector<double> column_of(const History& history, std::vector<double> History::*rows, int block) {

@@ -60,6 +60,21 @@ Facts beside_columns(const Run& run) {
   return facts;
 }
 
+/// Which replicate figures and player show, where it is not the run at the row's own step.
+std::string shown_words(const Run& run) {
+  const int number = run.shown_replicate.value_or(0);
+  if (number == 0) return "";
+  const double dt =
+      read_columns(run.folder / "draws.csv", {"dt"}).front().at(static_cast<std::size_t>(number));
+  return element(
+      "p",
+      fmt::format(
+          "Figures and player show the replicate with the median error, {}: number {} of {} from 0, at a "
+          "step of {}.",
+          link(escaped(fmt::format("runs/{}/{}/history.csv", run.run, shown_name)), "history.csv"), number,
+          *run.draws, duration_text(dt)));
+}
+
 /// A failed run may have stopped before it wrote anything.
 std::string details_of(const Comparison& comparison, std::size_t index) {
   const Run& run = comparison.runs[index];
@@ -76,6 +91,7 @@ std::string details_of(const Comparison& comparison, std::size_t index) {
     if (fs::exists(run.folder / name))
       files += (files.empty() ? "" : ", ") + link(escaped(fmt::format("runs/{}/{}", run.run, name)), name);
   if (!files.empty()) text += element("p", "Files beside this page: " + files);
+  text += shown_words(run);
   if (fs::exists(run.folder / "summary.json")) text += definition_list(beside_columns(run));
   return details(escaped(run.run), text, fmt::format(" id=\"{}\"", run_anchor(index)));
 }

@@ -24,6 +24,9 @@ struct RunMetrics {
 #include "comparisons/measures/results/run_metrics_members.inc"
 };
 
+/// The folder in a run's own that has the files of its `shown_replicate`.
+inline constexpr const char* shown_name = "shown";
+
 /// A column of comparison.csv: its name, what it means, and of which member it is.
 struct Column {
   using Field =

@@ -16,7 +16,7 @@ struct Departure {
 Departure read_departure(const Run& run, int blocks, double end, std::size_t bins, bool together) {
   std::vector<std::string> names = numbered("difference_", blocks);
   names.insert(names.begin(), "time");
-  std::vector<std::vector<double>> columns = read_columns(run.folder / "difference.csv", names);
+  std::vector<std::vector<double>> columns = read_columns(run.shown_folder() / "difference.csv", names);
   if (together) {
     std::vector<double> largest(columns[0].size(), 0);
     for (std::size_t k = 1; k < columns.size(); ++k)

@@ -15,7 +15,7 @@ struct Occupancy {
 
 Occupancy read_occupancy(const Run& run) {
   Occupancy result{run};
-  for (CsvLine row(run.folder / "patterns.csv"); row.next();) {
+  for (CsvLine row(run.shown_folder() / "patterns.csv"); row.next();) {
     const std::string &exact = row.text("exact"), &engine = row.text("engine");
     const double share = row.value("share");
     result.exact[exact] += share;

@@ -34,7 +34,7 @@ Drawing readings(const SceneSubject& subject) {
   for (std::size_t k = 0; k < scene.readings.size(); ++k) {
     const std::string number = std::to_string(k + 1);
     const auto read = [&](const Run& run, const std::string& quantity) {
-      const auto columns = read_columns(run.folder / "readings.csv", {"time", quantity + number});
+      const auto columns = read_columns(run.shown_folder() / "readings.csv", {"time", quantity + number});
       return Curve{columns[0], columns[1]};
     };
     const std::vector<Curve> curves = mapped(

@@ -72,6 +72,43 @@ TEST(Replicates, ARowGetsMediansAndQuartiles) {
   EXPECT_EQ(nominal.impacts_matched, 11);
 }
 
+// Errors 1 to 4 and a failure, which has none: of four the median's rank is the second.
+TEST(Replicates, TheOneOfTheMedianErrorStandsForTheRow) {
+  const auto with_error = [](double error) {
+    RunMetrics row;
+    row.error = error;
+    return row;
+  };
+  RunWithReplicates row{with_error(4), {with_error(1), with_error(3), with_error(2), with_error(0)}};
+  row.replicates.back().status = RunStatus::failed;
+  EXPECT_EQ(representative(row), 3);
+  row.nominal.error = 2;
+  EXPECT_EQ(representative(row), 0) << "the nominal run comes before others of the same error";
+  EXPECT_EQ(representative({RunMetrics{}, {}}), 0);
+}
+
+// What figures show has the angle differences of the replicate whose error is the row's.
+TEST(Replicates, FiguresShowTheOneOfTheMedianError) {
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const TemporaryFolder folder;
+  Suite suite = suite_of(folder, native_engines().front());
+  suite.history_interval = 0;
+  const RunMetrics row = compare({suite}, folder.path(), *make_threads(1), {}).rows.at(1);
+  const auto run = folder.path() / "runs" / row.run;
+  const auto file = (*row.shown_replicate > 0 ? run / shown_name : run) / "difference.csv";
+  double sum = 0;
+  const auto differences = read_columns(file, {"difference_1"}).front();
+  for (const double difference : differences) sum += difference * difference;
+  const auto draws = read_columns(run / "draws.csv", {"error", "rms_angle_difference"});
+  const auto shown = static_cast<std::size_t>(*row.shown_replicate);
+  EXPECT_EQ(draws[0].at(shown), *row.error);
+  EXPECT_NEAR(std::sqrt(sum / static_cast<double>(differences.size())) / draws[1].at(shown), 1, 1e-9);
+
+  std::filesystem::remove_all(run / shown_name);
+  EXPECT_EQ(compare({suite}, folder.path(), *make_threads(1), {}).reused, 2U);
+  EXPECT_TRUE(std::filesystem::exists(file)) << "made again where it is gone";
+}
+
 TEST(Replicates, StandBehindARowAndAreNotMadeAgain) {
   if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
   const TemporaryFolder folder;

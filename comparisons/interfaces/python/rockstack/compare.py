@@ -62,8 +62,8 @@ class Comparison(Table):
 
     @checked
     def plot_differences(self, scene: str | None = None, axes: Any = None) -> Any:
-        """Draws the largest |angle difference| (rad) of each engine's run of a scene over time by matplotlib, wider for
-        coarser steps, with a tick at each exact impact. scene: a value of the column; None: the first. Gives the axes, which may be given."""
+        """Draws the largest |angle difference| (rad) of each engine's run of a scene over time, that of the replicate with the
+        median error, by matplotlib, wider for coarser steps, with a tick at each exact impact. scene: a value of the column; None: the first. Gives the axes, which may be given."""
         from rockstack.figures import draw_differences
 
         return draw_differences(self, scene, axes)

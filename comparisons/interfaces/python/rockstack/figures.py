@@ -122,7 +122,7 @@ def draw_differences(rows: Comparison, scene: str | None, axes: Any) -> Any:
     done, exact = (rows["scene"] == scene) & (rows["status"] == "done"), rows["engine"] == "exact"
     for number, (label, made) in enumerate(_series(rows, np.flatnonzero(done & ~exact)).items()):
         for width, i in enumerate(made[np.argsort(rows["dt"][made])]):  # the coarser the step, the wider the line
-            table = rows.file(rows["run"][i], "difference.csv")
+            table = rows.file(rows["run"][i], ("shown/" if rows["shown_replicate"][i] > 0 else "") + "difference.csv")
             apart = np.max([np.abs(table[name]) for name in table.dtype.names if name.startswith("difference_")], axis=0)
             axes.plot(table["time"], apart, lw=0.6 + 0.5 * width, color=f"C{number}", label="" if width else label)
     events = np.atleast_1d(rows.file(rows["run"][np.flatnonzero(done & exact)[0]], "events.csv"))
