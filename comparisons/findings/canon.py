@@ -12,8 +12,8 @@ def canon():
         for row in csv.DictReader(file):
             solver = verdicts.setdefault(f"{row['engine']}:{row['solver']}", {"default": {}, "tuned": {}})
             solver[row["settings"]][row["scene"]] = row["verdict"]
-    yield ("solver", "follows by default", "follows tuned", "cannot tell tuned", "another law tuned in")
+    yield ("solver", "follows by default", "follows tuned", "cannot tell tuned", "scatters tuned", "another law tuned in")
     for solver, sets in verdicts.items():
         tuned = list(sets["tuned"].values())
         yield (solver, *(sum(verdict in ("agrees", "converges") for verdict in sets[name].values()) for name in ("default", "tuned")),
-               tuned.count("cannot tell"), "; ".join(scene for scene, verdict in sets["tuned"].items() if verdict == "another law"))
+               tuned.count("cannot tell"), tuned.count("scatters"), "; ".join(scene for scene, verdict in sets["tuned"].items() if verdict == "another law"))

@@ -7,10 +7,10 @@ from replicates import middle, number, rates, solvers
 G = 9.81  # m/s²
 
 
-def landing(friction, slip=0.0, duration=0.01):
-    """A block with h/b = 2 that is about to land at 1 rad/s, all but without weight."""
+def landing(friction, slip=0.0, duration=0.01, height=2.0):
+    """A block with a width of 1 m that is about to land at 1 rad/s, all but without weight."""
     return rockstack.Scene(duration=duration, gravity=1e-9, law="unilateral",
-                           blocks=[{"width": 1.0, "height": 2.0, "density": 500.0}],
+                           blocks=[{"width": 1.0, "height": height, "density": 500.0}],
                            initial={"angles": [1e-9], "velocities": [-1.0], "slip_velocities": [slip]},
                            contact={"friction": friction})
 
@@ -29,6 +29,18 @@ def one_impact():
         for settings in ("default", "tuned"):
             yield solver, settings, *(middle(landing(0.3, duration=60 * dt), solver, dt, left, settings=settings)
                                       for dt in (1e-3, 1e-4, 1e-5))
+
+
+def rapier_impact():
+    """angular velocity that is left of 1 rad/s by an impact in Rapier, and by its law while blocks slip: the corner's impulse N₀(1 + 2q), q = 3μr/(4 + r²), of a block with h/b = r; tuned set; medians of 5 replicates."""
+    yield "h/b", "μ", "1 ms", "0.1 ms", "N₀(1 + 2q)", "Coulomb's law"
+    for r in (1.5, 2.0, 3.0, 4.0):
+        for friction in (0.1, 0.3, 0.5):
+            q, sticks = 3 * friction * r / (4 + r * r), friction >= 3 * r / (1 + 4 * r * r)
+            slips = (r * r - 2 + 3 * friction * r) / (4 + r * r - 3 * friction * r)
+            yield f"{r:g}", f"{friction:g}", *(
+                middle(landing(friction, duration=40 * dt, height=r), "rapier:sequential-impulse", dt, left) for dt in (1e-3, 1e-4)), (
+                "" if sticks else number(1 - 6 * (1 - friction * r) / (4 + r * r) * (1 + 2 * q))), number(1 - 1.5 / (1 + r * r) if sticks else slips)
 
 
 def sticking_impact():
@@ -104,6 +116,37 @@ def braking():
             yield solver, settings + "+warmstartingFactor=0" * bool(warm), *(
                 middle(scene, solver, dt, taken, settings=settings, parameters=warm)
                 for dt in (4e-3, 2e-3, 1e-3, 5e-4, 1e-4))
+
+
+def braking_shapes():
+    """speed that a flat landing and five steps after it take, over that of the exact motion, by the coefficient of friction; tuned sequential impulse, 1 ms; medians of 5 replicates."""
+    coefficients = (0.1, 0.25, 0.3, 0.4, 0.5, 0.6)
+    yield "block (m)", "lands at (m/s)", "warmstartingFactor", *(f"μ = {friction:g}" for friction in coefficients)
+    for width, height in ((4.0, 1.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.5, 1.5)):
+        for speed in (1.0, 2.0):
+            for warm in (0.85, 0.0):
+                yield f"{width:g} × {height:g}", f"{speed:g}", f"{warm:g}", *(
+                    middle(thrown(width, height, speed, friction), "bullet:sequential-impulse", 1e-3, over_exact,
+                           parameters={"warmstartingFactor": warm}) for friction in coefficients)
+
+
+def thrown(width, height, speed, friction):
+    """A block that comes down flat, and slides at 3 m/s."""
+    return rockstack.Scene(duration=0.025, law="unilateral", blocks=[{"width": width, "height": height, "density": 2500.0}],
+                           contact={"friction": friction},
+                           initial={"angles": [0.0], "gaps": [0.0073 * speed], "slip_velocities": [3.0], "gap_velocities": [-speed]})
+
+
+def taken(motion, step):
+    """The speed along the ground from before the landing to six steps later, m/s."""
+    along, up = rates(motion, step).T
+    landing = np.flatnonzero(up[1:] > up[:-1] + 0.1)[0]
+    return along[landing] - along[landing + 7]
+
+
+def over_exact(motion, step):
+    exact = rockstack.solve(motion.scene, times=motion.times)
+    return taken(motion, step) / taken(exact, step)
 
 
 def lemke():

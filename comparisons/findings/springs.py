@@ -28,10 +28,12 @@ def between(dt, parameters, settings):
 
 
 def restitution():
-    """largest angle in mrad between a coefficient of restitution of one half and none, 2 s; medians of 5 replicates."""
+    """largest angle in mrad between a coefficient of restitution of one half and none, 2 s, of one block from an angle, and of the paper's two; medians of 5 replicates."""
     yield "solver", "set", "blocks", "2 ms", "1 ms", "0.5 ms"
-    squat = rockstack.Scene(duration=2.0, blocks=[{"width": 1.25, "height": 1.25, "density": 2500.0}], initial={"angles": [0.3]})
-    scenes = {"slender": one_block(2.0), "squat": squat, "two blocks": paper(2.0)}
+    starts = ((0.3, 3.0, 0.03), (0.5, 2.5, 0.05), (0.5, 2.5, 0.1), (1.0, 3.0, 0.16), (1.0, 2.0, 0.23), (1.25, 1.25, 0.3))
+    scenes = {f"{width:g} m × {height:g} m from {angle:g} rad": rockstack.Scene(
+        duration=2.0, blocks=[{"width": width, "height": height, "density": 2500.0}], initial={"angles": [angle]}) for width, height, angle in starts}
+    scenes["two blocks"] = paper(2.0)
     for solver, keys in (("ode:step", {"bounce": 0.5}),
                          ("bullet:sequential-impulse", {"restitution": 0.5, "restitutionVelocityThreshold": 0.0})):
         for settings in ("default", "tuned"):

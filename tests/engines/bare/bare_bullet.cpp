@@ -2,7 +2,8 @@
 // with: nothing of this project is read here, so that its adapter can be held to it. What is not set stays as
 // the library has it. Standard input has words:
 //
-//   solver sequential-impulse          (or nncg, mlcp-dantzig, mlcp-lemke, mlcp-pgs, nncg-of-impulses)
+//   solver sequential-impulse          (or nncg, mlcp-dantzig, mlcp-lemke, mlcp-pgs, nncg-of-impulses,
+//                                       sequential-impulse-lets-go)
 //   gravity 9.81  friction 10  reach 70  dt 0.001  steps 500
 //   block 1.25 1.25 1 3906 834 834 1017 0 0.6 0.15
 //     of each block from the bottom up: width, height, depth (m), mass (kg), moments of inertia about x, y
@@ -11,7 +12,7 @@
 //   shake 0.5 -0.1                     (the ground's acceleration right and up, m/s², one a step)
 //
 // `reach` is half the edge of the box that is the ground. Standard output has a line a step, the start first:
-// the angles in rad, clockwise positive.
+// the angles in rad, clockwise positive; with `set along 1` the places along the ground, m.
 
 #include <btBulletDynamicsCommon.h>
 
@@ -95,9 +96,31 @@ class NncgOfImpulses : public btNNCGConstraintSolver {
   }
 };
 
+/// Sequential impulse with one change: after each sweep a contact point that nothing presses lets go of its
+/// friction. The library passes over it, so that it keeps what an earlier sweep or a warm start gave it.
+class LetsGo : public btSequentialImpulseConstraintSolver {
+  btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int body_count,
+                                btPersistentManifold** manifolds, int manifold_count,
+                                btTypedConstraint** constraints, int constraint_count,
+                                const btContactSolverInfo& info, btIDebugDraw* drawer) override {
+    const btScalar rest = btSequentialImpulseConstraintSolver::solveSingleIteration(
+        iteration, bodies, body_count, manifolds, manifold_count, constraints, constraint_count, info,
+        drawer);
+    for (int i = 0; i < m_tmpSolverContactFrictionConstraintPool.size(); ++i) {
+      btSolverConstraint& row = m_tmpSolverContactFrictionConstraintPool[i];
+      if (m_tmpSolverContactConstraintPool[row.m_frictionIndex].m_appliedImpulse > 0) continue;
+      row.m_lowerLimit = row.m_upperLimit = 0;
+      resolveSingleConstraintRowGeneric(m_tmpSolverBodyPool[row.m_solverBodyIdA],
+                                        m_tmpSolverBodyPool[row.m_solverBodyIdB], row);
+    }
+    return rest;
+  }
+};
+
 btSequentialImpulseConstraintSolver* make_solver(const Question& question) {
   if (question.solver == "nncg") return new btNNCGConstraintSolver;
   if (question.solver == "nncg-of-impulses") return new NncgOfImpulses;
+  if (question.solver == "sequential-impulse-lets-go") return new LetsGo;
   if (question.solver == "mlcp-dantzig") return new btMLCPSolver(new btDantzigSolver);
   if (question.solver == "mlcp-lemke") return new btMLCPSolver(new btLemkeSolver);
   if (question.solver == "mlcp-pgs") return new btMLCPSolver(new btSolveProjectedGaussSeidel);
@@ -147,7 +170,8 @@ class Stack {
   void print() const {
     for (const btRigidBody* body : blocks_) {
       const btMatrix3x3& turn = body->getWorldTransform().getBasis();
-      std::printf("%.17g ", std::atan2(double(turn[0][1]), double(turn[1][1])));
+      const double angle = std::atan2(double(turn[0][1]), double(turn[1][1]));
+      std::printf("%.17g ", set("along") != 0 ? double(body->getWorldTransform().getOrigin().x()) : angle);
     }
     std::printf("\n");
   }

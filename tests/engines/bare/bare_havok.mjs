@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// A stack of blocks in Havok by its own calls alone. What is not set stays as the library has it.
+// A stack of blocks in Havok by its own calls alone. What is not set stays as the library has it. One word more: with `along 1` it
+// prints places along the ground, m, in the place of angles.
 
 import { readFileSync } from 'node:fs';
 import { inPackage, printAngles, readQuestion } from './question.mjs';
@@ -33,12 +34,14 @@ const bodies = question.blocks.map((block) => {
   havok.HP_Body_SetLinearDamping(body, 0);
   havok.HP_Body_SetAngularDamping(body, 0);
   havok.HP_Body_SetActivationControl(body, havok.ActivationControl.ALWAYS_ACTIVE);
+  havok.HP_Body_SetLinearVelocity(body, [block.right ?? 0, block.up ?? 0, 0]);
+  havok.HP_Body_SetAngularVelocity(body, [0, 0, -(block.spin ?? 0)]);
   return body;
 });
 printAngles(question, (x, y) => {
   havok.HP_World_SetGravity(world, [x, y, 0]);
   havok.HP_World_Step(world, question.dt);
 }, (k) => {
-  const [, [, [, , z, w]]] = havok.HP_Body_GetQTransform(bodies[k]);
-  return -2 * Math.atan2(z, w);
+  const [, [[x], [, , z, w]]] = havok.HP_Body_GetQTransform(bodies[k]);
+  return question.along ? x : -2 * Math.atan2(z, w);
 });

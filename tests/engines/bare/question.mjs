@@ -1,5 +1,5 @@
 // What bare programs of npm's libraries share: the words on standard input, and where the libraries are. Nothing of the
-// adapters is read here. The words are those of bare_box2d.cpp, and one more, which Rapier and Jolt hear:
+// adapters is read here. The words are those of bare_box2d.cpp, and one more, which Havok, Jolt and Rapier hear:
 //
 //   moving 0.5 -1 0.1   (of the block before it: velocity right and up, m/s, and clockwise, rad/s)
 

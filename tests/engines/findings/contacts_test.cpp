@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "comparisons/measures/metrics/bodies.hpp"
@@ -134,6 +135,13 @@ TEST(Contacts, RestitutionActsOnASquatBlockAndOnStacksAndHardlyOnASlenderBlock) 
     const Engine* engine = linked(name);
     if (engine == nullptr) continue;
     EXPECT_LT(effect_of_restitution(*engine, slender_block(2)), 1e-3) << name;
+    for (const auto& [width, height, angle] :
+         {std::array{1.0, 2.0, 0.23}, {1.0, 3.0, 0.16}, {0.3, 3.0, 0.03}}) {
+      Scene slender = slender_block(2);
+      slender.blocks = {make_block(width, height, 2500)};
+      slender.initial.angles = {angle};
+      EXPECT_LT(effect_of_restitution(*engine, slender), 0.01) << name << ' ' << width << ' ' << height;
+    }
     EXPECT_GT(effect_of_restitution(*engine, squat), 0.02) << name;
     EXPECT_GT(effect_of_restitution(*engine, free_rocking(2)), 0.04) << name;
   }

@@ -1,11 +1,14 @@
 // What is said of Havok (engines/web/havok/page.md). No set was tuned on these scenes.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engines/scene_setup.hpp"
+#include "tests/engines/bare.hpp"
 #include "tests/engines/findings/draws.hpp"
 #include "tests/engines/findings/web_engines.hpp"
 
@@ -45,6 +48,33 @@ TEST(WebEngines, HavokBrakesWhatIsSlow) {
       stops.duration = 0.08 / pull;
       const auto [velocity, time] = lack_in_havok(*engine, stops, 0.09, -pull, dt);
       EXPECT_NEAR(velocity, pull * time / 32, 0.1 * pull * time / 32 + pull * dt / 32);
+    }
+  }
+}
+
+/// In free space, without gravity, the brake is that of 9.81 m/s²; what is faster than 0.1 m/s is let be, and
+/// so is a turn. Shapes do not matter. By a bare program.
+TEST(WebEngines, HavokBrakesWhatIsSlowInFreeSpace) {
+  const WorkerEngine* engine = there("havok:own");
+  if (engine == nullptr) GTEST_SKIP() << "Havok is not there";
+  struct Flight {
+    double width, height, speed, spin;
+  };
+  for (const auto& [width, height, speed, spin] : {Flight{0.5, 2.5, 0.09, 0},
+                                                   {0.5, 2.5, 0.06, 0.5},
+                                                   {0.1, 0.2, 0.06, 0},
+                                                   {0.5, 2.5, 0.2, 0},
+                                                   {2, 1, 0.12, 0.5}}) {
+    for (const double dt : {4e-3, 1e-3}) {
+      const int steps = static_cast<int>(std::lround(0.12 / dt));
+      const std::string question = fmt::format(
+          "gravity 0 friction 0 reach 10 dt {} steps {} block {} {} 1 100 10 10 10 0 9 0 moving {} 0 {} along 1\n",
+          dt, steps, width, height, speed, spin);
+      const std::vector<double> places = bare_angles(engine->name, question);
+      const auto at = [&](int step) { return places.at(static_cast<std::size_t>(step)); };
+      const double brake = (at(1) - at(0) - at(steps) + at(steps - 1)) / (dt * dt * (steps - 1));
+      // Places have 24 bits, and the difference of two velocities is over 0.1 s.
+      EXPECT_NEAR(brake, speed < 0.1 ? 9.81 / 32 : 0, 0.02 * 9.81 / 32) << speed << ' ' << spin << ' ' << dt;
     }
   }
 }

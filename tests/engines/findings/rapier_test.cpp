@@ -47,7 +47,10 @@ TEST(WebEngines, RapierFindsFrictionOnceInASubstep) {
   for (const auto& [r, friction, dt, set] : {Shape{1.5, 0.2, 1e-3, standard},
                                              {2, 0.3, 3e-4, standard},
                                              {2, 0.3, 3e-4, engine->tuned_parameters()},
-                                             {3, 0.1, 1e-4, standard}}) {
+                                             {1.5, 0.05, 1e-3, standard},
+                                             {1.5, 0.3, 1e-3, standard},
+                                             {3, 0.1, 1e-4, standard},
+                                             {4, 0.1, 1e-4, standard}}) {
     const double q = 3 * friction * r / (4 + r * r);
     const double once = 1 - 6 * (1 - friction * r) / (4 + r * r) * (1 + 2 * q);
     const auto left = [&, r = r, friction = friction, dt = dt, set = set](const std::string& more) {
@@ -60,6 +63,23 @@ TEST(WebEngines, RapierFindsFrictionOnceInASubstep) {
     EXPECT_NEAR(left("set num_internal_stabilization_iterations 16"), left_by_coulomb(r, friction), 1e-3);
     EXPECT_NEAR(left("set warmstart_coefficient 0"), left_by_coulomb(r, friction), 1e-3);
     EXPECT_GT(std::abs(once - left_by_coulomb(r, friction)), 0.01);
+  }
+}
+
+/// Where a block sticks, the same order leaves less than Housner's ratio, whatever the coefficient.
+TEST(WebEngines, RapierLeavesLessWhereBlocksStick) {
+  const WorkerEngine* engine = there("rapier:sequential-impulse");
+  if (engine == nullptr) GTEST_SKIP() << "Rapier is not there";
+  const Parameters standard = engine->default_parameters();
+  for (const double r : {1.5, 2.0, 3.0, 4.0}) {
+    const double threshold = 3 * r / (1 + 4 * r * r), housner = left_by_coulomb(r, 1);
+    const auto left = [&](double friction, const std::string& more) {
+      return left_in_rapier(*engine, r, friction, 3e-4, standard, more);
+    };
+    SCOPED_TRACE(r);
+    EXPECT_LT(left(threshold + 0.1, ""), housner - 0.005);
+    EXPECT_NEAR(left(threshold + 0.1, ""), left(threshold + 0.3, ""), 1e-3);
+    EXPECT_NEAR(left(threshold + 0.1, "set num_internal_stabilization_iterations 16"), housner, 1e-3);
   }
 }
 
