@@ -17,8 +17,8 @@ class CanonTeller {
     for (const CanonRow& row : rows) times_.push_back(time_of(*row.engine, row.settings, suite.limits));
     total_ = rows.size() * suite.scenes.size();
     if (!common.prints_text()) return;
-    fmt::print("{} answers take about {}, the first scene {}; the cheapest come first\n", total_,
-               waiting_time(rest(0, 0)), waiting_time(rest(0, 0) - rest(1, 0)));
+    fmt::print("answers: {}, in about {}; scene {} comes first, in {}\n", total_, waiting_time(rest(0, 0)),
+               suite.scenes.front().name, waiting_time(rest(0, 0) - rest(1, 0)));
     fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
                "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
     std::fflush(stdout);
