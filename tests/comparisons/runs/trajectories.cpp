@@ -51,7 +51,8 @@ std::string poses_csv(const Trajectory& motion, double step, std::size_t blocks,
 }
 
 /// Columns in which a recorded run differs: who made it, when, and what contacts alone tell.
-const std::set<std::string> of_its_own{"run",
+const std::set<std::string> of_its_own{"repeats",
+                                       "run",
                                        "engine",
                                        "solver",
                                        "settings",

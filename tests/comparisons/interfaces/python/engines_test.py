@@ -259,13 +259,15 @@ class EngineTest(unittest.TestCase):
         scene = rocking(title="One block", duration=0.5)
         solution = rockstack.solve(scene, interval=0.01)
         lines = ["time,theta_1"] + [f"{time!r},{angle!r}" for time, angle in zip(solution.times.tolist(), solution.angles[:, 0].tolist())]
-        file = self.write("run.csv", "\n".join(lines) + "\n")
-        for files in (file, [file, str(file)]):
-            rows = rockstack.compare(scene, engines=[self.engine], dt=[0.01], quick=True, draws=1, trajectories={"elsewhere": files})
-            self.assertEqual(rows["engine"].tolist()[-1], "elsewhere")
-            self.assertLess(rows["largest_angle_difference"][-1], 1e-12)  # rounding: it is the exact motion
-        with self.assertRaisesRegex(rockstack.InputError, "run.csv:1: no column theta_2"):
-            rockstack.compare("spanos-free-rocking", trajectories={"elsewhere": file})
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "run.csv"
+            file.write_text("\n".join(lines) + "\n")
+            for files in (file, [file, str(file)]):
+                rows = rockstack.compare(scene, engines=[self.engine], dt=[0.01], quick=True, draws=1, trajectories={"elsewhere": files})
+                self.assertEqual(rows["engine"].tolist()[-1], "elsewhere")
+                self.assertLess(rows["largest_angle_difference"][-1], 1e-12)  # rounding: it is the exact motion
+            with self.assertRaisesRegex(rockstack.InputError, "run.csv:1: no column theta_2"):
+                rockstack.compare("spanos-free-rocking", trajectories={"elsewhere": file})
 
     def test_the_canon_tells_a_verdict_a_scene(self):
         answers = rockstack.canon(self.engine, scenes=["throw"], draws=1)
