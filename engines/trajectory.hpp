@@ -93,10 +93,10 @@ struct Trajectory {
   std::vector<BodyState> bodies;   ///< where asked for
   /// What its contacts tell, where asked for and where the engine tells them.
   std::optional<ContactRecord> contacts;
-  /// What interfaces bear in each step, a row a step; where asked for and where the engine tells contacts.
-  std::vector<Reaction> reactions;
   std::size_t warnings = 0;  ///< steps in which the solver failed and went on
   std::vector<double> times = {};  ///< of samples that come unevenly, s; empty: one after every step
+  /// What interfaces bear in each step, a row a step; where asked for and where the engine tells contacts.
+  std::vector<Reaction> reactions = {};
 };
 
 /// A number of a block's motion stopped being finite, or is beyond all that a scene has (largest_number).

@@ -55,9 +55,32 @@ function requireFinite(state, block, time) {
 
 const columns = ['x', 'y', 'angles', 'velocity_x', 'velocity_y', 'velocities', 'z', 'tilt'];
 
+/**
+ * What each interface bears in one step, means over it: [normal, tangential, centre] of the force on the upper block, in the axes of
+ * the face below or, where the upper block is wider, of its own; `turned` are the angles where the step starts.
+ */
+function reactionsOf(question, points, turned) {
+  const { blocks, dt } = question;
+  const sums = blocks.map(() => ({ normal: 0, tangential: 0, pushed: 0, moment: 0 }));
+  for (const { interface: k, along, push, x, y } of points) {
+    const wider = k > 0 && blocks[k].width > blocks[k - 1].width;
+    const face = wider ? turned[k] : k > 0 ? turned[k - 1] : 0;
+    const [cosine, sine] = [Math.cos(face), Math.sin(face)];
+    sums[k].normal += (x * sine + y * cosine) / dt;
+    sums[k].tangential += (x * cosine - y * sine) / dt;
+    sums[k].pushed += push;
+    sums[k].moment += push * along;
+  }
+  return sums.map(({ normal, tangential, pushed, moment }) => [normal, tangential, pushed > 0 ? moment / pushed : 'nan']);
+}
+
+const forces = ['normal', 'tangential', 'centre'];
+
 /** All samples, the first at the start. Ends with the first in which a block has toppled. */
 export function record(simulation, question) {
   const lists = columns.map(() => []);
+  const borne = forces.map(() => []);
+  const tells = question.reactions && simulation.contacts !== undefined;
   let warnings = 0;
   for (let step = 0; ; ++step) {
     const states = question.blocks.map((_, k) => simulation.state(k));
@@ -70,10 +93,14 @@ export function record(simulation, question) {
     const before = simulation.warnings?.();
     simulation.step(pullOf(question, step));
     if (simulation.warnings?.() > before) ++warnings;
+    if (!tells) continue;
+    for (const one of reactionsOf(question, simulation.contacts(), states.map((state) => state[2])))
+      one.forEach((value, i) => borne[i].push(value));
   }
   const filled = Object.fromEntries(columns.map((name, i) => [name, lists[i]]).filter(([, list]) => list.length > 0));
   const { angles: turned, velocities, ...bodies } = filled;
-  return { angles: turned, velocities, warnings, bodies };
+  const reactions = tells && borne[0].length > 0 ? { reactions: Object.fromEntries(forces.map((name, i) => [name, borne[i]])) } : {};
+  return { angles: turned, velocities, warnings, bodies, ...reactions };
 }
 
 export function pullOf(question, step) {

@@ -76,7 +76,8 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   const std::set<std::string> seen = shown_at_first(runs, finest ? coarse : std::set<std::string>());
   constexpr std::size_t numbers = 400'000, most = 20'000, fewest = 500;  // 400,000 numbers are 2.1 MB
   const std::size_t blocks = scene.blocks.size();
-  const std::size_t columns = runs.size() * (1 + (scene.slips ? 4 : 1) * blocks) + 1 + 3 * blocks;
+  const std::size_t carried = scene.has("forces") ? runs.size() : 1;
+  const std::size_t columns = runs.size() * (1 + (scene.slips ? 4 : 1) * blocks) + carried * (1 + 3 * blocks);
   const std::size_t samples = std::clamp(numbers / (players * columns), fewest, most);
   data["tracks"] = Json::array();
   for (const Run& run : runs)

@@ -51,7 +51,8 @@ py::object to_dict(const std::optional<BodyRecord>& bodies) {
 
 /// The motion, warnings, what bodies did, and the reason where the run failed.
 py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name, const std::string& settings,
-                       const std::vector<std::string>& changes, double dt, double time_limit, bool bodies) {
+                       const std::vector<std::string>& changes, double dt, double time_limit, bool bodies,
+                       bool forces) {
   require_settings(settings);
   if (!(time_limit > 0))
     throw InputError("time_limit = " + number_text(time_limit) + ": must be a number > 0");
@@ -62,11 +63,13 @@ py::tuple simulate_one(const ScenePointer& scene, const std::string& engine_name
   WorkerRun made;
   beside_interpreter([&](const std::function<bool()>& stopped) {
     const Limits limits{.time = time_limit, .cancelled = &stopped};
-    made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, true);
+    made = run_in_worker(engine, scene->scene, dt, series.parameters, 0, limits, true, forces);
     if (made.status == "done") made.run.history.patterns = sampled_patterns(scene->scene, made.run.history);
   });
   if (made.status != "done")
     return py::make_tuple(py::none(), 0, py::none(), made.status + ": " + made.reason);
+  if (forces && made.run.history.reactions.empty())
+    throw InputError("forces: must be left out of " + engine.full_name() + ", which tells none");
   const std::size_t warnings = made.run.warnings;
   const py::object record = bodies ? to_dict(made.run.bodies) : py::none();
   SupportLoss support;

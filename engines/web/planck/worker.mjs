@@ -27,6 +27,7 @@ class Simulation {
       continuousPhysics: this.given.continuousPhysics !== 0,
     });
     this.bodies = [];
+    this.touches = new Map();
     const reach = groundReach(question.blocks);
     this.add({ type: 'static', position: { x: 0, y: -reach } }, reach, reach);
     for (const block of question.blocks) this.addBlock(block);
@@ -34,8 +35,32 @@ class Simulation {
     this.world.on('pre-solve', (contact) => {
       const [one, other] = [contact.getFixtureA(), contact.getFixtureB()].map((fixture) => fixture.getUserData());
       contact.setFriction(question.friction[Math.max(one, other) - 1]);
+      if (question.reactions) this.find(contact, one, other);
+    });
+    if (question.reactions) this.world.on('post-solve', (contact, impulse) => this.push(contact, impulse));
+  }
+
+  /** Contact points where the step starts, with the normal out of the lower body. */
+  find(contact, one, other) {
+    if (this.touches.has(contact)) return;
+    const { normal, points, pointCount } = contact.getWorldManifold(null);
+    const side = other > one ? 1 : -1;
+    const k = Math.max(one, other) - 1;
+    this.touches.set(contact, points.slice(0, pointCount).map((point) => ({
+      interface: k, along: this.bodies[k + 1].getLocalPoint(point).x, push: 0, x: 0, y: 0, normal: { x: side * normal.x, y: side * normal.y },
+    })));
+  }
+
+  push(contact, { normalImpulses, tangentImpulses }) {
+    this.touches.get(contact)?.forEach((point, i) => {
+      const { x, y } = point.normal;
+      point.push += normalImpulses[i];
+      point.x += normalImpulses[i] * x + tangentImpulses[i] * y;
+      point.y += normalImpulses[i] * y - tangentImpulses[i] * x;
     });
   }
+
+  contacts() { return [...this.touches.values()].flat(); }
 
   /** A box of these half sizes; bodies are numbered from 0, the ground. */
   add(definition, width, height) {
@@ -59,6 +84,7 @@ class Simulation {
   }
 
   step(pull) {
+    this.touches.clear();
     this.world.setGravity(pull);
     this.world.step(this.dt, this.given.velocityIterations, this.given.positionIterations);
   }

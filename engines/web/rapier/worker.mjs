@@ -27,7 +27,7 @@ class Simulation {
     chosen.dt = question.dt;
     const own = neighbourMeans(question.friction);
     const reach = groundReach(question.blocks);
-    this.add(rapier.RigidBodyDesc.fixed().setTranslation(0, -reach), reach, reach, own[0]);
+    this.ground = this.add(rapier.RigidBodyDesc.fixed().setTranslation(0, -reach), reach, reach, own[0]);
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, own[k + 1]));
   }
 
@@ -64,6 +64,23 @@ class Simulation {
     const place = body.translation();
     const velocity = body.linvel();
     return [place.x, place.y, -body.rotation(), velocity.x, velocity.y, -body.angvel()];
+  }
+
+  /** Impulses are those of all substeps. */
+  contacts() {
+    const points = [];
+    this.bodies.forEach((upper, k) => {
+      const [above, below] = [upper, k > 0 ? this.bodies[k - 1] : this.ground].map((body) => body.collider(0));
+      this.world.contactPair(below, above, (manifold, flipped) => {
+        const [{ x, y }, turned, side] = [manifold.normal(), upper.rotation(), flipped ? -1 : 1];
+        for (let i = 0; i < manifold.numContacts(); ++i) {
+          const [push, rub] = [manifold.contactImpulse(i), manifold.contactTangentImpulse(i)];
+          const on = flipped ? manifold.localContactPoint1(i) : manifold.localContactPoint2(i);
+          points.push({ interface: k, along: on.x, push, x: side * (push * x - rub * y), y: side * (push * y + rub * x) });
+        }
+      });
+    });
+    return points;
   }
 
   end() {

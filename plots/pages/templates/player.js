@@ -564,7 +564,7 @@ class Player {
       const to = (n, s) => [x(a) + (n * Math.sin(face) + s * Math.cos(face)) * full,
         y(c) - (n * Math.cos(face) - s * Math.sin(face)) * full];
       if (this.friction) this.drawCone(pen, [x(a), y(c)], to, this.friction[k], 1.2 * Math.hypot(normal, along));
-      arrow(pen, x(a), y(c), ...to(normal, along), track.exact ? "#5b2a86" : track.colour, 3);
+      arrow(pen, x(a), y(c), ...to(normal, along), ...track.exact ? ["#5b2a86", 4] : [track.colour, 2]);
       if (track.exact && side === 0 && Number.isFinite(centre)) this.drawCentre(pen, [x(a), y(c)], part.wayToEnd(centre));
     });
     const aside = 0.15 * Math.max(this.stack.width, this.stack.height), reach = Math.min(-this.stack.width / 2, ...parts.flatMap((part) => part.corners.map(([a]) => a)));

@@ -38,8 +38,8 @@ Reply full_reply() {
                     .velocities = {0, -HUGE_VAL},
                     .bodies = {{.x = 1, .y = 2, .velocity_x = 3, .velocity_y = 4, .z = 5, .tilt = 6}, {}},
                     .contacts = ContactRecord{{0, 0.1}, 1, 2, 3e5, 40, {{0.05, 1, 0.3, -0.2}}},
-                    .reactions = {{1, 2, 3}, {4, 5, std::nan("")}},
-                    .warnings = 4};
+                    .warnings = 4,
+                    .reactions = {{1, 2, 3}, {4, 5, std::nan("")}}};
   run.warm_up = 4002;
   return {{}, run};
 }

@@ -121,8 +121,8 @@ class SolveRequest:
 
 class CompareChoice:
     def __init__(
-        self, engines: list[str], steps: list[float], quick: bool, softness: bool, draws: int | None,
-        history_interval: float | None, trajectories: list[tuple[str, list[str]]]
+        self, engines: list[str], steps: list[float], quick: bool, softness: bool, forces: bool,
+        draws: int | None, history_interval: float | None, trajectories: list[tuple[str, list[str]]]
     ) -> None: ...
 
 def solve(scene: Scene, request: SolveRequest) -> tuple[Motion | None, str | None]: ...
@@ -144,7 +144,7 @@ def fit_fragility(
 def wilson_bounds(toppled: int, runs: int) -> tuple[float, float]: ...
 def engines() -> list[dict[str, Any]]: ...
 def simulate(
-    scene: Scene, engine: str, settings: str, changes: list[str], dt: float, time_limit: float, bodies: bool
+    scene: Scene, engine: str, settings: str, changes: list[str], dt: float, time_limit: float, bodies: bool, forces: bool
 ) -> tuple[Motion, int, dict[str, Any] | None, str | None]: ...
 def canon(engine: str, settings: str, scenes: list[str] | None, draws: int, tell: Tell) -> list[dict[str, Any]]: ...
 def compare(

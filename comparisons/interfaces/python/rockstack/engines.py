@@ -78,12 +78,13 @@ def programs_of(engines: Iterable[str | os.PathLike[str] | type[Worker]]) -> Ite
 @checked
 def simulate(scene: Scene | str | os.PathLike[str], engine: str | os.PathLike[str] | type[Worker] = "bullet", dt: float = 1e-3, *,
              settings: str = "tuned", parameters: Mapping[str, float | str] | None = None, time_limit: float = 600.0,
-             bodies: bool = False) -> Simulation:
+             bodies: bool = False, forces: bool = False) -> Simulation:
     """One engine alone, in a worker process at time steps of dt (s).
 
     scene: as of solve(). engine: "bullet", "ode:quickstep", …, the path of a worker program, "./my_engine.py" (rockstack.Worker), or a class
     derived from Worker, which answers in this process. settings: "tuned" or "default", with `parameters` changed.
-    time_limit: wall time, s. bodies: also energies and depths.
+    time_limit: wall time, s. bodies: also energies and depths. forces: `reactions` are what the engine tells of them, each
+    the mean of the step before; nan at the start.
 
     Raises EngineError where the run is not done, InputError for an engine, setting or value that is not there. The
     interpreter is free meanwhile, and Ctrl-C ends the worker.
@@ -91,7 +92,8 @@ def simulate(scene: Scene | str | os.PathLike[str], engine: str | os.PathLike[st
     asked = scene_of(scene)
     changes = [f"{name}={value if isinstance(value, str) else repr(value)}" for name, value in (parameters or {}).items()]
     with programs_of([engine]) as (program,):
-        motion, warnings, record, failure = _core.simulate(asked._core, program, settings, changes, dt, time_limit, bodies)
+        motion, warnings, record, failure = _core.simulate(asked._core, program, settings, changes, dt, time_limit, bodies,
+                                                            forces)
     if failure is not None:
         raise EngineError(failure)
     return Simulation(asked, motion, engine.name if isinstance(engine, type) else program, warnings, record)

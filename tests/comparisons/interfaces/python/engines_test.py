@@ -67,6 +67,15 @@ class WorkerTest(unittest.TestCase):
         self.assertEqual(run.angles.shape, (len(step), 1))
         self.assertEqual(len(run.energy), len(step))
 
+    def test_forces_of_a_block_at_rest_are_its_weight(self):
+        scene = rocking(initial={"angles": [0.0]})
+        borne = rockstack.simulate(scene, "ode", 0.01, forces=True).reactions
+        self.assertTrue(np.isnan(borne["normal"][0, 0]))
+        np.testing.assert_allclose(borne["normal"][-1], 0.5 * 1.5 * 2500 * 9.81, rtol=1e-6)
+        np.testing.assert_allclose(borne["tangential"][-1], 0, atol=1e-2)
+        with self.assertRaisesRegex(rockstack.InputError, "forces: must be left out of ice:free"):
+            rockstack.simulate(scene, self.worker, 0.01, forces=True)
+
     def test_what_sinks_is_told_whether_or_not_bodies_are_asked_for(self):
         scene = rocking(initial={"angles": [0.0]})
         verdicts = [rockstack.simulate(scene, self.worker, 0.01, bodies=bodies).verdict for bodies in (False, True)]

@@ -33,7 +33,7 @@ Scene paper() {
   return scene;
 }
 
-History solved(const Scene& scene) {
+History sampled_motion(const Scene& scene) {
   return solve(scene, {.sample_times = regular_times(step, scene.duration)});
 }
 
@@ -74,7 +74,7 @@ std::vector<AlignedImpact> matched(const Scene& scene, const History& exact, dou
 TEST(Blow, OfARockingBlockIsTheChangeOfItsMomentum) {
   for (const Law law : {Law::consistent, Law::unilateral}) {
     const Scene scene = rocking(law);
-    const History exact = solved(scene);
+    const History exact = sampled_motion(scene);
     ASSERT_EQ(exact.events.front().kind, EventKind::impact);
     const Event& event = exact.events.front();
     const Block& block = scene.blocks[0];
@@ -90,7 +90,7 @@ TEST(Blow, OfARockingBlockIsTheChangeOfItsMomentum) {
 
 TEST(Forces, OfAnEngineWithoutErrorAreTheExactOnes) {
   for (const Scene& scene : {rocking(Law::consistent), rocking(Law::unilateral), paper()}) {
-    const History exact = solved(scene);
+    const History exact = sampled_motion(scene);
     History engine = exact;
     engine.reactions = step_means(scene, exact);
     const auto [forces, impulses] = compare_forces(scene, exact, engine, matched(scene, exact, 0));
@@ -110,7 +110,7 @@ TEST(Forces, OfAnEngineWithoutErrorAreTheExactOnes) {
 // weight gives in the window of an impact as well, which is at most 2 × 0.05 s for 1.25 m.
 TEST(Forces, AreOffByWhatAnEngineAddsToThem) {
   const Scene scene = rocking(Law::consistent);
-  const History exact = solved(scene);
+  const History exact = sampled_motion(scene);
   History engine = exact;
   engine.reactions = step_means(scene, exact);
   for (Reaction& reaction : engine.reactions) reaction.normal *= 1.1, reaction.tangential *= 1.1;
@@ -127,7 +127,7 @@ TEST(Forces, AreOffByWhatAnEngineAddsToThem) {
 // The exact forces are taken off as late as the engine's impact comes.
 TEST(Forces, OfALateEngineHaveTheSameImpulses) {
   const Scene scene = rocking(Law::consistent);
-  const History exact = solved(scene);
+  const History exact = sampled_motion(scene);
   constexpr std::size_t late = 7;  // steps
   History engine = exact;
   engine.reactions = step_means(scene, exact);
