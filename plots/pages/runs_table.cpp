@@ -9,8 +9,8 @@ namespace {
 /// What is shown at first, as far as any run has it; the name of the run is one of them.
 constexpr std::size_t shown_columns = 12;
 constexpr auto wanted =
-    "rms_test_difference;rms_angle_difference;largest_angle_difference;slip_error;first_impact_time;"
-    "first_impact_time_difference;agreement_time;position_agreement_time;impacts_matched;impacts_missed;impacts_extra;toppled;stepping_time_minimum;energy_gain;"
+    "rms_test_difference;rms_angle_difference;largest_angle_difference;slip_error;normal_force_error;impulse_error;"
+    "first_impact_time;first_impact_time_difference;agreement_time;position_agreement_time;impacts_matched;impacts_missed;impacts_extra;toppled;stepping_time_minimum;energy_gain;"
     "rms_angle_difference_lower;rms_angle_difference_upper;steps";
 
 /// Columns in the order of the page; the first `shown` of them without the switch.
