@@ -97,6 +97,19 @@ std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::
 
 }  // namespace
 
+const KeyTable engine_keys{
+    "[[engines]]",
+    "an engine and how it runs: one series for each parameter set and value",
+    {{"name", "\"ode\"", "", "ENGINE or ENGINE:SOLVER, see `rockstack list engines`", required_key,
+      "of the engine; beside `worker`, one of its engines, its first if left out"},
+     {"worker", "\"./my_engine.py\"", "", "a program, seen from the file's folder",
+      "instead of `name`, or beside it", "an engine's own worker, see engines/README.md"},
+     {"settings", "[\"tuned\"]", "", "of \"default\", \"tuned\"", "[\"default\", \"tuned\"]",
+      "its parameter sets"},
+     {"dt", "[1e-3]", "s", "at least one number > 0", "[1e-2, 1e-3, 1e-4]", "time steps"},
+     {"parameters", "{ erp = [0.1, 0.2] }", "", "names of the engine's parameters, each a value or an array",
+      "{}", "changes of its parameter set, in every combination"}}};
+
 EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
                          const Parameters& changes) {
   EngineSeries series{&engine, settings,

@@ -28,7 +28,43 @@ void vary_flight(Scene& scene, const Next& next) {
   }
 }
 
+/// The largest relative change of a scene that is still hardly another.
+constexpr double most_change = 0.1;
+
+CheckedNumber changes() {
+  return {"> 0, up to " + number_text(most_change), "a number", [](const Node& node) {
+            if (!(number(node) > 0 && node.number <= most_change))
+              throw wrong_value(node, "a number > 0 and ≤ " + number_text(most_change));
+            return node.number;
+          }};
+}
+
 }  // namespace
+
+const KeysOf<Replicates> replicates_keys{
+    "[draws]",
+    "runs behind each number of an engine, which is their median",
+    {{"runs", "5", "", whole_numbers(1, most_replicates), required_key,
+      "with the one at the nominal step and scene", &Replicates::runs},
+     {"most_steps",
+      "3e5",
+      "",
+      {"a number > 0", "a number", number_above_zero},
+      "any number",
+      "that these runs may take together: fewer are made where steps are many, one at least",
+      &Replicates::most_steps},
+     {"steps", "0.03", "", numbers_between(0, 0.5), "largest relative change of the time step",
+      &Replicates::steps},
+     {"scene", "1e-6", "", numbers_between(0, most_change), "1e-6", "largest relative change of the scene",
+      &Replicates::scene},
+     {"seed", "1", "", whole_numbers(0, largest_seed), "of the changes of the scene", &Replicates::seed}}};
+
+const KeysOf<Perturbations> perturbations_keys{
+    "[perturbations]",
+    "many scenes that hardly differ, for distributions",
+    {{"runs", "20", "", whole_numbers(2), required_key, "number of scenes", &Perturbations::runs},
+     {"size", "1e-6", "", changes(), "1e-6", "largest relative change", &Perturbations::size},
+     {"seed", "1", "", whole_numbers(0, largest_seed), "of the changes", &Perturbations::seed}}};
 
 Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run) {
   std::uint32_t key = 0;
@@ -67,36 +103,19 @@ double replicate_step(double dt, const Replicates& replicates, int replicate) {
 }
 
 Perturbations read_perturbations(const Node& table) {
-  require_table(table, perturbations_keys);
   Perturbations perturbations;
-  perturbations.runs = static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 2"), 2));
-  if (const Node* node = find(table, "size")) perturbations.size = number_above_zero(*node);
-  if (perturbations.size > 0.1) throw wrong_value(*find(table, "size"), "a number > 0 and ≤ 0.1");
-  if (const Node* node = find(table, "seed"))
-    perturbations.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
+  read_members(table, perturbations_keys, perturbations);
   return perturbations;
 }
 
 Replicates read_replicates(const Node& table) {
-  require_table(table, replicates_keys);
-  const auto share = [&](const char* key, double& value, double most) {
-    value = number_or(table, key, value);
-    if (!(value >= 0 && value <= most))
-      throw wrong_value(*find(table, key), fmt::format("a number from 0 to {}", most));
-  };
   Replicates replicates;
-  replicates.runs =
-      static_cast<int>(whole_number(required(table, "runs", "a whole number ≥ 1"), 1, most_replicates));
+  read_members(table, replicates_keys, replicates);
   for (const char* key : {"most_steps", "steps"}) {  // the horizon takes the others
     const Node* node = find(table, key);
     if (node != nullptr && replicates.runs == 1)
       throw wrong_value(*node, "left out where `runs` is 1: there are no others");
   }
-  if (const Node* node = find(table, "most_steps")) replicates.most_steps = number_above_zero(*node);
-  share("steps", replicates.steps, 0.5);
-  share("scene", replicates.scene, 0.1);
-  if (const Node* node = find(table, "seed"))
-    replicates.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
   return replicates;
 }
 

@@ -66,11 +66,10 @@ ResultSelection read_results(const Node& array) {
   return wanted;
 }
 
-bool read_softness(const Node& node, const ResultSelection& wanted) {
-  const bool softness = choice<bool>(node, {{"whole", false}, {"split", true}});
-  if (softness && !wanted.bodies)
-    throw wrong_value(node, "\"whole\" where `results` leaves out \"bodies\", which tell contacts");
-  return softness;
+/// `of "a", "b"`, in the words of a key.
+template <class Names>
+std::string some_of(const Names& names) {
+  return "of " + joined_texts(names, quoted, ", ");
 }
 
 /// Those of some names, or the first solver of every usual engine of this build.
@@ -175,6 +174,60 @@ void require_engines(const Node& root) {
 
 }  // namespace
 
+const KeysOf<Suite> suite_keys{
+    "",
+    "a suite: scenes, each on the exact solver and on engines",
+    {{"title", "\"Three drums\"", "", "a text", required_key, "heads tables and the report", &Suite::title},
+     {"scenes", "[\"scene.toml\"]", "",
+      "at least one file beside the suite, or name from `rockstack list scenes`", required_key,
+      "what is run"},
+     {"set", "[\"duration=2.0\"]", "", "key=value texts", "[]", "scene keys that are changed in every scene"},
+     {"vary", "{ \"contact.friction\" = [0.1, 1.0] }", "", "scene keys, each an array of numbers", "{}",
+      "every scene once for each value, in every combination"},
+     {{"variants", "[\"linear\"]", "", fmt::format("{}, \"{}MU\"", some_of(asked_variants), friction_key),
+       "[]", "the exact solver with one choice changed, as one more run; friction is that of law unilateral"},
+      [](const Node& node, Suite& suite) { suite.variants = read_variants(node); }},
+     {"tolerance", "0.01", "rad", numbers_above_zero(), "histories agree as long as angles stay that close",
+      &Suite::tolerance},
+     {"repeats", "5", "", whole_numbers(1), "timed runs after one to warm up", &Suite::repeats},
+     {{"results", "[\"angles\", \"impacts\"]", "",
+       some_of(mapped(result_names, [](const auto& one) { return std::string(one.first); })),
+       "all but \"forces\"", "what is computed and written"},
+      [](const Node& node, Suite& suite) { suite.wanted = read_results(node); }},
+     {{"softness", "\"split\"", "", "\"whole\" or \"split\", which needs \"bodies\" in `results`",
+       "\"whole\"",
+       "whether differences of engines are split into contact model, contact softness and time step"},
+      [](const Node& node, Suite& suite) {
+        suite.softness = choice<bool>(node, {{"whole", false}, {"split", true}});
+      }},
+     {"time_limit", "600.0", "s", numbers_above_zero(), "of each run of an engine",
+      part(&Suite::limits, &Limits::time)},
+     {{"memory_limit", "4096", "MiB", "64 to 10⁹", "4096", "of each run of an engine"},
+      [](const Node& node, Suite& suite) { suite.limits.memory = mebibytes(node); }},
+     {"engines", "", "", "tables [[engines]]", "none: exact runs alone",
+      "what is compared with the exact solver"},
+     {"trajectories", "", "", "tables [[trajectories]]", "none", "motions that other programs have written"},
+     {{"draws", "", "", "a table [draws]", no_default, "runs behind each number of an engine"},
+      [](const Node& table, Suite& suite) { suite.replicates = read_replicates(table); }},
+     {{"perturbations", "", "", "a table [perturbations]", no_default, "distributions where histories part"},
+      [](const Node& table, Suite& suite) { suite.perturbations = read_perturbations(table); }},
+     {"statements", "", "", "a table [statements]", no_default, "scenes held against the paper"}}};
+
+const KeyTable trajectory_keys{
+    "[[trajectories]]",
+    "a motion of a scene that another program has written, beside the engines",
+    {{"name", "\"isaac\"", "", "letters, digits, - and _, no engine's name", required_key,
+      "that its rows go by"},
+     {"files", "[\"isaac.csv\"]", "", "at least one CSV file, seen from the suite's folder", required_key,
+      "a run each, see comparisons/README.md; several are replicates"},
+     {"scene", "\"scene\"", "", "the name of a scene of the suite", "its only scene", "of which it is"}}};
+
+const KeyTable statements_keys{
+    "[statements]",
+    "the paper's two examples among the scenes, each of two blocks",
+    {{"free", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 18 to 20"},
+     {"shaken", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 21 and 22"}}};
+
 Scene Variant::apply(Scene scene) const {
   if (choice == Choice::linear) scene.equations = Equations::linear;
   if (choice == Choice::nonlinear) scene.equations = Equations::nonlinear;
@@ -231,9 +284,8 @@ InputKind kind_of(const std::filesystem::path& file) {
 
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
-  require_table(root, suite_keys);
   Suite suite;
-  suite.title = text(required(root, "title", "a text"));
+  read_members(root, suite_keys, suite);
   SceneChange changes;
   if (const Node* node = find(root, "set"))
     for (const Node& child : entries(*node, "an array of key=value texts"))
@@ -249,15 +301,9 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
       added.scene.title += change.title;
     }
   }
-  if (const Node* node = find(root, "tolerance")) suite.tolerance = number_above_zero(*node);
-  if (const Node* node = find(root, "repeats")) suite.repeats = static_cast<int>(whole_number(*node, 1));
-  if (const Node* node = find(root, "results")) suite.wanted = read_results(*node);
-  if (const Node* node = find(root, "softness")) suite.softness = read_softness(*node, suite.wanted);
-  if (const Node* table = find(root, "perturbations")) suite.perturbations = read_perturbations(*table);
-  if (const Node* table = find(root, "draws")) suite.replicates = read_replicates(*table);
-  if (const Node* node = find(root, "time_limit")) suite.limits.time = number_above_zero(*node);
-  if (const Node* node = find(root, "memory_limit")) suite.limits.memory = mebibytes(*node);
-  if (const Node* variants = find(root, "variants")) suite.variants = read_variants(*variants);
+  if (suite.softness && !suite.wanted.bodies)
+    throw wrong_value(*find(root, "softness"),
+                      "\"whole\" where `results` leaves out \"bodies\", which tell contacts");
   AskedEngines engines = read_engines(root, file.parent_path());
   suite.series = std::move(engines.series);
   suite.left_out = std::move(engines.left_out);

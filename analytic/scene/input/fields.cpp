@@ -1,5 +1,6 @@
 #include "analytic/scene/input/fields.hpp"
 
+#include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -9,7 +10,20 @@ std::string whole_text(double value) {
   return std::to_string(static_cast<long long>(value));
 }
 
+/// A bound in the words of a key.
+std::string bound_text(double value) {
+  constexpr double million = 1e6;
+  return value == largest_seed ? "2⁵³" : value == million ? "10⁶" : whole_text(value);
+}
+
 }  // namespace
+
+std::string choices_text(const std::vector<NamedChoice>& choices) {
+  std::string names;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    names += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + quoted(choices[i].name);
+  return names;
+}
 
 void require_table(const Node& node, const KeyTable& allowed) {
   if (node.kind != Node::Kind::table) throw wrong_value(node, "a table");
@@ -42,6 +56,22 @@ double whole_number(const Node& node, double least, double most) {
   if (!(value >= least && value <= most) || value != std::floor(value))
     throw wrong_value(node, "a whole number from " + whole_text(least) + " to " + whole_text(most));
   return value;
+}
+
+CheckedNumber numbers_between(double least, double most) {
+  const std::string range = number_text(least) + " to " + number_text(most);
+  return {range, "a number", [=](const Node& node) {
+            if (!(number(node) >= least && node.number <= most))
+              throw wrong_value(node, "a number from " + range);
+            return node.number;
+          }};
+}
+
+CheckedNumber whole_numbers(double least, double most) {
+  constexpr double unsaid = 1e9;
+  const std::string range =
+      "a whole number from " + bound_text(least) + (most == unsaid ? "" : " to " + bound_text(most));
+  return {range, range, [=](const Node& node) { return whole_number(node, least, most); }};
 }
 
 double required_number(const Node& table, std::string_view name) {

@@ -1,12 +1,25 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <initializer_list>
 
 #include "analytic/scene/input/document.hpp"
 #include "analytic/scene/lists.hpp"
 
 namespace rockstack {
+
+/// The numbers of a key that a slider has; others may be typed.
+struct UsualNumbers {
+  double least = 0, most = 0;  ///< equal: no slider
+  bool by_factors = false;     ///< equal ways are equal factors
+};
+
+/// A text that a key may be, and what it stands for.
+struct NamedChoice {
+  const char* name;
+  const char* words = "";
+};
 
 /// A key of an input file and what it means; `rockstack keys` prints it. SI units.
 struct InputKey {
@@ -16,7 +29,12 @@ struct InputKey {
   std::string range = "";    ///< which values are accepted
   std::string default_value = "";  ///< what holds where it is left out: a value as TOML, or words; see below
   const char* meaning = "";
+  UsualNumbers usual = {};
+  std::vector<NamedChoice> choices = {};
 };
+
+/// "\"a\", \"b\" or \"c\"".
+std::string choices_text(const std::vector<NamedChoice>& choices);
 
 // Words that `default_value` has where no value stands for a key that is left out. "instead of KEY": one of
 // the two must be there, or may be there where KEY may be left out.
@@ -45,6 +63,20 @@ inline constexpr double largest_seed = 0x1p53;
 
 /// A whole number from `least` to `most`. Precondition: both are whole and at most 2⁵³.
 double whole_number(const Node& node, double least, double most = 1e9);
+
+/// Numbers that are checked as they are read: which, in the words of a key, and what makes one of a value.
+struct CheckedNumber {
+  std::string words;
+  std::string needed = "a number";  ///< said where there is none
+  std::function<double(const Node&)> read;
+};
+inline CheckedNumber numbers_above_zero() {
+  return {"> 0", "a number", number_above_zero};
+}
+CheckedNumber numbers_between(double least, double most);
+/// The bounds of whole_number(); without `most` words have the first alone.
+CheckedNumber whole_numbers(double least, double most = 1e9);
+
 double required_number(const Node& table, std::string_view name);
 double number_or(const Node& table, std::string_view name, double otherwise);
 

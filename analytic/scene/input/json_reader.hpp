@@ -1,9 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "analytic/scene/input/json.hpp"
-#include "analytic/scene/input/json_words.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 
@@ -11,6 +11,12 @@ namespace rockstack {
 
 // The one place where JSON and MessagePack come in, from files, workers, pages and other ranks. As of TOML,
 // more than most_levels are refused: what reads, copies or writes them next goes down level by level.
+
+/// What the library says is wrong, without its own name for that.
+inline std::string plain_words(const nlohmann::json::exception& error) {
+  const std::string what = error.what();  // "[json.exception.type_error.302] type must be …"
+  return what.substr(what.find("] ") + 2);
+}
 
 /// Reads bytes of one of the two forms. @throws InputError that begins with `subject`, "x.json: " or "the
 /// message " as it may be, and says what is wrong.

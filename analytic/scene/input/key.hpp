@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "analytic/scene/input/fields.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/spring_checks.hpp"
@@ -23,14 +25,29 @@ constexpr KeyRange by_itself(const char* words) {
   return {words, -endless, endless};
 }
 
+/// A member, or the member of a member, and so on.
+template <class Outer, class Value>
+auto part(Value Outer::*member) {
+  return [=](Outer& object) -> Value& { return object.*member; };
+}
+template <class Outer, class Inner, class... Members>
+auto part(Inner Outer::*member, Members... members) {
+  return [=](Outer & object) -> auto& {
+    return part(members...)(object.*member);
+  };
+}
+
 /// A key of a table whose values are a T: which member it is, and what that may be. A default is T's own.
+/// Numbers of a KeyRange are checked by require_ranges(), as they need not come from a file; others are as
+/// they are read.
 template <class T>
 struct Key {
   InputKey said;
   KeyRange range = any_number;
   double T::*number = nullptr;
-  std::vector<double> T::*numbers = nullptr;           ///< one for each block, or none
-  void (*read_other)(const Node& node, T&) = nullptr;  ///< of what is no number
+  std::vector<double> T::*numbers = nullptr;  ///< one for each block, or none
+  std::function<void(const Node& node, T&)> read_other = nullptr;
+  std::string needed = "";  ///< what it must be where it is required and missing; empty: T's reader knows
 
   /// A key that its table's reader takes by itself.
   Key(const char* name, const char* example, const char* unit, const char* allowed, const char* otherwise,
@@ -38,24 +55,70 @@ struct Key {
       : said{name, example, unit, allowed, otherwise, meaning} {}
   /// A number: required, or with what a new T has.
   Key(const char* name, const char* example, const char* unit, const KeyRange& allowed, const char* meaning,
-      double T::*member)
-      : said{name, example, unit, allowed.words, number_text(T().*member), meaning},
+      double T::*member, const UsualNumbers& usual = {})
+      : said{name, example, unit, allowed.words, number_text(T().*member), meaning, usual},
         range(allowed),
         number(member) {}
   Key(const char* name, const char* example, const char* unit, const KeyRange& allowed, const char* needed,
-      const char* meaning, double T::*member)
-      : said{name, example, unit, allowed.words, needed, meaning}, range(allowed), number(member) {}
+      const char* meaning, double T::*member, const UsualNumbers& usual = {})
+      : said{name, example, unit, allowed.words, needed, meaning, usual},
+        range(allowed),
+        number(member),
+        needed("a number") {}
   Key(const char* name, const char* example, const char* unit, const KeyRange& allowed, const char* otherwise,
-      const char* meaning, std::vector<double> T::*member)
-      : said{name, example, unit, allowed.words, otherwise, meaning}, range(allowed), numbers(member) {}
-  Key(InputKey words, void (*read)(const Node& node, T&)) : said(std::move(words)), read_other(read) {}
+      const char* meaning, std::vector<double> T::*member, const UsualNumbers& usual = {})
+      : said{name, example, unit, allowed.words, otherwise, meaning, usual},
+        range(allowed),
+        numbers(member) {}
+  /// A number that is checked as it is read, or a text, of the member at `place`.
+  template <class Place>
+  Key(const char* name, const char* example, const char* unit, const CheckedNumber& allowed,
+      const std::string& otherwise, const char* meaning, const Place& place, const UsualNumbers& usual = {})
+      : said{name, example, unit, allowed.words, otherwise, meaning, usual},
+        read_other([=](const Node& node, T& object) {
+          auto& value = std::invoke(place, object);
+          value = static_cast<std::remove_reference_t<decltype(value)>>(allowed.read(node));
+        }),
+        needed(allowed.needed) {}
+  template <class Place>
+  Key(const char* name, const char* example, const char* unit, const CheckedNumber& allowed,
+      const char* meaning, const Place& place)
+      : Key(name, example, unit, allowed, default_at(place), meaning, place) {}
+  template <class Place>
+  Key(const char* name, const char* example, const char* unit, const char* allowed, const char* otherwise,
+      const char* meaning, const Place& place)
+      : said{name, example, unit, allowed, otherwise, meaning},
+        read_other([=](const Node& node, T& object) { std::invoke(place, object) = text(node); }),
+        needed("a text") {}
+  /// One of a few names, in the order of an enumeration; `beside` says what else the range has.
+  template <class Choice>
+  Key(const char* name, const char* example, const std::vector<NamedChoice>& choices, const char* meaning,
+      Choice T::*member, const char* beside = "")
+      : Key(name, example, choices, meaning) {
+    said.range += beside;
+    said.default_value = quoted(choices[static_cast<std::size_t>(T().*member)].name);
+    read_other = [=](const Node& node, T& object) {
+      object.*member = static_cast<Choice>(place_among(node, mapped(choices, &NamedChoice::name)));
+    };
+  }
+  /// One that is required, and that its table's reader takes by itself.
+  Key(const char* name, const char* example, const std::vector<NamedChoice>& choices, const char* meaning)
+      : said{name, example, "", choices_text(choices), required_key, meaning, {}, choices} {}
+  Key(InputKey words, std::function<void(const Node& node, T&)> read)
+      : said(std::move(words)), read_other(std::move(read)) {}
 
   void read(const Node& node, T& object) const {
     if (number != nullptr) object.*number = rockstack::number(node);
     // Checks say what length a list that is always there must have.
     if (numbers != nullptr)
       object.*numbers = (object.*numbers).empty() ? one_each(node) : rockstack::numbers(node);
-    if (read_other != nullptr) read_other(node, object);
+    if (read_other) read_other(node, object);
+  }
+
+  template <class Place>
+  static std::string default_at(const Place& place) {
+    T standard;
+    return number_text(static_cast<double>(std::invoke(place, standard)));
   }
 };
 
@@ -76,8 +139,8 @@ void read_members(const Node& table, const KeysOf<T>& keys, T& object) {
     const Node* node = find(table, key.said.name);
     if (node != nullptr)
       key.read(*node, object);
-    else if (key.number != nullptr && key.said.default_value == required_key)
-      throw missing_key(table, key.said.name, "a number");
+    else if (!key.needed.empty() && key.said.default_value == required_key)
+      throw missing_key(table, key.said.name, key.needed);
   }
 }
 

@@ -70,9 +70,8 @@ GroundMotion from_pulse(const Node& table, const Node& shape) {
   return motion;
 }
 
-GroundMotion from_synthetic(const Node& table, const Node& seed, MotionLibrary& library) {
+GroundMotion from_synthetic(const Node& table, MotionLibrary& library) {
   SyntheticMotion motion;
-  motion.seed = static_cast<std::uint64_t>(whole_number(seed, 0, largest_seed));
   read_members(table, synthetic_keys, motion);
   validate(motion, table.key);
   GroundMotion result = *library.synthetic(motion);
@@ -183,7 +182,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
 GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& folder,
                                 MotionLibrary& library) {
   if (const Node* pulse = find(table, "pulse")) return from_pulse(table, *pulse);
-  if (const Node* seed = find(table, "synthetic")) return from_synthetic(table, *seed, library);
+  if (find(table, "synthetic") != nullptr) return from_synthetic(table, library);
   const Node* record = find(table, "record");
   const Node* samples = find(table, "samples");
   if (record == nullptr && samples == nullptr)

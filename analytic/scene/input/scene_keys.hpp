@@ -19,30 +19,39 @@ inline std::vector<double> each_stiffness(const Node& node, const Scene& scene) 
   return mapped(entries(node, "a number for each block"), number);
 }
 
-/// "\"a\", \"b\" or \"c\"".
-template <std::size_t count>
-std::string one_of_words(const std::array<const char*, count>& names) {
-  std::string words;
-  for (std::size_t i = 0; i < count; ++i)
-    words += (i == 0 ? "\"" : i + 1 < count ? ", \"" : " or \"") + std::string(names[i]) + "\"";
-  return words;
-}
+// What the page of `rockstack live` has on its sliders.
+inline constexpr UsualNumbers usual_lengths{0.1, 10, true}, usual_accelerations{-10, 10},
+    usual_peaks{0.1, 15, true}, usual_periods{0.05, 5, true}, usual_starts{0, 10}, usual_cycles{0.5, 10},
+    usual_scales{-3, 3}, usual_shares{0, 1};
+
+inline const std::vector<NamedChoice> laws{{name(Law::paper), "pivots"},
+                                           {name(Law::consistent), "pivots"},
+                                           {name(Law::unilateral), "slip, lift-off"},
+                                           {name(Law::compliant), "springs"}};
+inline const std::vector<NamedChoice> equations_of_motion{{name(Equations::nonlinear)},
+                                                          {name(Equations::linear), "as the paper has them"},
+                                                          {name(Equations::small_angle)}};
+inline const std::vector<NamedChoice> restitution_laws{{"newton", "speeds"}, {"poisson", "impulses"}};
+inline const std::vector<NamedChoice> single_pulses{{"half-sine"}, {"rectangle"}, {"ricker"}};
+inline const std::vector<NamedChoice> harmonics{{"sine"}, {"cosine"}};
+inline const std::vector<NamedChoice> near_fault_pulses{{"mavroeidis-papageorgiou"}};
 
 inline const KeysOf<Scene> scene_keys{
     "",
     "a scene: a stack of blocks, its ground and how it starts",
     {{"title", "\"Two blocks\"", "", "a text", "the name of the file", "heads tables and figures"},
      {"duration", "5.0", "s", KeyRange{"> 0, up to 10⁷ √(size/acceleration)", 1 / largest_number},
-      required_key, "of the motion", &Scene::duration},
-     {"gravity", "9.81", "m/s²", above_zero, "acceleration of gravity, downwards", &Scene::gravity},
-     {{"law", "\"consistent\"", "", one_of_words(law_names), "\"consistent\"",
-       "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, lift "
-       "off and land; or such blocks on springs at their corners"},
-      [](const Node& node, Scene& scene) { scene.law = choice<Law>(node, law_names); }},
-     {{"equations", "\"nonlinear\"", "", one_of_words(equation_names), "\"nonlinear\"",
-       "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear ones, "
-       "where sin(α − θ) is α − θ (Housner 1963)"},
-      [](const Node& node, Scene& scene) { scene.equations = choice<Equations>(node, equation_names); }},
+      required_key, "of the motion", &Scene::duration, UsualNumbers{0.5, 60, true}},
+     {"gravity", "9.81", "m/s²", above_zero, "acceleration of gravity, downwards", &Scene::gravity,
+      UsualNumbers{1, 25}},
+     {"law", "\"consistent\"", laws,
+      "of contact: pivots, with impacts whose impulses push or those of the paper; or blocks that rub, slip, lift "
+      "off and land; or such blocks on springs at their corners",
+      &Scene::law},
+     {"equations", "\"nonlinear\"", equations_of_motion,
+      "of motion: in full; with geometry frozen upright, Eqs. (19)–(28) of the paper; or the usual linear ones, "
+      "where sin(α − θ) is α − θ (Housner 1963)",
+      &Scene::equations},
      {"blocks", "", "", "1 to 32 tables [[blocks]]", required_key, "the stack"},
      {"initial", "", "", "a table [initial]", no_default, "how it starts"},
      {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
@@ -51,15 +60,16 @@ inline const KeysOf<Scene> scene_keys{
      {"restitution", "[0.9]", "", KeyRange{"a number from 0 to 1 for each block", 0, 1}, "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
       "after an impact over that before; of the exact solver alone: engines run without",
-      &Scene::restitution}}};
+      &Scene::restitution, usual_shares}}};
 
 inline const KeyTable block_keys{
     "[[blocks]]",
     "a block, from the bottom up",
-    {{"width", "1.0", "m", "> 0", required_key, "across the plane of motion, 2b"},
-     {"height", "2.5", "m", "> 0", required_key, "of the block, 2h"},
-     {"density", "2500", "kg/m³", "> 0", required_key, "mass over width, height and 1 m of depth"},
-     {"mass", "6250", "kg", "> 0", "instead of density", "of the block"},
+    {{"width", "1.0", "m", "> 0", required_key, "across the plane of motion, 2b", usual_lengths},
+     {"height", "2.5", "m", "> 0", required_key, "of the block, 2h", usual_lengths},
+     {"density", "2500", "kg/m³", "> 0", required_key, "mass over width, height and 1 m of depth",
+      UsualNumbers{100, 20000, true}},
+     {"mass", "6250", "kg", "> 0", "instead of density", "of the block", UsualNumbers{1, 1e6, true}},
      {"inertia", "3776", "kg·m²", "> 0", "that of a uniform rectangle", "about the centre of mass"},
      {"center_of_mass", "[0.0, 0.0]", "m", "inside the block, beside inertia", "[0, 0]",
       "from the block's middle, to the right and up; not for engines, small-angle equations or restitution"}}};
@@ -70,7 +80,7 @@ inline const KeysOf<InitialState> initial_keys{
     {{"angles", "[0.1]", "rad", KeyRange{"a number for each block, below its toppling angle"}, "all 0",
       "from the vertical, clockwise positive", &InitialState::angles},
      {"velocities", "[0.0]", "rad/s", KeyRange{"a number for each block"}, "all 0", "clockwise positive",
-      &InitialState::velocities},
+      &InitialState::velocities, UsualNumbers{-2, 2}},
      {"slip_velocities", "[0.0]", "m/s",
       KeyRange{"a number for each block; law \"unilateral\" or \"compliant\""}, "all 0",
       "along what is below, to the right positive", &InitialState::slip_velocities},
@@ -95,23 +105,23 @@ inline const KeysOf<Scene> contact_keys{
     "how blocks touch",
     {{{"friction", "0.4", "", "a number from 0 to 1000, or one for each block", "1000",
        "Coulomb's coefficient of the interface under each block, in laws \"unilateral\" and "
-       "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to"},
+       "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to",
+       UsualNumbers{0.01, largest_friction, true}},
       [](const Node& node, Scene& scene) { scene.friction = each_interface(node, scene); }},
      {"restitution", "0.0", "", KeyRange{"a number from 0 to 1; law \"unilateral\"", 0, 1},
       "coefficient of contact points, which engines take too: what a point that meets a face keeps of "
       "its speed across it, backwards; of rocking under laws of pivots see restitution outside this table",
-      &Scene::point_restitution},
-     {{"restitution_law", "\"newton\"", "", "\"newton\" or \"poisson\", beside restitution", "\"newton\"",
-       "what restitution multiplies: speeds of points, or, by Poisson's, impulses of compression, which expansion "
-       "gives back; engines have their own"},
-      [](const Node& node, Scene& scene) {
-        scene.restitution_law = choice<RestitutionLaw>(node, {"newton", "poisson"});
-      }},
+      &Scene::point_restitution, usual_shares},
+     {"restitution_law", "\"newton\"", restitution_laws,
+      "what restitution multiplies: speeds of points, or, by Poisson's, impulses of compression, which expansion "
+      "gives back; engines have their own",
+      &Scene::restitution_law, ", beside restitution"},
      {{"stiffness", "inf", "N/m", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
-       "of a spring at each corner of the interface under each block, across the face; inf: rigid"},
+       "of a spring at each corner of the interface under each block, across the face; inf: rigid",
+       UsualNumbers{1e5, 1e11, true}},
       [](const Node& node, Scene& scene) { scene.springs.stiffness = each_stiffness(node, scene); }},
      {{"damping", "0.0", "N·s/m", "≥ 0, or one for each block; law \"compliant\"", "0",
-       "of the dashpot beside each spring; nothing pulls"},
+       "of the dashpot beside each spring; nothing pulls", UsualNumbers{0, 1e6}},
       [](const Node& node, Scene& scene) { scene.springs.damping = each_interface(node, scene); }},
      {{"bed_stiffness", "inf", "N/m²", "> 0 or inf, or one for each block; law \"compliant\"", "inf",
        "of a Winkler bed along the interface under each block, per length; inf: none; not beside stiffness"},
@@ -141,8 +151,9 @@ inline const KeyTable record_keys{
       "accelerogram; \"FILE:CHANNEL\" takes one of several channels"},
      {"from", "0.0", "s", "a time of the record", "0", "where the motion begins, at the nearest sample"},
      {"to", "1.0", "s", "a later time", "the record's end", "where it ends, at the nearest sample"},
-     {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
-     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"},
+     {"scale", "1.0", "", "any number", "1", "factor on the accelerations", usual_scales},
+     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled",
+      usual_peaks},
      {"time_scale", "1.0", "", "> 0", "1",
       "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"},
      {"limits", "\"none\"", "", "\"usual\" or \"none\"", "\"usual\"",
@@ -154,41 +165,44 @@ inline const KeyTable samples_keys{
     {{"samples", "[0.0, 2.0, -1.0, 0.0]", "m/s²", "at least one number", required_key,
       "accelerations, straight lines between them, zero afterwards"},
      {"interval", "0.1", "s", "> 0", required_key, "time from one sample to the next"},
-     {"scale", "1.0", "", "any number", "1", "factor on the accelerations"},
-     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled"},
+     {"scale", "1.0", "", "any number", "1", "factor on the accelerations", usual_scales},
+     {"peak", "3.0", "m/s²", "> 0", "instead of scale", "largest acceleration, to which all are scaled",
+      usual_peaks},
      {"time_scale", "1.0", "", "> 0", "1",
       "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"}}};
 
 inline const KeysOf<Pulse> pulse_keys{
     "[ground.horizontal]",
     "a pulse",
-    {{"pulse", "\"half-sine\"", "", "\"half-sine\", \"rectangle\" or \"ricker\"", required_key, "its shape"},
-     {"amplitude", "3.0", "m/s²", any_number, required_key, "largest acceleration", &Pulse::amplitude},
+    {{"pulse", "\"half-sine\"", single_pulses, "its shape"},
+     {"amplitude", "3.0", "m/s²", any_number, required_key, "largest acceleration", &Pulse::amplitude,
+      usual_accelerations},
      {"period", "0.5", "s", above_zero, required_key, "of the whole sine; of a rectangle the length",
-      &Pulse::period},
-     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start}}};
+      &Pulse::period, usual_periods},
+     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start, usual_starts}}};
 
 inline const KeysOf<Pulse> harmonic_keys{
     "[ground.horizontal]",
     "one period of a sine or cosine, or several, or for ever",
-    {{"pulse", "\"sine\"", "", "\"sine\" or \"cosine\"", required_key, "its shape"},
-     {"amplitude", "3.0", "m/s²", any_number, required_key, "largest acceleration", &Pulse::amplitude},
-     {"period", "0.5", "s", above_zero, required_key, "of one cycle", &Pulse::period},
-     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start},
+    {{"pulse", "\"sine\"", harmonics, "its shape"},
+     {"amplitude", "3.0", "m/s²", any_number, required_key, "largest acceleration", &Pulse::amplitude,
+      usual_accelerations},
+     {"period", "0.5", "s", above_zero, required_key, "of one cycle", &Pulse::period, usual_periods},
+     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start, usual_starts},
      {"cycles", "3.0", "", by_itself("> 0, or inf"),
-      "periods, whole or not; inf: harmonic motion without end", &Pulse::cycles}}};
+      "periods, whole or not; inf: harmonic motion without end", &Pulse::cycles, usual_cycles}}};
 
 inline const KeysOf<Pulse> near_fault_keys{
     "[ground.horizontal]",
     "a near-fault pulse of Mavroeidis & Papageorgiou 2003",
-    {{"pulse", "\"mavroeidis-papageorgiou\"", "", "\"mavroeidis-papageorgiou\"", required_key, "its shape"},
+    {{"pulse", "\"mavroeidis-papageorgiou\"", near_fault_pulses, "its shape"},
      {"amplitude", "3.0", "m/s²", any_number, required_key, "about the largest acceleration",
-      &Pulse::amplitude},
-     {"period", "0.5", "s", above_zero, required_key, "of the carrier", &Pulse::period},
-     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start},
+      &Pulse::amplitude, usual_accelerations},
+     {"period", "0.5", "s", above_zero, required_key, "of the carrier", &Pulse::period, usual_periods},
+     {"start", "0.0", "s", from_zero, "when it begins", &Pulse::start, usual_starts},
      {"cycles", "2.0", "", by_itself("> 1, up to 10⁶"), required_key,
-      "γ: periods of the carrier under the envelope", &Pulse::cycles},
-     {"phase", "0.0", "rad", any_number, "ν: of the carrier", &Pulse::phase}}};
+      "γ: periods of the carrier under the envelope", &Pulse::cycles, usual_cycles},
+     {"phase", "0.0", "rad", any_number, "ν: of the carrier", &Pulse::phase, UsualNumbers{-3.15, 3.15}}}};
 
 inline const KeysOf<Pulse>& keys_of(PulseShape shape) {
   return shape == PulseShape::mavroeidis_papageorgiou               ? near_fault_keys
@@ -199,13 +213,15 @@ inline const KeysOf<Pulse>& keys_of(PulseShape shape) {
 inline const KeysOf<SyntheticMotion> synthetic_keys{
     "[ground.horizontal]",
     "a made-up earthquake: noise through a ground layer, under an envelope",
-    {{"synthetic", "1", "", "a whole number from 0 to 2⁵³", required_key, "seed: each gives another motion"},
-     {"peak", "4.0", "m/s²", above_zero, required_key, "largest acceleration", &SyntheticMotion::peak},
+    {{"synthetic", "1", "", whole_numbers(0, largest_seed), required_key, "seed: each gives another motion",
+      &SyntheticMotion::seed, UsualNumbers{0, 100}},
+     {"peak", "4.0", "m/s²", above_zero, required_key, "largest acceleration", &SyntheticMotion::peak,
+      usual_peaks},
      {"duration", "20.0", "s", by_itself("> 0, up to 1000"), "of the shaking", &SyntheticMotion::duration},
      {"interval", "0.01", "s", by_itself("the duration in 16 to 20000 parts"), "of samples",
       &SyntheticMotion::interval},
      {"frequency", "2.5", "Hz", by_itself("1/duration to 25, or to half the sampling rate"),
-      "of the ground layer", &SyntheticMotion::frequency},
+      "of the ground layer", &SyntheticMotion::frequency, UsualNumbers{0.5, 10, true}},
      {"damping", "0.6", "", by_itself("> 0, up to 1"), "of the ground layer, as a fraction of critical",
       &SyntheticMotion::damping}}};
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/input/key_json.hpp"
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
+#include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/interfaces/live/live_state.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
 #include "comparisons/suites/shipped.hpp"
@@ -116,7 +118,8 @@ LivePage make_live_page(const PageStart& start) {
                    {"lesson", start.lesson},
                    {"lessons", lessons},
                    {"pages", page.course.lessons},
-                   {"blocks", most_blocks}};
+                   {"blocks", most_blocks},
+                   {"keys", mapped(scene_tables, [](const KeyTable* table) { return key_json(*table); })}};
   const std::string player =
       filled_in(plots::player_html, {{"id", "player"}, {"title", "the scene"}, {"data", "null"}});
   page.text = filled_in(

@@ -2,7 +2,7 @@
 #include <httplib.h>
 #include <poll.h>
 
-#include "analytic/scene/input/json_words.hpp"
+#include "analytic/scene/input/json_reader.hpp"
 #include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 #include "comparisons/interfaces/live/lobby.hpp"

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "analytic/scene/input/key_json.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
@@ -28,12 +29,9 @@ void print_table(const KeyTable& table) {
 }
 
 Json table_json(const char* file, const KeyTable& table) {
-  const auto keys = mapped(table.keys, [](const InputKey& key) {
-    return Json{{"key", key.name},        {"unit", key.unit},
-                {"range", key.range},     {"default", key.default_value},
-                {"meaning", key.meaning}, {"example", key.example}};
-  });
-  return {{"file", file}, {"table", table.header}, {"meaning", table.meaning}, {"keys", keys}};
+  Json json{{"file", file}};
+  json.update(key_json(table));
+  return json;
 }
 
 struct KeysArguments {

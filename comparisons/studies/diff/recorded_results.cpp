@@ -32,15 +32,15 @@ Json asked_fields(Scene scene) {
   return scene_fields(scene);
 }
 
-using Key = std::vector<std::string>;
+using RowKey = std::vector<std::string>;
 using Across = std::vector<std::string>;
 
 bool crosses(const Across& across, const std::string& name) {
   return std::ranges::find(across, name) != across.end();
 }
 
-Key key_of(const RunMetrics& row, const Across& across) {
-  Key key{row.scene, row.engine, row.solver, row.settings, row.dt ? fmt::format("{}", *row.dt) : ""};
+RowKey key_of(const RunMetrics& row, const Across& across) {
+  RowKey key{row.scene, row.engine, row.solver, row.settings, row.dt ? fmt::format("{}", *row.dt) : ""};
   for (std::size_t i = 0; i < key.size(); ++i)
     if (crosses(across, row_names()[i])) key[i].clear();
   return key;
@@ -48,9 +48,9 @@ Key key_of(const RunMetrics& row, const Across& across) {
 
 using Rows = std::vector<const RecordedRun*>;
 
-std::map<Key, const RecordedRun*> rows_by_key(const Rows& rows, const Across& across,
-                                              const std::filesystem::path& folder) {
-  std::map<Key, const RecordedRun*> by_key;
+std::map<RowKey, const RecordedRun*> rows_by_key(const Rows& rows, const Across& across,
+                                                 const std::filesystem::path& folder) {
+  std::map<RowKey, const RecordedRun*> by_key;
   for (const RecordedRun* run : rows) {
     const auto [known, added] = by_key.emplace(key_of(run->row, across), run);
     if (!added)

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "analytic/scene/files/file_text.hpp"
-#include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
@@ -14,49 +12,6 @@
 
 namespace rockstack {
 namespace {
-
-/// In the place of what stands there, where the file has it.
-void read_range(const Node& root, const char* key, Range& range) {
-  const Node* node = find(root, key);
-  if (node == nullptr) return;
-  const std::vector<double> values = numbers(*node);
-  if (values.size() != 2 || !(values[0] > 0) || !(values[0] < values[1]))
-    throw wrong_value(*node, "two numbers > 0, the smaller one first");
-  range = {values[0], values[1]};
-}
-
-std::vector<int> read_blocks(const Node& array) {
-  const char* allowed = "an array of 2 and 3";
-  std::vector<int> blocks;
-  entries(array, allowed);
-  for (const double value : numbers(array)) {
-    if (value != 2 && value != 3) throw wrong_value(array, allowed);
-    blocks.push_back(static_cast<int>(value));
-  }
-  return blocks;
-}
-
-ImpactDraws read_impact_draws(const Node& root) {
-  ImpactDraws draws;
-  if (const Node* node = find(root, "seed"))
-    draws.seed = static_cast<std::uint64_t>(whole_number(*node, 0, largest_seed));
-  if (const Node* node = find(root, "samples"))
-    draws.samples = static_cast<int>(whole_number(*node, 1, 1'000'000));
-  if (const Node* node = find(root, "cells")) draws.cells = static_cast<int>(whole_number(*node, 1, 100));
-  if (const Node* node = find(root, "blocks")) draws.blocks = read_blocks(*node);
-  read_range(root, "aspect_ratio", draws.aspect_ratio);
-  read_range(root, "mass_ratio", draws.mass_ratio);
-  read_range(root, "base_aspect_ratio", draws.base_aspect_ratio);
-  read_range(root, "width_ratio", draws.width_ratio);
-  if (const Node* node = find(root, "largest_angle")) {
-    // Below the least angle at which any block has toppled, π/4.
-    if (!(number(*node) > 0 && node->number <= 0.78))
-      throw wrong_value(*node, "a number > 0 and at most 0.78");
-    draws.largest_angle = node->number;
-  }
-  read_range(root, "speed", draws.speed);
-  return draws;
-}
 
 void add_header(CsvWriter& csv, std::string_view columns) {
   for (const Paragraph& column : paragraphs(columns)) csv.add(column.name);
@@ -231,23 +186,6 @@ Json results_json(const ImpactLawStudy& study, const ImpactLawResults& results, 
 }
 
 }  // namespace
-
-ImpactLawStudy read_impact_law_study(const std::filesystem::path& file) {
-  const Node root = read_toml(file);
-  const Node& study_name = required(root, "study", "\"stability\" or \"impact-laws\"");
-  if (text(study_name) != "impact-laws") throw wrong_value(study_name, "\"stability\" or \"impact-laws\"");
-  require_table(root, impact_law_keys);
-  ImpactLawStudy study{.title = text(required(root, "title", "text")),
-                       .text = file_text(file),
-                       .draws = read_impact_draws(root),
-                       .engines = read_engines(root, file.parent_path())};
-  if (const Node* node = find(root, "least_clearness")) {
-    study.least_clearness = number_above_zero(*node);
-    if (find(root, "engines") == nullptr)
-      throw wrong_value(*node, "left out where there are no [[engines]], which are asked these cases");
-  }
-  return study;
-}
 
 ImpactLawResults run_study(const ImpactLawStudy& study) {
   ImpactLawResults results{study_impact_laws(study.draws), {}};

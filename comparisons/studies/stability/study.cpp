@@ -2,16 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "analytic/scene/files/file_text.hpp"
-#include "analytic/scene/input/json_reader.hpp"
-#include "analytic/scene/input/page_scene.hpp"
-#include "analytic/scene/input/toml_reader.hpp"
-#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
-#include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/sentences.hpp"
-#include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
 namespace {
@@ -60,75 +53,6 @@ std::string first_beyond(std::initializer_list<Check> checks) {
     if (!(share <= one.limit)) return fmt::format("{} {:.3g}, limit {:g}", one.label, share, one.limit);
   }
   return "";
-}
-
-/// Makes the stack one of that many blocks: cut off, or its top block over and over.
-void restack(std::size_t blocks, NamedScene& scene) {
-  Json page = parse_json(page_text(scene.document, scene.scene), "");
-  for (const char* key : {"/blocks", "/initial/angles", "/initial/velocities"})
-    if (const Json::json_pointer place(key); page.contains(place)) {
-      auto& list = page[place].get_ref<Json::array_t&>();
-      list.resize(blocks, list.back());
-    }
-  scene.text = scene_text(page);
-  scene.document = scene_document(page, scene.name);
-  Scene made = recorded_scene({{"page", page.dump()}}, "", scene.name);
-  made.horizontal = scene.scene.horizontal;  // with their sources
-  made.vertical = scene.scene.vertical;
-  scene.scene = std::move(made);
-}
-
-/// Keys of a scene, each an array of its values along the axis.
-const std::vector<Node>& read_set(const Node& axis, std::size_t count) {
-  const Node& set = required(axis, "set", "a table of scene keys, each an array");
-  if (set.kind != Node::Kind::table || set.children.empty())
-    throw wrong_value(set, "a table of scene keys, each an array");
-  for (const Node& child : set.children) {
-    const std::vector<double> values = numbers(child);
-    if (values.size() != count)
-      throw wrong_value(child, fmt::format("an array of {} numbers, one for each of axis.values", count));
-    for (const double value : values)
-      if (child.name == "blocks" && !(value >= 1 && value <= max_blocks && value == std::floor(value)))
-        throw wrong_value(child, fmt::format("whole numbers of blocks from 1 to {}", max_blocks));
-  }
-  return set.children;
-}
-
-StabilityAxis read_axis(const Node& axis) {
-  require_table(axis, axis_keys);
-  StabilityAxis result;
-  result.name = text(required(axis, "name", "a text"));
-  if (const Node* parameter = find(axis, "parameter")) result.parameter = text(*parameter);
-  if (result.parameter.empty()) {
-    const Node& values = required(axis, "values", "an array of numbers");
-    entries(values, "an array of at least one number");
-    result.values = numbers(values);
-  }
-  return result;
-}
-
-/// The scene at each value of the axis.
-std::vector<NamedScene> scenes_along(const Node& axis, const StabilityAxis& along,
-                                     const std::filesystem::path& scene,
-                                     const std::vector<std::string>& overrides) {
-  if (!along.parameter.empty()) return {read_named_scene(scene, overrides)};
-  const std::vector<Node>& set = read_set(axis, along.values.size());
-  std::vector<NamedScene> scenes;
-  for (std::size_t i = 0; i < along.values.size(); ++i) {
-    std::vector<std::string> changes = overrides;
-    std::size_t blocks = 0;
-    for (const Node& key : set) {
-      const double value = key.children[i].number;
-      if (key.name == "blocks")
-        blocks = static_cast<std::size_t>(value);
-      else
-        changes.push_back(fmt::format("{}={}", key.name, value));
-    }
-    scenes.push_back(read_named_scene(scene, changes));
-    scenes.back().name += fmt::format("-{}", along.values[i]);
-    if (blocks > 0) restack(blocks, scenes.back());
-  }
-  return scenes;
 }
 
 /// Where a run lies on the axis.
@@ -244,44 +168,6 @@ StabilityVerdict judge_stability(const RunMetrics& row, const Scene& scene) {
         limits.angle}});
   if (!inexact.empty()) return {Soundness::inexact, inexact};
   return {};
-}
-
-StabilityStudy read_stability_study(const std::filesystem::path& file,
-                                    const std::vector<std::string>& overrides) {
-  const Node root = read_toml(file);
-  require_table(root, stability_keys);
-  StabilityStudy study;
-  study.text = file_text(file);
-  study.suite.title = text(required(root, "title", "a text"));
-  std::vector<std::string> changes;
-  if (const Node* set = find(root, "set"))
-    changes = mapped(entries(*set, "an array of key=value texts"), text);
-  changes.insert(changes.end(), overrides.begin(), overrides.end());
-  const Node& axis = required(root, "axis", "a table of name, values and set, or name and parameter");
-  study.axis = read_axis(axis);
-  study.suite.scenes = scenes_along(
-      axis, study.axis, named_file(required(root, "scene", "a scene file"), "scenes", file.parent_path()),
-      changes);
-  study.suite.series = read_engines(root, file.parent_path()).series;
-  if (const Node* steps = find(root, "rk4")) {
-    if (!study.axis.parameter.empty()) throw wrong_value(*steps, "no key where engines' parameters vary");
-    for (const double step : numbers(*steps)) {
-      if (!(step > 0)) throw wrong_value(*steps, "an array of steps > 0, s");
-      study.suite.variants.push_back({Variant::Choice::rk4, step});
-    }
-  }
-  study.suite.wanted = {
-      .angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
-  study.suite.repeats = 1;
-  study.suite.limits.time = 60;
-  if (const Node* repeats = find(root, "repeats"))
-    study.suite.repeats = static_cast<int>(whole_number(*repeats, 1));
-  if (const Node* replicates = find(root, "draws")) study.suite.replicates = read_replicates(*replicates);
-  if (const Node* limit = find(root, "time_limit")) study.suite.limits.time = number_above_zero(*limit);
-  for (const EngineSeries& series : study.suite.series)
-    if (!study.axis.parameter.empty() && !series.parameters.contains(study.axis.parameter))
-      throw wrong_value(axis, fmt::format("about a parameter that {} has", series.engine->name));
-  return study;
 }
 
 std::vector<LargestSteps> largest_steps(const std::vector<StabilityRun>& rows) {

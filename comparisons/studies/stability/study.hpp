@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analytic/scene/input/key.hpp"
 #include "comparisons/runs/compare.hpp"
 
 namespace rockstack {
@@ -47,9 +48,19 @@ struct StabilityAxis {
 
 /// Which solvers are sound at which steps, along an axis.
 struct StabilityStudy {
-  Suite suite;
+  Suite suite = usual();
   StabilityAxis axis;
   std::string text;  ///< the file as it was read
+
+ private:
+  /// A suite with what a file of a study may leave out.
+  static Suite usual() {
+    Suite suite;
+    suite.wanted = {.angles = true, .impacts = false, .patterns = false, .bodies = true, .histories = false};
+    suite.repeats = 1;
+    suite.limits.time = 60;
+    return suite;
+  }
 };
 
 /// Reads a study. @throws InputError with file:line, key, value and what is allowed.
@@ -84,30 +95,8 @@ std::vector<StabilityRun> run_stability(const StabilityStudy& study, const std::
 
 // The keys of a study of stability that a suite has not, or has otherwise: a map of engines over a parameter.
 
-inline const KeyTable stability_keys{
-    "",
-    "a study of stability, which is run as a suite is: where do solvers stop being right?",
-    {{"study", "\"stability\"", "", "\"stability\"", required_key, "what the file is"},
-     {"title", "\"Heavy tops\"", "", "a text", required_key, "heads figures"},
-     {"scene", "\"scene.toml\"", "", "a file beside the study", required_key, "what is run"},
-     {"set", "[\"duration=1.0\"]", "", "key=value texts", "[]", "scene keys that are changed at every value"},
-     {"rk4", "[1e-3]", "s", "numbers > 0", "[]",
-      "steps of the Runge–Kutta baseline, as more rows of the map"},
-     {"repeats", "1", "", "a whole number from 1", "1", "timed runs after one to warm up"},
-     {"time_limit", "60.0", "s", "> 0", "60", "of each run of an engine"},
-     {"axis", "", "", "a table [axis]", required_key, "what varies along the map"},
-     {"engines", "", "", "tables [[engines]], as in a suite", required_key, "rows of the map"},
-     {"draws", "", "", "a table [draws], as in a suite", no_default, "runs behind each number"}}};
-
-inline const KeyTable axis_keys{
-    "[axis]",
-    "what varies along the map: keys of the scene, or a parameter of the engines",
-    {{"name", "\"height (m)\"", "", "a text", required_key, "of the axis"},
-     {"values", "[1.0, 2.0]", "", "at least one number", required_key, "places on the axis"},
-     {"set", "{ \"blocks.1.height\" = [1.0, 2.0] }", "", "scene keys, or blocks for their number",
-      required_key, "an array for each key, one number for each place"},
-     {"parameter", "\"erp\"", "", "a parameter with several values in every [[engines]]",
-      "instead of values and set", "whose values are the places"}}};
+extern const KeysOf<StabilityStudy> stability_keys;
+extern const KeysOf<StabilityAxis> axis_keys;
 
 inline constexpr std::initializer_list<const KeyTable*> stability_tables{&stability_keys, &axis_keys};
 

@@ -35,56 +35,51 @@ std::vector<Value> read_values(const Node& array) {
   return values;
 }
 
-constexpr double most_values = 1e6;  // of one table
-
 std::vector<Value> read_range(const Node& table) {
-  require_table(table, range_keys);
-  const double from = required_number(table, "from");
-  const double to = required_number(table, "to");
-  const auto count =
-      static_cast<std::size_t>(whole_number(required(table, "count", "a whole number"), 2, most_values));
-  const Node* spacing = find(table, "spacing");
-  const bool logarithmic = spacing != nullptr && choice<bool>(*spacing, {{"linear", false}, {"log", true}});
-  if (logarithmic && !(from > 0 && to > 0))
-    throw wrong_value(*spacing, "\"linear\" where from or to is not > 0");
+  EvenValues range;
+  read_members(table, range_keys, range);
+  const double from = range.from, to = range.to;
+  if (range.logarithmic && !(from > 0 && to > 0))
+    throw wrong_value(*find(table, "spacing"), "\"linear\" where from or to is not > 0");
   std::vector<Value> values{number_value(from, table.place)};
-  const auto steps = static_cast<double>(count - 1);
-  for (std::size_t i = 1; i < count; ++i) {
+  const auto steps = static_cast<double>(range.count - 1);
+  for (std::size_t i = 1; i < range.count; ++i) {
     const auto step = static_cast<double>(i);
     const double inner =
-        logarithmic ? from * std::pow(to / from, step / steps) : from + (to - from) * step / steps;
-    values.push_back(number_value(i + 1 == count ? to : inner, table.place));
+        range.logarithmic ? from * std::pow(to / from, step / steps) : from + (to - from) * step / steps;
+    values.push_back(number_value(i + 1 == range.count ? to : inner, table.place));
   }
   return values;
 }
 
-double finite_number(const Node& table, const char* name) {
-  const Node& node = required(table, name, "a number");
+double finite(const Node& node) {
   if (!std::isfinite(number(node))) throw wrong_value(node, "a finite number");
   return node.number;
 }
 
-double positive_number(const Node& table, const char* name) {
-  const double value = finite_number(table, name);
-  if (!(value > 0)) throw wrong_value(*find(table, name), "a number > 0");
-  return value;
+CheckedNumber finite_numbers() {
+  return {"any number", "a number", finite};
+}
+
+CheckedNumber finite_above_zero() {
+  return {"> 0", "a number", [](const Node& node) {
+            finite(node);
+            return number_above_zero(node);
+          }};
 }
 
 Distribution read_distribution(const Node& node) {
   if (node.name == "uniform") {
     if (node.kind != Node::Kind::array || node.children.size() != 2)
       throw wrong_value(node, "an array of two numbers, from and to");
-    const double from = finite_number(node, "1"), to = finite_number(node, "2");
-    if (!(from < to))
-      throw wrong_value(node.children.back(), "a number above the first, " + number_text(from));
+    const double from = finite(node.children[0]), to = finite(node.children[1]);
+    if (!(from < to)) throw wrong_value(node.children[1], "a number above the first, " + number_text(from));
     return {Distribution::Kind::uniform, from, to};
   }
-  if (node.name == "normal") {
-    require_table(node, normal_keys);
-    return {Distribution::Kind::normal, finite_number(node, "mean"), positive_number(node, "deviation")};
-  }
-  require_table(node, lognormal_keys);
-  return {Distribution::Kind::lognormal, positive_number(node, "median"), positive_number(node, "beta")};
+  const bool normal = node.name == "normal";
+  Distribution drawn{normal ? Distribution::Kind::normal : Distribution::Kind::lognormal};
+  read_members(node, normal ? normal_keys : lognormal_keys, drawn);
+  return drawn;
 }
 
 /// The one way of giving values that a table [[vary]] has.
@@ -101,6 +96,49 @@ const Node& way(const Node& table) {
 }
 
 }  // namespace
+
+const KeyTable vary_keys{
+    "[[vary]]",
+    "values of a key: each table is a direction of the grid, or is drawn",
+    {{"key", "\"duration\"", "", "a key of the scene, or an array of keys that get the same value",
+      required_key, "as --set has it, e.g. \"blocks.2.height\""},
+     {"group", "\"a\"", "", "a text", "none: a direction of its own",
+      "tables of one group take their values in step"},
+     {"values", "[0.5, 1.0]", "the key's", "numbers or texts", required_key, "one after the other"},
+     {"range", "{ from = 0.5, to = 1.0, count = 3 }", "the key's", "a table, see below", "instead of values",
+      "numbers at equal distances"},
+     {"uniform", "[0.5, 1.0]", "the key's", "two numbers, the second larger", "instead of values",
+      "drawn between the two"},
+     {"normal", "{ mean = 1.0, deviation = 0.1 }", "the key's", "a table, see below", "instead of values",
+      "drawn from a normal distribution"},
+     {"lognormal", "{ median = 1.0, beta = 0.3 }", "the key's", "a table, see below", "instead of values",
+      "drawn from a lognormal distribution"}}};
+
+const KeysOf<EvenValues> range_keys{
+    "[vary.range]",
+    "numbers at equal distances",
+    {{"from", "0.5", "the key's", any_number, required_key, "first value", &EvenValues::from},
+     {"to", "1.0", "the key's", any_number, required_key, "last value", &EvenValues::to},
+     {"count", "3", "", whole_numbers(2, 1e6), required_key, "number of values", &EvenValues::count},
+     {{"spacing", "\"linear\"", "", "\"linear\" or \"log\"", "\"linear\"",
+       "equal differences or equal ratios"},
+      [](const Node& node, EvenValues& range) {
+        range.logarithmic = choice<bool>(node, {{"linear", false}, {"log", true}});
+      }}}};
+
+const KeysOf<Distribution> normal_keys{
+    "[vary.normal]",
+    "a normal distribution",
+    {{"mean", "1.0", "the key's", finite_numbers(), required_key, "of the values", &Distribution::first},
+     {"deviation", "0.1", "the key's", finite_above_zero(), required_key, "standard deviation",
+      &Distribution::second}}};
+
+const KeysOf<Distribution> lognormal_keys{
+    "[vary.lognormal]",
+    "a lognormal distribution",
+    {{"median", "1.0", "the key's", finite_above_zero(), required_key, "of the values", &Distribution::first},
+     {"beta", "0.3", "", finite_above_zero(), required_key, "standard deviation of the natural logarithm",
+      &Distribution::second}}};
 
 std::size_t run_count(const Ensemble& ensemble) {
   std::size_t count = ensemble.samples;

@@ -90,10 +90,6 @@ void read_drawing(Ensemble& ensemble, const Node& root) {
     if (draws && node == nullptr) throw missing_key(root, name, "given where values are drawn");
     if (!draws && node != nullptr) throw wrong_value(*node, "left out where no values are drawn");
   }
-  if (draws) {
-    ensemble.samples = static_cast<std::size_t>(whole_number(*find(root, "samples"), 1, most_runs));
-    ensemble.seed = static_cast<std::uint64_t>(whole_number(*find(root, "seed"), 0, largest_seed));
-  }
   double runs = static_cast<double>(ensemble.samples);
   for (const Axis& axis : ensemble.axes) runs *= static_cast<double>(axis.length);
   if (runs > most_runs)
@@ -147,7 +143,47 @@ void try_values(const Ensemble& ensemble, MotionLibrary& library) {
   }
 }
 
+/// Tolerances of the solver: 0 is rounding.
+CheckedNumber tolerances() {
+  constexpr double most = 1e-3;
+  return {"0 to 1e-3", "a number", [](const Node& node) {
+            if (!(number(node) >= 0 && node.number <= most))
+              throw wrong_value(node, "a number from 0, for rounding, to 1e-3");
+            return node.number;
+          }};
+}
+
 }  // namespace
+
+const KeysOf<Ensemble> ensemble_keys{
+    "",
+    "an ensemble: one scene many times, some of its keys varied",
+    {{"title", "\"Fragility\"", "", "a text", required_key, "heads figures", &Ensemble::title},
+     {"scene", "\"scene.toml\"", "",
+      "a file beside the ensemble, or a table [scene] with the keys of a scene", required_key, "what is run"},
+     {"samples", "100", "", whole_numbers(1, most_runs), "required where values are drawn",
+      "runs at each point of the grid, each with values drawn anew", &Ensemble::samples},
+     {"seed", "1", "", whole_numbers(0, largest_seed), "required where values are drawn", "of drawn values",
+      &Ensemble::seed},
+     {"tolerance", "1e-9", "", tolerances(), "of the solver; 0 is rounding, more is faster",
+      &Ensemble::tolerance},
+     {{"demands", "\"none\"", "", "\"kept\" or \"none\"", "\"kept\"",
+       "least normal forces and friction needed, of each run; none is faster"},
+      [](const Node& node, Ensemble& ensemble) {
+        ensemble.demands = choice<bool>(node, {{"kept", true}, {"none", false}});
+      }},
+     {"vary", "", "", "tables [[vary]]", required_key, "what differs from run to run"},
+     {"summary", "", "", "a table [summary]", no_default, "which figures and tables are made"}}};
+
+const KeyTable summary_keys{
+    "[summary]",
+    "figures and tables of the whole sweep",
+    {{"intensity", "\"duration\"", "", "a key that is varied over numbers", required_key,
+      "fragility and incremental dynamic analysis over it"},
+     {"period", "\"duration\"", "", "a key that is varied over numbers", no_default,
+      "with intensity: the overturning spectrum of a pulse"},
+     {"friction", "\"duration\"", "", "a key that is varied over numbers, without period", no_default,
+      "with intensity: the map of rest, slide, rock, slide-rock and free flight"}}};
 
 Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                        MotionLibrary& library) {
@@ -156,18 +192,10 @@ Ensemble read_ensemble(const std::filesystem::path& file, const std::vector<std:
 
 Ensemble make_ensemble(const Node& root, const std::filesystem::path& file,
                        const std::vector<std::string>& overrides, MotionLibrary& library) {
-  require_table(root, ensemble_keys);
   Ensemble ensemble;
-  ensemble.title = text(required(root, "title", "a text"));
+  read_members(root, ensemble_keys, ensemble);
   ensemble.base = read_base(required(root, "scene", "a scene file, or a table that is a scene"),
                             file.parent_path(), ensemble.title, overrides);
-  if (const Node* tolerance = find(root, "tolerance")) {
-    ensemble.tolerance = number(*tolerance);
-    if (!(ensemble.tolerance >= 0 && ensemble.tolerance <= 1e-3))
-      throw wrong_value(*tolerance, "a number from 0, for rounding, to 1e-3");
-  }
-  if (const Node* demands = find(root, "demands"))
-    ensemble.demands = choice<bool>(*demands, {{"kept", true}, {"none", false}});
   read_variations(ensemble, root, file.parent_path());
   require_unvaried(ensemble, overrides);
   read_drawing(ensemble, root);

@@ -1,6 +1,7 @@
 "use strict";
 // The controls of a page: what its state holds, as sliders, numbers and choices. `page` has the state, what there is to choose from
-// (`setup`), what to do when the state has changed (`changed`), and where to say all that is wrong in fields (`tell`).
+// (`setup`, whose `keys` are what `rockstack keys scene` says), what to do when the state has changed (`changed`), and where to say all
+// that is wrong in fields (`tell`).
 const made = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
   element.append(...children);
@@ -108,6 +109,19 @@ function controlsOf(page) {
     },
   });
 
+  // The tables of keys that have a header; those of a ground motion are several, one for each kind of motion.
+  const tables = (header) => page.setup.keys.filter((one) => one.table === header).map((one) => one.keys);
+  const defaultOf = ({ default: words }) => words.startsWith('"') ? JSON.parse(words) : words === "inf" ? words : Number(words) || 0;
+
+  // The slider or choice of a key, in a table of the scene. `told` has what this page says or does otherwise.
+  const control = (said, home, told = {}) => {
+    const name = told.name ?? said.key.replace("_", " "), [least, most] = said.usual ?? [];
+    const common = { label: said.unit ? `${name}, ${said.unit}` : name, hint: said.meaning, ...key(home, said.key, defaultOf(said), told.entry) };
+    if (said.choices) return choice({ ...common, options: said.choices.map(({ name, words }) => [name, words ? `${name}: ${words}` : name]), ...told });
+    return slider({ ...common, limits: between(least, most), log: said.by_factors, whole: said.range.startsWith("a whole number"), ...told });
+  };
+  const controlOf = (header, name, home, told) => control(tables(header)[0].find((one) => one.key === name), home, told);
+
   // Blocks --------------------------------------------------------------------------------------------------------
 
   const slenderness = ({ width, height }) => Math.atan2(width, height);
@@ -131,22 +145,18 @@ function controlsOf(page) {
   };
 
   const blockGroup = (block, k) => {
-    const shaped = (label, name, least, most) => slider({ label, limits: between(least, most), log: true, get: () => block[name],
-      set: (value) => reshape(block, () => { block[name] = value; }) });
-    const start = (label, name, limits, hint) => slider({ label, hint, limits, ...key(table("initial"), name, 0, k) });
-    const centre = (label, axis, size) => slider({ label, hint: "centre of mass from the middle of the block; for the exact solver",
-      limits: () => [-0.49 * block[size], 0.49 * block[size]], get: () => block.center_of_mass?.[axis] ?? 0, set: (value) => moveCentre(block, axis, value) });
-    return group(`Block ${k + 1}${k === 0 ? " (lowest)" : ""}`, k < 3, shaped("width, m", "width", 0.1, 10), shaped("height, m", "height", 0.1, 10),
-      block.mass !== undefined ? shaped("mass, kg", "mass", 1, 1e6) : shaped("density, kg/m³", "density", 100, 20000),
-      start("angle, rad", "angles", () => [-0.98 * slenderness(block), 0.98 * slenderness(block)], "clockwise positive"),
-      start("velocity, rad/s", "velocities", between(-2, 2), "clockwise positive"),
-      centre("centre right, m", 0, "width"), centre("centre up, m", 1, "height"));
+    const shaped = (name) => controlOf("[[blocks]]", name, () => block, { set: (value) => reshape(block, () => { block[name] = value; }) });
+    const start = (key, name, told) => controlOf("[initial]", key, table("initial"), { name, entry: k, ...told });
+    const centre = (name, axis, size) => controlOf("[[blocks]]", "center_of_mass", () => block, { name, limits: () => [-0.49 * block[size], 0.49 * block[size]],
+      get: () => block.center_of_mass?.[axis] ?? 0, set: (value) => moveCentre(block, axis, value) });
+    return group(`Block ${k + 1}${k === 0 ? " (lowest)" : ""}`, k < 3, shaped("width"), shaped("height"), shaped(block.mass !== undefined ? "mass" : "density"),
+      start("angles", "angle", { limits: () => [-0.98 * slenderness(block), 0.98 * slenderness(block)] }), start("velocities", "velocity"),
+      centre("centre right", 0, "width"), centre("centre up", 1, "height"));
   };
 
   // Lists with an entry for each block, besides those of the start.
   const lengthen = (by) => {
-    const lists = Object.values(scene().initial ?? {});
-    lists.push(scene().restitution, ...["friction", "stiffness", "damping"].map((one) => scene().contact?.[one]));
+    const { initial = {}, contact = {}, restitution } = scene(), lists = [...Object.values(initial), ...Object.values(contact), restitution];
     for (const list of lists.filter(Array.isArray)) by > 0 ? list.push(list.at(-1)) : list.pop();
   };
 
@@ -164,18 +174,27 @@ function controlsOf(page) {
 
   // Ground --------------------------------------------------------------------------------------------------------
 
-  const motions = { none: null, sine: { pulse: "sine", amplitude: 3, period: 0.5, cycles: 1 }, cosine: { pulse: "cosine", amplitude: 3, period: 0.5, cycles: 1 },
-    "half-sine": { pulse: "half-sine", amplitude: 3, period: 0.5 }, rectangle: { pulse: "rectangle", amplitude: 3, period: 0.5 },
-    ricker: { pulse: "ricker", amplitude: 3, period: 0.5 },
-    "mavroeidis-papageorgiou": { pulse: "mavroeidis-papageorgiou", amplitude: 3, period: 0.5, cycles: 2, phase: 0 },
-    "made-up earthquake": { synthetic: 1, peak: 4 } };
+  // Each motion that a scene may say in itself, with what it needs, and files.
+  const required = (keys) => keys.filter((one) => one.default === "required");
+  const withExamples = (keys) => Object.fromEntries(required(keys).map((one) => [one.key, JSON.parse(one.example)]));
+  const motions = { none: null };
+  for (const keys of tables("[ground.horizontal]"))
+    for (const { name } of keys[0].choices ?? []) motions[name] = { ...withExamples(keys), pulse: name };
+  motions["made-up earthquake"] = withExamples(tables("[ground.horizontal]").find(([first]) => first.key === "synthetic"));
   for (const record of page.setup.records) motions[record] = { record, scale: 1, ...page.setup.limits };
+
+  // The keys of a motion that have sliders; one that stands instead of another leaves that out.
+  const offered = (motion) => {
+    const isOf = ({ key, choices }) => key in motion && (!choices || choices.some(({ name }) => name === motion[key]));
+    const keys = tables("[ground.horizontal]").find(([first]) => isOf(first));
+    const instead = (one) => keys.some((other) => other.key in motion && other.default === "instead of " + one.key);
+    return keys.filter((one) => one.usual && (one.key in motion || !one.default.startsWith("instead of ") && !instead(one)));
+  };
 
   // Half of what the squattest block leaves of a right angle, which is what a scene may have, and no more than topples slender ones.
   const steepest = () => Math.min(0.4, ...scene().blocks.map((block) => (Math.PI / 2 - slenderness(block)) / 2));
 
-  const slopeOf = () => slider({ label: "slope, rad", hint: "of the ground, down to the right; the picture is along it",
-    limits: () => [-steepest(), steepest()], ...key(table("ground"), "inclination", 0) });
+  const slopeOf = () => controlOf("[ground]", "inclination", table("ground"), { name: "slope", limits: () => [-steepest(), steepest()] });
 
   const groundGroup = (axis) => {
     const motion = scene().ground?.[axis];
@@ -187,14 +206,7 @@ function controlsOf(page) {
       const ground = table("ground")(true);
       if (name === "none") delete ground[axis]; else ground[axis] = copy(motions[name]);
     } });
-    const offered = !motion ? [] : motion.pulse ? [["amplitude", "amplitude, m/s²", -10, 10], ["period", "period, s", 0.05, 5, true], ["start", "start, s", 0, 10]]
-      : motion.synthetic !== undefined ? [["peak", "peak, m/s²", 0.1, 15, true], ["synthetic", "seed", 0, 100, false, true], ["frequency", "frequency, Hz", 0.5, 10, true]]
-      : motion.peak !== undefined ? [["peak", "peak, m/s²", 0.1, 15, true]] : [["scale", "scale", -3, 3]];
-    if (motion?.cycles !== undefined || ["sine", "cosine"].includes(motion?.pulse)) offered.push(["cycles", "cycles", 0.5, 10]);
-    if (motion?.phase !== undefined) offered.push(["phase", "phase, rad", -3.15, 3.15]);
-    const standard = { start: 0, cycles: 1, scale: 1, frequency: 2.5 };
-    const parts = offered.map(([name, label, least, most, log, whole]) => slider({ label, limits: between(least, most), log, whole,
-      ...key(() => scene().ground[axis], name, standard[name] ?? 0) }));
+    const parts = (motion ? offered(motion) : []).map((one) => control(one, () => scene().ground[axis], one.key === "synthetic" ? { name: "seed" } : {}));
     return axis === "horizontal" ? group("Ground", true, pick, ...parts, slopeOf()) : group("Ground, vertical", false, pick, ...parts);
   };
 
@@ -219,36 +231,22 @@ function controlsOf(page) {
     return [choice({ label: "impacts leave", hint: "of the angular velocity, where all above an interface rocks as one body; engines are not told",
       options: [["", "what the law says"], ["given", "a ratio that is given"]], get: () => ratios ? "given" : "",
       set: (given) => { if (given) scene().restitution = scene().blocks.map(shapeRatio); else delete scene().restitution; } }),
-    ...(ratios ?? []).map((_, k) => slider({ label: `ratio under ${k + 1}`, hint: "velocity after an impact over that before; for the exact solver",
-      limits: between(0, 1), ...key(scene, "restitution", 1, k) })),
-    choice({ label: "equations", options: [["nonlinear", "nonlinear"], ["linear", "linear, as the paper has them"], ["small-angle", "small angles"]],
-      ...key(scene, "equations", "nonlinear") })];
+    ...(ratios ?? []).map((_, k) => controlOf("", "restitution", scene, { name: `ratio under ${k + 1}`, entry: k })),
+    controlOf("", "equations", scene)];
   };
 
   const lawGroup = () => {
-    const contact = table("contact"), { law } = scene();
-    const everywhere = (name, otherwise) => ({ get: key(contact, name, otherwise).get, set: (value) => { contact(true)[name] = value; } });
-    const { get, set } = everywhere("friction", scene().engine?.friction ?? 1000);
-    // A scene states its friction once.
-    const setFriction = (value) => { delete scene().engine?.friction; set(value); };
-    const friction = slider({ label: "friction", hint: "of law unilateral and compliant, and of engines", limits: between(0.01, 1000), log: true,
-      get, set: setFriction });
-    const soft = law !== "compliant" ? [] : [
-      slider({ label: "stiffness, N/m", hint: "of each corner; inf: rigid", limits: between(1e5, 1e11), log: true, ...everywhere("stiffness", "inf") }),
-      slider({ label: "damping, N·s/m", limits: between(0, 1e6), ...everywhere("damping", 0) })];
-    const bouncing = law !== "unilateral" ? [] : [
-      slider({ label: "restitution of points", hint: "what a point that meets a face keeps of its speed; of engines too", limits: between(0, 1),
-        ...everywhere("restitution", 0) }),
-      choice({ label: "law of restitution", hint: "what that is a share of; engines have their own", options: [["newton", "Newton's: speeds"], ["poisson", "Poisson's: impulses"]],
-        get: key(contact, "restitution_law", "newton").get, set: (law) => Object.assign(contact(true), { restitution: contact(true).restitution ?? 0, restitution_law: law }) })];
-    return group("Contact", true,
-      choice({ label: "law", options: [["paper", "paper: pivots"], ["consistent", "consistent: pivots"], ["unilateral", "unilateral: slip, lift-off"], ["compliant", "compliant: springs"]],
-        get: key(scene, "law", "consistent").get, set: setLaw }), friction, ...bouncing, ...soft, ...(leavesPivots(law) ? [] : ofPivots()));
+    const contact = table("contact"), { law } = scene(), of = (name, told) => controlOf("[contact]", name, contact, told);
+    // A scene states its friction once, which engines may have under an older name.
+    const given = key(contact, "friction", scene().engine?.friction ?? 1000);
+    const friction = of("friction", { get: given.get, set: (value) => { delete scene().engine?.friction; given.set(value); } });
+    const soft = law !== "compliant" ? [] : [of("stiffness"), of("damping")];
+    const bouncing = law !== "unilateral" ? [] : [of("restitution", { name: "restitution of points" }),
+      of("restitution_law", { set: (law) => Object.assign(contact(true), { restitution: contact(true).restitution ?? 0, restitution_law: law }) })];
+    return group("Contact", true, controlOf("", "law", scene, { set: setLaw }), friction, ...bouncing, ...soft, ...(leavesPivots(law) ? [] : ofPivots()));
   };
 
-  const wholeGroup = () => group("Scene", false,
-    slider({ label: "duration, s", limits: between(0.5, 60), log: true, ...key(scene, "duration", 5) }),
-    slider({ label: "gravity, m/s²", limits: between(1, 25), ...key(scene, "gravity", 9.81) }));
+  const wholeGroup = () => group("Scene", false, controlOf("", "duration", scene), controlOf("", "gravity", scene));
 
   // Engine and cloud ----------------------------------------------------------------------------------------------
 
