@@ -6,7 +6,7 @@
 namespace rockstack {
 
 // Every key of a suite file. A new one that is a number or a text is a member and a line where its table is
-// defined: in suite.cpp, engine_series.cpp or perturbations.cpp, beside what reads the others.
+// defined: in suite_file.cpp, engine_series.cpp or perturbations.cpp, beside what reads the others.
 
 extern const KeysOf<Suite> suite_keys;
 extern const KeyTable engine_keys, trajectory_keys;
