@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "plots/pages/sections.hpp"
 

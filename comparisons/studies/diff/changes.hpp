@@ -26,9 +26,13 @@ struct RecordedResults {
   std::vector<RecordedRun> runs;
 };
 
-/// Reads comparison.json, and of each run summary.json and, where it has replicates, draws.json; nothing else
-/// has to be there. @throws InputError naming the file and what is wrong in it.
-RecordedResults read_recorded_results(const std::filesystem::path& folder);
+/// Reads comparison.json of a folder, and of each run summary.json and, where it has replicates, draws.json;
+/// nothing else has to be there. Or reads all of it from one file that holds packed_results().
+/// @throws InputError naming the file and what is wrong in it.
+RecordedResults read_recorded_results(const std::filesystem::path& results);
+
+/// Everything that read_recorded_results() has read, as the text of one file.
+std::string packed_results(const RecordedResults& results);
 
 /// One row of the old results with the one of the new results that answers the same question.
 struct RowPair {
@@ -63,17 +67,31 @@ struct ReportedQuantity {
     neither,  ///< a matter of the scene
   };
 
-  std::string name;  ///< of its column where it has one
+  std::string name;   ///< of its column where it has one
+  std::string words;  ///< of the field: "first impact"
+  std::string unit;   ///< "rad", "%" of a share, "" of a count, "rad or m" where it depends on the scene
   std::string definition;
   Better better = Better::less;
   bool foremost = false;  ///< of those that share half of the level
-  std::function<std::optional<double>(const RunMetrics&)> value;
+  bool told = false;      ///< of those that a headline names first
+  std::function<std::optional<double>(const RunMetrics&)> signed_value;
+
+  /// Value without its sign where none is the best.
+  std::optional<double> value(const RunMetrics& row) const;
+  /// With two digits, in the unit that suits it: "49 mrad".
+  std::string text(double value) const;
 };
 
 /// "failed" first, 1 where a run is not done, else 0; "other_verdict", 1 where engine or exact solution
 /// topples alone, else 0; then the columns that tell how near an engine is to the exact motion, one of those
 /// that say the same. The numbers of a run that is not done are left empty.
 const std::vector<ReportedQuantity>& reported_quantities();
+
+/// The quantity of that name, "step_time" too. Precondition: there is one.
+const ReportedQuantity& quantity_named(const std::string& name);
+
+/// Its values over the replicates of a run, or of the run by itself; none of those that have none.
+std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRun& run);
 
 /// What has become of a number.
 enum class Trend { none, better, other, worse };
@@ -87,6 +105,7 @@ struct ValueSpread {
   double lower = 0, median = 0, upper = 0;
   std::size_t values = 0;
   double least = lower, greatest = upper;  ///< of all of them
+  double signed_median = median;           ///< of values with their sign
 };
 
 /// One number of one row in both results.
@@ -211,6 +230,9 @@ struct TurnedNumber {
 /// All of them, worst first: worse ones, then changed ones, then better ones, each by how much. They point
 /// into the result.
 std::vector<TurnedNumber> turned_numbers(const ResultsChange& result);
+
+/// A number of before and now, in one unit and with its sign: "−4.9 → −67 ms".
+std::string change_text(const QuantityChange& change);
 
 /// Steps that cost as much as before, or more or less, over all rows of engines that tell times: the ratio of
 /// medians, its median over rows, and its least and greatest; no values where there is none.

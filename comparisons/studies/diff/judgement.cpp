@@ -17,10 +17,6 @@ struct ChangeTest {
 /// Above it all numbers of a row together take too long.
 constexpr double most_ways = 5e4;
 
-const ReportedQuantity& quantity_named(const std::string& quantity) {
-  return *std::ranges::find(reported_quantities(), quantity, &ReportedQuantity::name);
-}
-
 ReplicatedNumber number_of(const ReportedQuantity& quantity, const RowPair& pair) {
   ReplicatedNumber number;
   for (const RecordedRun* run : {pair.old_run, pair.new_run})

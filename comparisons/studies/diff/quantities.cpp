@@ -1,8 +1,12 @@
 #include "analytic/scene/lists.hpp"
 #include "comparisons/studies/diff/changes.hpp"
 
+#include <fmt/format.h>
+
+#include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
 
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "rockstack_comparisons_texts.hpp"
 
@@ -20,32 +24,47 @@ std::optional<double> other_verdict(const RunMetrics& row) {
   return differ(row.toppling_verdict) ? 1.0 : 0.0;
 }
 
-/// Value of a column, without its sign where none is the best.
-std::function<std::optional<double>(const RunMetrics&)> value_of(const Column& column, Better better) {
-  return [&column, better](const RunMetrics& row) -> std::optional<double> {
+std::function<std::optional<double>(const RunMetrics&)> value_of(const Column& column) {
+  return [&column](const RunMetrics& row) -> std::optional<double> {
     if (row.status != RunStatus::done) return {};
     const Json cell = column.cell(row);
-    if (!cell.is_number()) return {};
-    return better == Better::nearer_zero ? std::abs(cell.get<double>()) : cell.get<double>();
+    return cell.is_number() ? std::optional(cell.get<double>()) : std::nullopt;
   };
+}
+
+/// "less, foremost | error | rad": what is better, the field's words, the unit.
+std::vector<std::string> parts_of_kind(const std::string& kind) {
+  std::vector<std::string> parts;
+  boost::split(parts, boost::replace_all_copy(kind, " | ", "|"), boost::is_any_of("|"));
+  parts.resize(3);
+  return parts;
 }
 
 ReportedQuantity quantity_of(const Paragraph& line) {
   constexpr std::array names{"less", "more", "nearer zero", "neither"};  // as Better has them
-  const std::string kind = line.kind.substr(0, line.kind.find(','));
-  const auto better = static_cast<Better>(std::ranges::find(names, kind) - names.begin());
-  const bool foremost = line.kind.ends_with(", foremost");
+  const std::vector<std::string> parts = parts_of_kind(line.kind);
+  const std::string& kind = parts.front();
+  const auto has = [&](const char* word) { return kind.find(word) != std::string::npos; };
+  const auto better =
+      static_cast<Better>(std::ranges::find(names, kind.substr(0, kind.find(','))) - names.begin());
+  const std::string words = parts[1].empty() ? boost::replace_all_copy(line.name, "_", " ") : parts[1];
+  ReportedQuantity quantity{line.name,         words,         parts[2], line.words, better,
+                            has(", foremost"), has(", told"), {}};
   if (line.words.empty()) {
     const Column& column = column_named(line.name);
-    return {line.name, column.definition, better, foremost, value_of(column, better)};
+    quantity.definition = column.definition;
+    quantity.signed_value = value_of(column);
+  } else {
+    quantity.signed_value = line.name == "failed" ? failed : other_verdict;
   }
-  return {line.name, line.words, better, foremost, line.name == "failed" ? failed : other_verdict};
+  return quantity;
 }
 
-std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRun& run) {
+std::vector<double> values_over(const RecordedRun& run,
+                                const std::function<std::optional<double>(const RunMetrics&)>& value_of_row) {
   std::vector<double> values;
   const auto add = [&](const RunMetrics& row) {
-    if (const auto value = quantity.value(row); value && !std::isnan(*value)) values.push_back(*value);
+    if (const auto value = value_of_row(row); value && !std::isnan(*value)) values.push_back(*value);
   };
   if (run.replicates.empty())
     add(run.row);
@@ -54,9 +73,14 @@ std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRu
   return values;
 }
 
-ValueSpread spread_of(const std::vector<double>& values) {
-  return {quantile(values, 0.25), median(values),           quantile(values, 0.75),
-          values.size(),          std::ranges::min(values), std::ranges::max(values)};
+/// `runs`: those whose values these are.
+ValueSpread spread_of(const std::vector<double>& values, const ReportedQuantity& quantity,
+                      const std::vector<const RecordedRun*>& runs) {
+  std::vector<double> with_sign;
+  for (const RecordedRun* run : runs)
+    for (const double value : values_over(*run, quantity.signed_value)) with_sign.push_back(value);
+  return {quantile(values, 0.25),   median(values),           quantile(values, 0.75), values.size(),
+          std::ranges::min(values), std::ranges::max(values), median(with_sign)};
 }
 
 Trend trend_of(Better better, bool grown) {
@@ -91,6 +115,27 @@ ValueSpread step_time(const RunMetrics& row) {
 
 }  // namespace
 
+std::optional<double> ReportedQuantity::value(const RunMetrics& row) const {
+  const std::optional<double> found = signed_value(row);
+  return found && better == Better::nearer_zero ? std::abs(*found) : found;
+}
+
+std::string ReportedQuantity::text(double value) const {
+  constexpr int digits = 2;
+  if (unit == "%") return fmt::format("{:.{}g} %", 100 * value, digits);
+  const bool plain = unit.empty() || unit.find(" or ") != std::string::npos;
+  return plain ? fmt::format("{:.{}g}", value, digits) : quantity_text(value, unit, digits);
+}
+
+std::vector<double> values_of(const ReportedQuantity& quantity, const RecordedRun& run) {
+  return values_over(run, [&](const RunMetrics& row) { return quantity.value(row); });
+}
+
+const ReportedQuantity& quantity_named(const std::string& name) {
+  static const ReportedQuantity cost{"step_time", "time of a step", "s", "", Better::less, false, true, {}};
+  return name == cost.name ? cost : *std::ranges::find(reported_quantities(), name, &ReportedQuantity::name);
+}
+
 const std::vector<ReportedQuantity>& reported_quantities() {
   static const std::vector<ReportedQuantity> list = mapped(paragraphs(quantities_txt), quantity_of);
   return list;
@@ -106,7 +151,9 @@ std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const 
   const std::vector<double> before = values_of(quantity, *pair.old_run),
                             now = values_of(quantity, *pair.new_run);
   if (before.empty() || now.empty()) return {};
-  QuantityChange change{quantity.name, quantity.better, quantity.foremost, spread_of(before), spread_of(now)};
+  QuantityChange change{quantity.name, quantity.better, quantity.foremost,
+                        spread_of(before, quantity, {pair.old_run}),
+                        spread_of(now, quantity, {pair.new_run})};
   const auto turned = [&](const std::optional<double>& factor) {
     return trend_by(factor, quantity.better, change.old_values.median, change.new_values.median);
   };
@@ -120,16 +167,23 @@ std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const 
 std::optional<QuantityChange> change_of(const ReportedQuantity& quantity, const std::vector<RowPair>& pairs) {
   std::vector<Stratum> strata;
   Stratum all;
+  std::vector<const RecordedRun*> old_runs, new_runs;
   for (const RowPair& pair : pairs) {
     Stratum own{values_of(quantity, *pair.old_run), values_of(quantity, *pair.new_run)};
     if (own.first.empty() || own.second.empty()) continue;
     all.first.insert(all.first.end(), own.first.begin(), own.first.end());
     all.second.insert(all.second.end(), own.second.begin(), own.second.end());
     strata.push_back(std::move(own));
+    old_runs.push_back(pair.old_run);
+    new_runs.push_back(pair.new_run);
   }
   if (strata.empty()) return {};
-  return QuantityChange{quantity.name,        quantity.better,       quantity.foremost,
-                        spread_of(all.first), spread_of(all.second), mann_whitney(strata)};
+  return QuantityChange{quantity.name,
+                        quantity.better,
+                        quantity.foremost,
+                        spread_of(all.first, quantity, old_runs),
+                        spread_of(all.second, quantity, new_runs),
+                        mann_whitney(strata)};
 }
 
 std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptions& options) {

@@ -80,9 +80,7 @@ std::map<std::string, std::string> other_questions(const RecordedResults& old_re
   return others;
 }
 
-}  // namespace
-
-RecordedResults read_recorded_results(const std::filesystem::path& folder) {
+RecordedResults read_folder(const std::filesystem::path& folder) {
   RecordedResults results{folder, {}, {}, {}};
   const auto file = folder / "comparison.json";
   const std::vector<RunMetrics> rows = read_json(file, [&](const Json& json) {
@@ -108,6 +106,49 @@ RecordedResults read_recorded_results(const std::filesystem::path& folder) {
   return results;
 }
 
+constexpr const char* packed_mark = "rockstack_baseline";
+
+/// What a row has of its columns; an empty cell takes no room.
+Json cells_of(const RunMetrics& row) {
+  Json cells = row, kept = Json::object();
+  for (const auto& [name, cell] : cells.items())
+    if (!cell.is_null() && cell != Json("")) kept[name] = cell;
+  return kept;
+}
+
+RecordedResults read_packed(const std::filesystem::path& file) {
+  return read_json(file, [&](const Json& json) {
+    if (json.value(packed_mark, 0) != 1)
+      throw std::invalid_argument(
+          fmt::format("must be a baseline, as --save writes it, or a folder of `rockstack compare`: no {}: 1",
+                      packed_mark));
+    RecordedResults results{file, json.at("environment"), json.at("scenes"), {}};
+    for (const Json& run : json.at("runs"))
+      results.runs.push_back({run.at("row").get<RunMetrics>(),
+                              run.at("replicates").get<std::vector<RunMetrics>>(), run.at("files")});
+    return results;
+  });
+}
+
+}  // namespace
+
+RecordedResults read_recorded_results(const std::filesystem::path& place) {
+  return std::filesystem::is_regular_file(place) ? read_packed(place) : read_folder(place);
+}
+
+std::string packed_results(const RecordedResults& results) {
+  const auto run_json = [](const RecordedRun& run) {
+    return Json{{"row", cells_of(run.row)},
+                {"replicates", mapped(run.replicates, cells_of)},
+                {"files", run.checksums}};
+  };
+  return Json{{packed_mark, 1},
+              {"environment", results.environment},
+              {"scenes", results.scenes},
+              {"runs", mapped(results.runs, run_json)}}
+             .dump() +
+         "\n";
+}
 const std::vector<std::string>& row_names() {
   static const std::vector<std::string> names{"scene", "engine", "solver", "settings", "dt"};
   return names;

@@ -72,7 +72,59 @@ std::vector<std::string> open_points(const ResultsChange& result) {
   return points;
 }
 
+/// The change of each number that a headline tells, in their order, in the row where it has grown the most;
+/// of none of these that which is worse by the largest factor.
+std::vector<const QuantityChange*> headline_numbers(const ResultsChange& result) {
+  std::vector<TurnedNumber> worse = turned_numbers(result);
+  std::erase_if(worse, [](const TurnedNumber& number) { return number.change->trend != Trend::worse; });
+  std::vector<const QuantityChange*> numbers;
+  for (const ReportedQuantity& quantity : reported_quantities()) {
+    const auto growth = [&](const TurnedNumber& number) {
+      const QuantityChange& change = *number.change;
+      return change.quantity == quantity.name ? change.new_values.median - change.old_values.median
+                                              : -HUGE_VAL;
+    };
+    const TurnedNumber& most = *std::ranges::max_element(worse, {}, growth);
+    if (quantity.told && most.change->quantity == quantity.name) numbers.push_back(most.change);
+  }
+  if (numbers.empty()) numbers.push_back(worse.front().change);
+  return numbers;
+}
+
+/// "angles 5 → 49 mrad, first impact −4.9 → −67 ms; 2 of 2 rows worse; a step costs 1.02 times as much".
+std::string what_is_worse(const ResultsChange& result) {
+  const auto told = [](const QuantityChange* change) {
+    return quantity_named(change->quantity).words + " " + change_text(*change);
+  };
+  std::size_t all = 0, worse = 0;  // rows of engines
+  for (const RowChange& row : result.rows) {
+    all += is_engine(row.old_row) ? 1 : 0;
+    worse += row.worst() == Trend::worse ? 1 : 0;
+  }
+  const ValueSpread cost = cost_ratio(result);
+  const std::string where =
+      worse > 0 ? fmt::format("{} of {} worse", worse, counted(all, "row")) : "over all rows together";
+  return fmt::format("{}; {}{}", joined_texts(headline_numbers(result), told, ", "), where,
+                     cost.values > 0 ? fmt::format("; a step costs {:.2g} times as much", cost.median) : "");
+}
+
 }  // namespace
+
+std::string change_text(const QuantityChange& change) {
+  const ReportedQuantity& quantity = quantity_named(change.quantity);
+  const auto text = [&](double value) {
+    std::string words = quantity.text(value);
+    if (words.starts_with('-')) words.replace(0, 1, "−");
+    return words;
+  };
+  std::string before = text(change.old_values.signed_median);
+  const std::string now = text(change.new_values.signed_median);
+  const auto unit_of = [](const std::string& words) {
+    return words.find(' ') == std::string::npos ? "" : words.substr(words.find(' '));
+  };
+  if (unit_of(before) == unit_of(now)) before = before.substr(0, before.find(' '));
+  return before + " → " + now;
+}
 
 std::string ResultsChange::headline() const {
   const std::vector<std::string> open = open_points(*this);
@@ -85,7 +137,8 @@ std::string ResultsChange::headline() const {
     const std::string name = set_name(row->new_row);
     if (change->trend == Trend::worse && std::ranges::find(sets, name) == sets.end()) sets.push_back(name);
   }
-  return fmt::format("Worse: {}{}.", joined_up_to(3, sets), open.empty() ? "" : "; " + unknown);
+  return fmt::format("Worse: {}: {}{}.", joined_up_to(3, sets), what_is_worse(*this),
+                     open.empty() ? "" : "; " + unknown);
 }
 
 Json changes_json(const ResultsChange& result) {

@@ -61,7 +61,9 @@ TEST(Judgement, SixReplicatesShowWhichOfFiftyNumbersIsAHundredTimesAsLarge) {
   const ResultsChange result = held_with_sinking(6, 100);
   ASSERT_EQ(turned_numbers(result).size(), 1U);
   EXPECT_EQ(turned_numbers(result).front().change->quantity, "sinking");
-  EXPECT_EQ(result.headline(), "Worse: engine:solver (default).");
+  const QuantityChange& sinking = *turned_numbers(result).front().change;
+  EXPECT_EQ(result.headline(),
+            "Worse: engine:solver (default): sinking " + change_text(sinking) + "; 1 of 1 row worse.");
   EXPECT_EQ(result.counted, result.tests);
 }
 
