@@ -45,6 +45,24 @@ ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt) {
   return {engine_run_of(scene, setup, std::move(trajectory), false).history, std::move(bodies)};
 }
 
+CheckWork work_of(const Check& check, Adapter adapter) {
+  CheckWork work;
+  adapter.run = [&](const Setup& setup, const Parameters&) {
+    ++work.runs;
+    work.steps += setup.steps;
+    Trajectory still;
+    for (std::size_t sample = 0; sample <= setup.steps; ++sample)
+      for (const Placement& block : setup.blocks) {
+        still.angles.push_back(block.angle);
+        still.velocities.push_back(0);
+        still.bodies.push_back({.x = block.x, .y = block.y});
+      }
+    return still;
+  };
+  check.judge(adapter);
+  return work;
+}
+
 const std::vector<Check>& checks() {
   static const std::vector<Check> list{
       {"InitialStateIsTheScenes", initial_state_is_the_scenes},

@@ -75,6 +75,15 @@ inline double short_step(const Adapter& adapter) {
   return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
 }
 
+/// Runs and time steps that a check asks of an engine.
+struct CheckWork {
+  std::size_t runs = 0, steps = 0;
+};
+
+/// The work of a check with an adapter's parameters, as far as it is known before: that of blocks that stay
+/// where they start.
+CheckWork work_of(const Check& check, Adapter adapter);
+
 /// All of them: promises, smooth motion, contact, planar motion of one block and of pairs, forces.
 const std::vector<Check>& checks();
 

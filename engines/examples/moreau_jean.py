@@ -4,6 +4,7 @@
 Each step moves the bodies by half of it, finds the corners that are on a face or in it, and gives the bodies
 the velocities that no corner goes deeper with (Signorini in velocities, no restitution) and that Coulomb's cone
 allows; then it moves them by the other half. M. Jean, Comput. Methods Appl. Mech. Engrg. 177 (1999) 235-257.
+The sweeps begin with the impulses of the step before, which a contact that lasts hardly changes.
 """
 import json
 import math
@@ -49,9 +50,9 @@ class Body:
 class Contact:
     """A corner of one body on a face of another: impulses, and how they change both bodies' velocities."""
 
-    def __init__(self, upper, lower, point, face, friction):
+    def __init__(self, name, upper, lower, point, face, friction):
         s, c = math.sin(face.place[2]), math.cos(face.place[2])
-        self.bodies, self.friction, self.impulse = (upper, lower), friction, [0.0, 0.0]
+        self.name, self.bodies, self.friction, self.impulse = name, (upper, lower), friction, [0.0, 0.0]
         self.rows = []  # of the normal and of the tangent: what an impulse on the upper body does to either
         for direction in ((s, c), (c, -s)):
             row = []
@@ -62,6 +63,13 @@ class Contact:
         self.mass = [1 / sum(b.inverse[i] * g[i] ** 2 for b, g in zip(self.bodies, row) for i in range(3))
                      for row in self.rows]
 
+    def set_impulse(self, axis, impulse):
+        """Gives both bodies what the impulse is more than before, and returns that."""
+        step, self.impulse[axis] = impulse - self.impulse[axis], impulse
+        for body, g in zip(self.bodies, self.rows[axis]):
+            body.rate = [v + step * w * h for v, w, h in zip(body.rate, body.inverse, g)]
+        return step
+
     def solve(self):
         """One step of Gauss and Seidel. Returns the largest change of a velocity."""
         change = 0.0
@@ -70,41 +78,43 @@ class Contact:
             wanted = self.impulse[axis] - self.mass[axis] * rate
             bound = self.friction * self.impulse[0]
             wanted = max(0.0, wanted) if axis == 0 else max(-bound, min(bound, wanted))
-            step, self.impulse[axis] = wanted - self.impulse[axis], wanted
-            for body, g in zip(self.bodies, row):
-                body.rate = [v + step * w * h for v, w, h in zip(body.rate, body.inverse, g)]
-            change = max(change, abs(step / self.mass[axis]))
+            change = max(change, abs(self.set_impulse(axis, wanted) / self.mass[axis]))
         return change
 
 
 def find_contacts(bodies, friction, margin):
     """Corners that are on a face or in it: each body's lower ones on what is below, and the upper ones of that."""
     contacts = []
-    for lower, upper, mu in zip(bodies, bodies[1:], friction):
+    for number, (lower, upper, mu) in enumerate(zip(bodies, bodies[1:], friction)):
         for side in (-1, 1):
             corner = upper.point(side * upper.half_width, -upper.half_height)
             along, height = lower.local(*corner)
             if abs(along) <= lower.half_width and height <= lower.half_height + margin:
-                contacts.append(Contact(upper, lower, corner, lower, mu))
+                contacts.append(Contact((number, side, "upper"), upper, lower, corner, lower, mu))
             if math.isinf(lower.half_width):
                 continue
             corner = lower.point(side * lower.half_width, lower.half_height)
             along, height = upper.local(*corner)
             if abs(along) <= upper.half_width and height >= -upper.half_height - margin:
-                contacts.append(Contact(upper, lower, corner, upper, mu))
+                contacts.append(Contact((number, side, "lower"), upper, lower, corner, upper, mu))
     return contacts
 
 
-def take_step(bodies, friction, dt, pull, parameters):
+def take_step(bodies, friction, dt, pull, parameters, impulses):
+    """Takes the impulses of the step before, by their contacts' names, and returns its own."""
     for body in bodies[1:]:
         body.move(dt / 2)
         body.rate = [body.rate[0] + dt * pull[0], body.rate[1] + dt * pull[1], body.rate[2]]
     contacts = find_contacts(bodies, friction, parameters["margin"])
+    for contact in contacts:
+        for axis, impulse in enumerate(impulses.get(contact.name, (0.0, 0.0))):
+            contact.set_impulse(axis, impulse)
     for _ in range(parameters["sweeps"]):
         if max((contact.solve() for contact in contacts), default=0.0) <= parameters["tolerance"]:
             break
     for body in bodies[1:]:
         body.move(dt / 2)
+    return {contact.name: contact.impulse for contact in contacts}
 
 
 def run(asked, steps):
@@ -112,7 +122,7 @@ def run(asked, steps):
     bodies = [Body()] + [Body(block) for block in asked["blocks"]]
     gravity = asked["gravity"]
     pulls = asked.get("accelerations")
-    samples, spent = [], 0.0
+    samples, impulses, spent = [], {}, 0.0
     while True:
         samples.append([(*body.place, *body.rate) for body in bodies[1:]])
         if len(samples) > steps or any(
@@ -121,7 +131,7 @@ def run(asked, steps):
         k = len(samples) - 1
         pull = (pulls["x"][k], pulls["y"][k]) if pulls else (gravity["x"], gravity["y"])
         start = time.perf_counter()
-        take_step(bodies, asked["friction"], asked["dt"], pull, asked["parameters"])
+        impulses = take_step(bodies, asked["friction"], asked["dt"], pull, asked["parameters"], impulses)
         spent += time.perf_counter() - start
 
 

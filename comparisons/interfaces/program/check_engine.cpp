@@ -5,6 +5,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/check_engine.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "engines/conformance/check.hpp"
 
@@ -62,6 +63,36 @@ std::string slowness(double step_time) {
   if (most_steps * step_time < limits.time) return "";
   return fmt::format("; slow: 25 s of motion at 0.1 ms a step take {:.0f} s, more than a run's {:.0f} s",
                      most_steps * step_time, limits.time);
+}
+
+/// Wall times of an engine with a parameter set, s: of a process until it steps, and of a step.
+struct CheckPace {
+  double start = 0, step = 0;
+};
+
+CheckPace pace_of(const WorkerEngine& engine, const std::string& settings) {
+  const auto begun = std::chrono::steady_clock::now();
+  const WorkerRun made = run_in_worker(engine, at_rest(paper_scene(0.1).blocks, 0.1), usual_step,
+                                       make_series(engine, settings, {}).parameters, 1, limits, true);
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - begun;
+  if (made.status != "done") return {};
+  const double stepping = made.seconds.front();
+  return {std::max(0.0, whole.count() - 2 * stepping),
+          stepping / static_cast<double>(made.run.history.size() - 1)};
+}
+
+/// Time that checks may take with a parameter set, s.
+double expected_time(const WorkerEngine& engine, const std::string& settings,
+                     const std::vector<Check>& chosen) {
+  std::size_t warnings = 0;
+  const Adapter adapter = adapter_of(engine, settings, warnings);
+  const CheckPace pace = pace_of(engine, settings);
+  double time = 0;
+  for (const Check& check : chosen) {
+    const CheckWork work = work_of(check, adapter);
+    time += static_cast<double>(work.runs) * pace.start + static_cast<double>(work.steps) * pace.step;
+  }
+  return time;
 }
 
 /// What an engine says of itself, and what a run of a resting block tells that is asked for everything that
@@ -122,6 +153,15 @@ bool is_broken(const Finding& finding) {
   return finding.verdict == "fails" || finding.verdict == "no run";
 }
 
+/// Says at once what does not hold, whatever is printed of all checks in the end.
+void announce_failure(const Finding& finding) {
+  const std::string size = std::isnan(finding.value)
+                               ? ""
+                               : fmt::format(" is {:.3g}, of at most {:.3g}", finding.value, finding.limit);
+  fmt::print(stderr, "first failure: {} of {}, {}: {}{}\n", finding.check, finding.engine, finding.settings,
+             one_line(finding.what), size);
+}
+
 Json to_json(const Finding& finding) {
   return {{"engine", finding.engine},   {"settings", finding.settings}, {"check", finding.check},
           {"verdict", finding.verdict}, {"value", finding.value},       {"limit", finding.limit},
@@ -153,10 +193,16 @@ Json check_sets(const WorkerEngine& engine, const CheckEngineArguments& argument
     // What no check can be held to is not run, unless checks are named.
     const std::string beyond =
         arguments.scenes.empty() ? known_limit(engine.name, engine.solver, settings, "*") : "";
-    if (!beyond.empty())
+    if (!beyond.empty()) {
       tell({engine.full_name(), settings, "all", beyond, "known limit"});
-    else
-      for (const Check& check : chosen) tell(judge(engine, settings, check));
+      continue;
+    }
+    if (common.prints_text()) {
+      fmt::print("  {}: {} in about {}\n", settings, counted(chosen.size(), "check"),
+                 waiting_time(expected_time(engine, settings, chosen)));
+      std::fflush(stdout);
+    }
+    for (const Check& check : chosen) tell(judge(engine, settings, check));
   }
   return able;
 }
@@ -171,8 +217,10 @@ int check_laws(const CheckEngineArguments& arguments, const Common& common) {
   std::vector<Finding> findings;
   for (const WorkerEngine* engine : engines_named(arguments.engines, [] { return engines(); })) {
     Json able = check_sets(*engine, arguments, chosen, common, [&](const Finding& finding) {
+      const bool first = is_broken(finding) && std::ranges::none_of(findings, is_broken);
       findings.push_back(finding);
       if (common.prints_text()) print_finding(finding);
+      if (first) announce_failure(finding);
     });
     if (!able.is_null()) report["engines"].push_back(std::move(able));
   }
