@@ -1,9 +1,9 @@
 #include "analytic/scene/ground/records/cells.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "analytic/scene/ground/records/units.hpp"
+#include "analytic/scene/ground/records/vocabulary.hpp"
 
 namespace rockstack::records {
 namespace {
@@ -54,13 +54,11 @@ Texts cut_at_units(std::string_view line) {
 
 /// A line without the sign of a comment and the word that may stand before a list: "Columns: t (s), a (g)".
 std::string_view without_lead_in(std::string_view line) {
-  constexpr std::array lists{"column",  "columns",  "data",    "fields",   "channels", "variables", "format",
-                             "spalten", "colonnes", "colonne", "columnas", "units",    "einheiten"};
   line = uncommented(line);
   const std::size_t colon = line.find(':');
   if (colon == line.npos || line.find_first_of(",;\t", colon) == line.npos) return line;
   const std::string word = lower(trimmed(line.substr(0, colon)));
-  return std::ranges::find(lists, word) == lists.end() ? line : trimmed(line.substr(colon + 1));
+  return !is_of(word, Topic::list_heading) ? line : trimmed(line.substr(colon + 1));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "analytic/scene/ground/records/header.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "analytic/scene/ground/records/vocabulary.hpp"
@@ -12,26 +11,19 @@ namespace {
 constexpr std::string_view borders = ",;:=()[]#";
 
 bool is_acceleration(std::string_view word) {
-  constexpr std::array list{"acc",           "accel",        "acceleration",
-                            "accelerations", "accelerogram", "beschleunigung"};
-  return std::ranges::find(list, word) != list.end();
+  return is_of(word, Topic::acceleration_key);
 }
 
 bool is_unit_word(std::string_view word) {
-  constexpr std::array list{"unit", "units", "einheit", "einheiten", "unidad", "unidades", "unita", "unites"};
-  return std::ranges::find(list, word) != list.end() || word.ends_with("unit");
+  return is_of(word, Topic::unit) || word.ends_with("unit");
 }
 
 bool is_keyword(std::string_view word) {
   return is_acceleration(word) || is_unit_word(word);
 }
 
-/// Words that may stand between "acceleration" or "units" and the unit.
 bool is_filler(std::string_view word) {
-  constexpr std::array fillers{"of",     "in",        "is",   "are",    "and",    "the",
-                               "all",    "values",    "time", "ground", "data",   "history",
-                               "series", "histories", "s",    "sec",    "second", "seconds"};
-  return is_keyword(word) || std::ranges::find(fillers, word) != fillers.end();
+  return is_keyword(word) || is_of(word, Topic::unit_filler);
 }
 
 std::size_t offset_in(std::string_view text, std::string_view part) {
@@ -74,13 +66,6 @@ bool has_factor_after(std::string_view text, std::size_t end) {
          (inside.find("times") != inside.npos || inside.find_first_of("x*") != inside.npos);
 }
 
-/// Whether a word before "unit" makes it one of something else than the numbers: "original unit: g".
-bool is_of_others(std::string_view word) {
-  constexpr std::array others{"original", "raw",      "input",  "output", "sensor",
-                              "scale",    "spectral", "former", "old",    "internal"};
-  return std::ranges::find(others, word) != others.end();
-}
-
 /// Reads what follows keywords, and units in brackets.
 void read_units(const Line& line, Header& header) {
   const std::string text = lower(line.text);
@@ -89,7 +74,7 @@ void read_units(const Line& line, Header& header) {
   std::string_view before;
   for (const std::string_view word : words(text, borders)) {
     const std::size_t start = offset_in(text, word);
-    const bool of_others = is_of_others(std::exchange(before, word));
+    const bool of_others = is_of(std::exchange(before, word), Topic::unit_of_others);
     if (is_unit_word(word) && of_others) continue;
     if (is_acceleration(word)) {
       of_acceleration = true;

@@ -11,11 +11,6 @@ namespace {
 
 using Tokens = std::vector<std::string_view>;
 
-template <std::size_t size>
-bool is_one_of(std::string_view word, const std::array<std::string_view, size>& list) {
-  return std::ranges::find(list, word) != list.end();
-}
-
 /// A comma between digits: a decimal point, or of thousands where three digits follow, and nothing.
 std::string comma_at(std::string_view text, std::size_t at) {
   const std::size_t end = std::min(text.find_first_not_of("0123456789", at + 1), text.size());
@@ -54,32 +49,17 @@ std::optional<double> value_of(const Tokens& tokens, std::size_t at) {
   return error == std::errc() && end == token.data() + token.size() ? std::optional(value) : std::nullopt;
 }
 
-bool is_counted(std::string_view word) {
-  constexpr std::array<std::string_view, 29> list{
-      "pts",   "pt",     "points",     "samples",  "data",    "values",    "records", "readings",
-      "lines", "rows",   "datapoints", "punkte",   "werte",   "messwerte", "punti",   "campioni",
-      "dati",  "valori", "puntos",     "muestras", "datos",   "valores",   "donnees", "echantillons",
-      "veri",  "nokta",  "σημειων",    "точек",    "отсчетов"};
-  return is_one_of(word, list);
-}
-
 /// Where the number of values would stand that words from `at` on announce: "number of data points", "NPTS",
 /// "samples:".
 std::optional<std::size_t> count_place(const Tokens& tokens, std::size_t at) {
-  constexpr std::array<std::string_view, 16> alone{"npts",      "sample_count", "point_count", "npoints",
-                                                   "nsamples",  "ndata",        "npt",         "n_points",
-                                                   "n_samples", "numpoints",    "num_points",  "num_samples",
-                                                   "nsamp",     "nrecords",     "nopoints",    "ndatos"};
-  constexpr std::array<std::string_view, 14> numbers{"number", "no",      "no.",    "nr",        "nr.",
-                                                     "num",    "num.",    "anzahl", "nombre",    "numero",
-                                                     "sayisi", "αριθμοσ", "число",  "количество"};
   constexpr std::size_t longest = 4;  // words from the number to what it counts
-  if (is_one_of(tokens[at], alone)) return at + 1;
-  for (std::size_t k = at + 1; is_one_of(tokens[at], numbers) && k < std::min(at + longest, tokens.size());
-       ++k)
-    if (is_counted(tokens[k]) && !(k + 1 < tokens.size() && is_counted(tokens[k + 1]))) return k + 1;
+  if (is_of(tokens[at], Topic::count_key)) return at + 1;
+  const std::size_t end = is_of(tokens[at], Topic::number) ? std::min(at + longest, tokens.size()) : 0;
+  for (std::size_t k = at + 1; k < end; ++k)
+    if (is_of(tokens[k], Topic::counted) && !(k + 1 < tokens.size() && is_of(tokens[k + 1], Topic::counted)))
+      return k + 1;
   const bool signed_after = at + 1 < tokens.size() && is_sign(tokens[at + 1]);
-  return is_counted(tokens[at]) && signed_after ? std::optional(at + 1) : std::nullopt;
+  return is_of(tokens[at], Topic::counted) && signed_after ? std::optional(at + 1) : std::nullopt;
 }
 
 bool is_of_rate(const Tokens& tokens, std::size_t at) {
@@ -90,16 +70,12 @@ bool is_of_rate(const Tokens& tokens, std::size_t at) {
 /// Whether a number counts values that stand after it: "400 points", not "8 values per line" or "every 10
 /// points".
 bool counts_next(const Tokens& tokens, std::size_t at) {
-  constexpr std::array<std::string_view, 5> nouns{"points", "pts", "samples", "values", "datapoints"};
-  constexpr std::array<std::string_view, 8> before{"first", "last", "every", "each",
-                                                   "per",   "of",   "to",    "from"};
-  constexpr std::array<std::string_view, 5> after{"of", "at", "in", "with", "are"};
   std::size_t noun = at + 1;
   if (noun < tokens.size() && tokens[noun] == "data") ++noun;
-  if (noun >= tokens.size() || !is_one_of(tokens[noun], nouns)) return false;
-  const bool part = at > 0 && is_one_of(tokens[at - 1], before);
+  if (noun >= tokens.size() || !is_of(tokens[noun], Topic::count_noun)) return false;
+  const bool part = at > 0 && is_of(tokens[at - 1], Topic::before_part);
   const bool line = std::ranges::any_of(tokens, [](auto word) { return word == "line" || word == "row"; });
-  return !part && !line && (noun + 1 == tokens.size() || is_one_of(tokens[noun + 1], after));
+  return !part && !line && (noun + 1 == tokens.size() || is_of(tokens[noun + 1], Topic::after_count));
 }
 
 void read_stated_count(const Cursor& cursor, const Tokens& tokens, Header& header) {
@@ -123,24 +99,18 @@ void read_stated_count(const Cursor& cursor, const Tokens& tokens, Header& heade
 
 /// Where a factor would stand that words from `at` on announce: "scale factor", "multiplied by".
 std::optional<std::size_t> factor_place(const Tokens& tokens, std::size_t at) {
-  constexpr std::array<std::string_view, 8> done{"multiplied", "multiply", "divided",       "divide",
-                                                 "scaled",     "scale",    "multipliziert", "geteilt"};
-  constexpr std::array<std::string_view, 4> by{"by", "with", "durch", "mit"};
-  if (at + 1 < tokens.size() && is_one_of(tokens[at], done) && is_one_of(tokens[at + 1], by)) return at + 2;
+  if (at + 1 < tokens.size() && is_of(tokens[at], Topic::scaled) && is_of(tokens[at + 1], Topic::by))
+    return at + 2;
   return any_of_topic(words_in(tokens[at]), Topic::factor) ? std::optional(at + 1) : std::nullopt;
 }
 
 void refuse_factor(const Cursor& cursor, const Tokens& tokens) {
-  constexpr std::array<std::string_view, 12> physical{"richter", "magnitude", "mercalli",   "moment",
-                                                      "damping", "dampfungs", "quality",    "safety",
-                                                      "q",       "load",      "importance", "behaviour"};
-  constexpr std::array<std::string_view, 5> done{"applied", "angewandt", "applique", "applicato", "aplicado"};
-  const bool applied = std::ranges::any_of(tokens, [&](auto word) { return is_one_of(word, done); }) &&
+  const bool applied = any_of_topic(tokens, Topic::applied) &&
                        std::ranges::find(tokens, "not") == tokens.end() &&
                        std::ranges::find(tokens, "be") == tokens.end();
   for (std::size_t k = 0; k < tokens.size() && !applied; ++k) {
     const auto place = factor_place(tokens, k);
-    if (!place || (k > 0 && is_one_of(tokens[k - 1], physical))) continue;
+    if (!place || (k > 0 && is_of(tokens[k - 1], Topic::factor_of_others))) continue;
     const std::size_t at = after_signs(tokens, *place);
     const auto value = value_of(tokens, at);
     const bool ratio = at + 1 < tokens.size() && tokens[at + 1] == ":";  // of lengths, "1:5"
@@ -158,16 +128,12 @@ void refuse_factor(const Cursor& cursor, const Tokens& tokens) {
 
 /// "missing data: 999", "null value = -999".
 void read_missing(const Tokens& tokens, Header& header) {
-  constexpr std::array<std::string_view, 9> marks{
-      "missing", "null", "nodata", "no_data", "fill", "fehlwert", "fehlende", "missing_value", "fill_value"};
-  constexpr std::array<std::string_view, 8> fillers{"value", "values", "data",   "code",
-                                                    "is",    "are",    "marker", "flag"};
   for (std::size_t k = 0; k < tokens.size(); ++k) {
     const bool no_data = tokens[k] == "no" && k + 1 < tokens.size() && tokens[k + 1] == "data";
     const bool counted = k > 1 && tokens[k - 1] == "of";  // "number of missing data: 0"
-    if (counted || !(is_one_of(tokens[k], marks) || no_data)) continue;
+    if (counted || !(is_of(tokens[k], Topic::missing) || no_data)) continue;
     std::size_t at = k + 1;
-    while (at < tokens.size() && (is_sign(tokens[at]) || is_one_of(tokens[at], fillers))) ++at;
+    while (at < tokens.size() && (is_sign(tokens[at]) || is_of(tokens[at], Topic::missing_filler))) ++at;
     if (const auto value = value_of(tokens, at)) header.missing = value;
   }
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "analytic/scene/ground/records/header.hpp"
@@ -9,69 +8,16 @@
 namespace rockstack::records {
 namespace {
 
-/// What names a time step or a rate, folded. Those that are words of other things, too, need a sign after
-/// them.
-struct Key {
-  std::string_view name;
+/// What names a time step or a rate, folded, by topic.
+struct Keys {
+  Topic topic;
   bool rate = false, needs_sign = false;
 };
 
-constexpr Key keys[] = {{"dt"},
-                        {"delta t"},
-                        {"delta_t"},
-                        {"deltat"},
-                        {"delta"},
-                        {"\u03b4t"},
-                        {"time step"},
-                        {"timestep"},
-                        {"time_step"},
-                        {"time interval"},
-                        {"sampling interval"},
-                        {"sample interval"},
-                        {"data interval"},
-                        {"fixed interval"},
-                        {"interval", false, true},
-                        {"sampling period"},
-                        {"sampling time"},
-                        {"zeitschritt"},
-                        {"schrittweite"},
-                        {"abtastintervall"},
-                        {"abtastzeit"},
-                        {"pas de temps"},
-                        {"paso de tiempo"},
-                        {"intervalo de muestreo"},
-                        {"periodo de muestreo"},
-                        {"passo temporale"},
-                        {"passo di campionamento"},
-                        {"intervallo di campionamento"},
-                        {"ornekleme araligi"},
-                        {"zaman adimi"},
-                        {"step", false, true},
-                        {"passo", false, true},
-                        {"paso", false, true},
-                        {"samplerate", true},
-                        {"sample rate", true},
-                        {"sample_rate", true},
-                        {"sampling rate", true},
-                        {"sampling_rate", true},
-                        {"sampling frequency", true},
-                        {"sampling_frequency", true},
-                        {"sampling freq", true},
-                        {"sample frequency", true},
-                        {"samplingrate", true},
-                        {"sampled at", true},
-                        {"samples per second", true},
-                        {"fs", true},
-                        {"sps", true},
-                        {"tasa de muestreo", true},
-                        {"abtastrate", true},
-                        {"abtastfrequenz", true},
-                        {"frequence d'echantillonnage", true},
-                        {"frecuencia de muestreo", true},
-                        {"frequenza di campionamento", true},
-                        {"ornekleme frekansi", true},
-                        {"rate", true, true},
-                        {"hz", true, true}};
+constexpr Keys keys[] = {{Topic::step},
+                         {Topic::step_with_sign, false, true},
+                         {Topic::rate, true},
+                         {Topic::rate_with_sign, true, true}};
 
 /// What stands after a key: the unit in brackets, a number, the unit after that.
 struct Setting {
@@ -131,22 +77,18 @@ bool begins_part(std::string_view plain, std::size_t at) {
 /// Whether the word before a place makes a step one of something else than the numbers: "raw sampling rate",
 /// "solver time step", "max dt".
 bool is_qualified(std::string_view plain, std::size_t at) {
-  constexpr std::array others{"original", "orig",   "raw",        "internal",    "adc",
-                              "native",   "solver", "sensor",     "hardware",    "max",
-                              "maximum",  "min",    "minimum",    "integration", "analysis",
-                              "trigger",  "window", "confidence", "former",      "old"};
   const auto before = words(plain.substr(0, at), ",;:=()[]#%.");
-  return !before.empty() && std::ranges::find(others, before.back()) != std::end(others);
+  return !before.empty() && is_of(before.back(), Topic::step_of_others);
 }
 
-std::vector<Setting> settings_after(std::string_view plain, const Key& key) {
+std::vector<Setting> settings_after(std::string_view plain, std::string_view key, bool needs_sign) {
   std::vector<Setting> found;
-  for (std::size_t from = plain.find(key.name); from != plain.npos; from = plain.find(key.name, from + 1)) {
-    const std::size_t end = from + key.name.size();
+  for (std::size_t from = plain.find(key); from != plain.npos; from = plain.find(key, from + 1)) {
+    const std::size_t end = from + key.size();
     if ((from > 0 && goes_on_at(plain, from - 1)) || goes_on_at(plain, end)) continue;
     if (is_qualified(plain, from)) continue;
     const Setting setting = setting_at(plain.substr(end));
-    if (!key.needs_sign || (setting.signed_before && begins_part(plain, from))) found.push_back(setting);
+    if (!needs_sign || (setting.signed_before && begins_part(plain, from))) found.push_back(setting);
   }
   return found;
 }
@@ -212,10 +154,8 @@ bool is_of_another(std::string_view plain, std::string_view number) {
 
 /// Rates that a line names beside its step must be that of the step, but those of filters.
 void check_rates(const Cursor& cursor, std::string_view plain, Header& header) {
-  constexpr std::array filters{"filter",      "alias",   "pole",  "corner",  "cut",     "pass",  "hp",
-                               "lp",          "hc",      "lc",    "fc",      "band",    "high",  "low",
-                               "butterworth", "nyquist", "up to", "resonan", "natural", "modes", "eigen"};
-  if (std::ranges::any_of(filters, [&](auto word) { return plain.find(word) != plain.npos; })) return;
+  const auto names = [&](std::string_view word) { return plain.find(word) != plain.npos; };
+  if (std::ranges::any_of(words_of(Topic::filter), names)) return;
   const auto list = words(plain, ",;:=()[]");
   for (std::size_t k = 0; k < list.size(); ++k) {
     if (!is_numeric(list[k]) || is_of_another(plain, list[k])) continue;
@@ -232,10 +172,11 @@ void check_rates(const Cursor& cursor, std::string_view plain, Header& header) {
 
 void read_intervals(const Cursor& cursor, std::string_view plain, bool required, Header& header) {
   const std::size_t before = header.interval_line;
-  for (const Key& key : keys)
-    for (const Setting& setting : settings_after(plain, key))
-      if (!setting.number.empty() && (required || is_numeric(setting.number)))
-        note_interval(cursor, interval_of(cursor, setting, key.rate), header);
+  for (const auto& [topic, rate, needs_sign] : keys)
+    for (const std::string_view key : words_of(topic))
+      for (const Setting& setting : settings_after(plain, key, needs_sign))
+        if (!setting.number.empty() && (required || is_numeric(setting.number)))
+          note_interval(cursor, interval_of(cursor, setting, rate), header);
   if (header.interval_line != before) check_rates(cursor, plain, header);
 }
 

@@ -145,14 +145,6 @@ double checked_interval(const Cursor& cursor, double interval) {
   return interval;
 }
 
-double read_interval(const Cursor& cursor, std::string_view line, std::string_view field) {
-  const std::string_view rest =
-      line.substr(static_cast<std::size_t>(field.data() - line.data()) + field.size());
-  const auto after = words(rest, ",;)");
-  if (!after.empty() && starts_with(after.front(), "ms")) cursor.fail("time step in ms: must be in s");
-  return checked_interval(cursor, number(cursor, field));
-}
-
 Columns fortran_columns(const Cursor& cursor, std::string_view line) {
   const std::size_t open = line.rfind('(');
   if (open == std::string_view::npos) cursor.fail("no Fortran format such as (8F10.5) in this line");

@@ -81,9 +81,6 @@ std::size_t count(const Cursor& cursor, std::string_view field);
 /// A time step in s. @throws InputError unless it is > 0.
 double checked_interval(const Cursor& cursor, double interval);
 
-/// The time step that a line has in `field`, s. @throws InputError likewise, and where it is in milliseconds.
-double read_interval(const Cursor& cursor, std::string_view line, std::string_view field);
-
 /// The columns of the Fortran format in the last brackets of a line. @throws InputError where there is none.
 Columns fortran_columns(const Cursor& cursor, std::string_view line);
 

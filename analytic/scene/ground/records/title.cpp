@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "analytic/scene/ground/records/table.hpp"
 #include "analytic/scene/ground/records/vocabulary.hpp"
@@ -125,12 +124,7 @@ std::size_t last_bracket(std::string_view text) {
 }
 
 bool is_other_unit(std::string_view text) {
-  constexpr std::array others{"v",       "mv",      "volt",   "volts",       "count", "counts", "raw",
-                              "digits",  "adc",     "lsb",    "kn",          "mn",    "pa",     "kpa",
-                              "mpa",     "bar",     "mbar",   "kg",          "kj",    "kw",     "ma",
-                              "lbf",     "kip",     "kips",   "psi",         "ksi",   "knm",    "degc",
-                              "\u00b0c", "\u00b0f", "strain", "microstrain", "gon",   "grad",   "gradi"};
-  return std::ranges::find(others, lower(text)) != others.end();
+  return is_of(lower(text), Topic::other_unit);
 }
 
 Title read_title(std::string_view text) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -12,9 +11,8 @@ namespace {
 
 /// Titles hold no values, "units: g" and "dt = 0.01" are none, and are no words of a sentence.
 bool may_be_titles(const Texts& cells) {
-  constexpr std::array small{"unit", "units", "of", "in", "is", "are", "and", "the", "for", "at", "from"};
   return std::ranges::none_of(cells, [&](const std::string& cell) {
-    if (std::ranges::find(small, lower(cell)) != small.end()) return true;
+    if (is_of(lower(cell), Topic::small)) return true;
     const bool has_value =
         (cell.find_first_of("=:") != cell.npos && !contains(cell, "unnamed")) ||
         std::ranges::any_of(words(cell), [](auto word) { return is_numeric(word) && contains(word, "."); });
