@@ -49,7 +49,7 @@ CheckWork work_of(const Check& check, Adapter adapter) {
   CheckWork work;
   adapter.run = [&](const Setup& setup, const Parameters&) {
     ++work.runs;
-    work.steps += setup.steps;
+    work.block_steps += setup.steps * setup.blocks.size();
     Trajectory still;
     for (std::size_t sample = 0; sample <= setup.steps; ++sample)
       for (const Placement& block : setup.blocks) {

@@ -75,9 +75,9 @@ inline double short_step(const Adapter& adapter) {
   return rounding(adapter) > 1e-10 ? 1e-3 : 1e-4;
 }
 
-/// Runs and time steps that a check asks of an engine.
+/// What a check asks of an engine: runs, and time steps of single blocks.
 struct CheckWork {
-  std::size_t runs = 0, steps = 0;
+  std::size_t runs = 0, block_steps = 0;
 };
 
 /// The work of a check with an adapter's parameters, as far as it is known before: that of blocks that stay

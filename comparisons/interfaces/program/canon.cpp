@@ -14,7 +14,9 @@ class CanonTeller {
  public:
   CanonTeller(const Suite& suite, const std::vector<CanonRow>& rows, const Common& common)
       : suite_(suite), common_(common), show_(progress(common)) {
-    for (const CanonRow& row : rows) times_.push_back(time_of(*row.engine, row.settings, suite.limits));
+    for (const CanonRow& row : rows)
+      paces_.push_back(
+          pace_of(*row.engine, make_series(*row.engine, row.settings, {}).parameters, suite.limits));
     total_ = rows.size() * suite.scenes.size();
     if (!common.prints_text()) return;
     fmt::print("answers: {}, in about {}; scene {} comes first, in {}\n", total_, waiting_time(rest(0, 0)),
@@ -27,7 +29,7 @@ class CanonTeller {
   void begins(std::size_t scene, std::size_t row, const CanonRow& of) {
     const std::string what =
         fmt::format("{} {} {}", of.engine->full_name(), of.settings, suite_.scenes[scene].name);
-    show_({scene * times_.size() + row, total_, "", what, rest(scene, row)});
+    show_({scene * paces_.size() + row, total_, "", what, rest(scene, row)});
   }
 
   void tell(const CanonRow& row) const {
@@ -44,14 +46,15 @@ class CanonTeller {
   double rest(std::size_t scene, std::size_t row) const {
     double time = 0;
     for (; scene < suite_.scenes.size(); ++scene, row = 0)
-      for (std::size_t i = row; i < times_.size(); ++i) time += times_[i].of(suite_, suite_.scenes[scene]);
+      for (std::size_t i = row; i < paces_.size(); ++i)
+        time += canon_time(paces_[i], suite_, suite_.scenes[scene]);
     return time;
   }
 
   const Suite& suite_;
   const Common& common_;
   std::function<void(const Progress&)> show_;
-  std::vector<CanonTime> times_;  ///< of each row
+  std::vector<WorkerPace> paces_;  ///< of each row
   std::size_t total_ = 0;
 };
 

@@ -96,7 +96,7 @@ void print_change(const ResultsChange& result, const ChangeArguments& arguments)
   print_names("nothing can be said of", result.undecided);
 }
 
-/// Rows above a threshold.
+/// Rows above a bound.
 void print_bounds(const std::vector<BoundedRow>& bounds) {
   for (const BoundedRow& bound : bounds)
     if (bound.above()) fmt::print("{}: {}\n", bound.run->row.run, bound.text());
@@ -104,8 +104,8 @@ void print_bounds(const std::vector<BoundedRow>& bounds) {
 
 Json bound_json(const BoundedRow& bound) {
   return {{"run", bound.run->row.run},
-          {"quantity", bound.threshold->quantity->name},
-          {"at_most", bound.threshold->value},
+          {"quantity", bound.bound->quantity->name},
+          {"at_most", bound.bound->value},
           {"median", bound.median ? Json(*bound.median) : Json()},
           {"above", bound.above()}};
 }
@@ -131,11 +131,11 @@ void add_change_options(CLI::App& command, ChangeArguments& arguments) {
       "file for the new results, a baseline that `diff` takes as OLD and `gate` as --baseline");
 }
 
-std::vector<Threshold> read_thresholds(const ChangeArguments& arguments) {
+std::vector<UpperBound> read_upper_bounds(const ChangeArguments& arguments) {
   const double level = arguments.options.level;
   if (!(level > 0 && level < 1))
     throw InputError(fmt::format("--level = {}: must be a number between 0 and 1", level));
-  return mapped(arguments.fail_above, read_threshold);
+  return mapped(arguments.fail_above, read_upper_bound);
 }
 
 void save_results(const RecordedResults& results, const ChangeArguments& arguments) {
@@ -144,8 +144,8 @@ void save_results(const RecordedResults& results, const ChangeArguments& argumen
 
 int report_change(const ResultsChange& change, const RecordedResults& now, const ChangeArguments& arguments,
                   const Common& common, Json json, const std::function<void()>& more) {
-  const std::vector<Threshold> thresholds = read_thresholds(arguments);
-  const std::vector<BoundedRow> bounds = bounded_rows(thresholds, now);
+  const std::vector<UpperBound> asked = read_upper_bounds(arguments);
+  const std::vector<BoundedRow> bounds = bounded_rows(asked, now);
   const JudgedChange judged{change, bounds};
   if (!arguments.junit.empty()) write_file(arguments.junit, junit_xml(judged));
   if (!arguments.markdown.empty()) write_file(arguments.markdown, summary_markdown(judged));

@@ -8,6 +8,7 @@
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/measures/results/tables.hpp"
 #include "engines/conformance/check.hpp"
+#include "engines/worker/pace.hpp"
 
 namespace rockstack {
 namespace {
@@ -65,32 +66,16 @@ std::string slowness(double step_time) {
                      most_steps * step_time, limits.time);
 }
 
-/// Wall times of an engine with a parameter set, s: of a process until it steps, and of a step.
-struct CheckPace {
-  double start = 0, step = 0;
-};
-
-CheckPace pace_of(const WorkerEngine& engine, const std::string& settings) {
-  const auto begun = std::chrono::steady_clock::now();
-  const WorkerRun made = run_in_worker(engine, at_rest(paper_scene(0.1).blocks, 0.1), usual_step,
-                                       make_series(engine, settings, {}).parameters, 1, limits, true);
-  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - begun;
-  if (made.status != "done") return {};
-  const double stepping = made.seconds.front();
-  return {std::max(0.0, whole.count() - 2 * stepping),
-          stepping / static_cast<double>(made.run.history.size() - 1)};
-}
-
 /// Time that checks may take with a parameter set, s.
 double expected_time(const WorkerEngine& engine, const std::string& settings,
                      const std::vector<Check>& chosen) {
   std::size_t warnings = 0;
   const Adapter adapter = adapter_of(engine, settings, warnings);
-  const CheckPace pace = pace_of(engine, settings);
+  const WorkerPace pace = pace_of(engine, adapter.parameters, limits);
   double time = 0;
   for (const Check& check : chosen) {
     const CheckWork work = work_of(check, adapter);
-    time += static_cast<double>(work.runs) * pace.start + static_cast<double>(work.steps) * pace.step;
+    time += pace.of(static_cast<double>(work.runs), static_cast<double>(work.block_steps));
   }
   return time;
 }

@@ -29,7 +29,7 @@ void write_tables(const ResultsChange& result, const std::filesystem::path& out,
 int run_diff(const DiffArguments& arguments, const Common& common) {
   refuse_overrides(common, "results are held together as they are");
   const ChangeOptions& options = arguments.change.options;
-  read_thresholds(arguments.change);
+  read_upper_bounds(arguments.change);
   require_factor("--factor", options.single);
   require_factor("--cost", options.cost);
   const RecordedResults before = read_recorded_results(arguments.old_results),

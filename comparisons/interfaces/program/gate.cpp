@@ -76,7 +76,7 @@ ChangeOptions gate_options(ChangeOptions options) {
 int run_gate_command(const GateArguments& arguments, const Common& common) {
   refuse_overrides(common, "a gate has scenes of its own");
   require_baseline(arguments);
-  read_thresholds(arguments.change);
+  read_upper_bounds(arguments.change);
   const RecordedResults before =
       arguments.baseline.empty() ? RecordedResults{} : read_recorded_results(arguments.baseline);
   const Suite suite = gate_suite(gated_series(arguments), arguments.seed);

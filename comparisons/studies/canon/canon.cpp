@@ -102,22 +102,10 @@ CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const
   return answer;
 }
 
-CanonTime time_of(const WorkerEngine& engine, const std::string& settings, const Limits& limits) {
-  Scene scene;
-  scene.duration = 0.1;
-  scene.blocks = {make_block(1, 1, 2500)};
-  scene.initial = {{0}, {0}};
-  const Parameters parameters = make_series(engine, settings, {}).parameters;
-  const WorkerRun run = run_in_worker(engine, scene, 1e-3, parameters, 1, limits);
-  if (run.status != "done" || run.seconds.empty()) return {};
-  const auto steps = static_cast<double>(run.run.history.size() - 1);
-  return {std::max(0.0, run.processor_time - 2 * run.seconds.front()), run.seconds.front() / steps};
-}
-
-double CanonTime::of(const Suite& suite, const NamedScene& scene) const {
+double canon_time(const WorkerPace& pace, const Suite& suite, const NamedScene& scene) {
   double time = 0;
   for (const double dt : canon_steps)
-    time += start + step * scene.scene.duration / dt * static_cast<double>(scene.scene.blocks.size());
+    time += pace.of(1, scene.scene.duration / dt * static_cast<double>(scene.scene.blocks.size()));
   return time * suite.replicates.runs / static_cast<double>(all_cores());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "comparisons/suites/suite.hpp"
+#include "engines/worker/pace.hpp"
 
 namespace rockstack {
 
@@ -81,16 +82,8 @@ CanonAnswer answer_canon(const Suite& suite, const NamedScene& scene, const Work
 CanonAnswer kept_canon_answer(const Suite& suite, const NamedScene& scene, const WorkerEngine& engine,
                               const std::string& settings, const std::filesystem::path& folder);
 
-/// What a worker takes to answer the canon.
-struct CanonTime {
-  double start = 0, step = 0;  ///< of a process, and of one step of one block, s
-
-  /// Estimate of a scene's at all steps and replicates, on all cores, s.
-  double of(const Suite& suite, const NamedScene& scene) const;
-};
-
-/// Measured on a block at rest; none where the worker does not answer.
-CanonTime time_of(const WorkerEngine& engine, const std::string& settings, const Limits& limits);
+/// Estimate of the time that a scene takes at all steps and replicates, on all cores, s.
+double canon_time(const WorkerPace& pace, const Suite& suite, const NamedScene& scene);
 
 /// Whether an engine follows the law: it agrees or converges.
 bool follows_law(const CanonAnswer& answer);

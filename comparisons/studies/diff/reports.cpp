@@ -52,8 +52,8 @@ Tree suite_of(const JudgedChange& judged, const RowChange& row) {
   for (const BoundedRow& bound : judged.bounds)
     if (!row.new_row.run.empty() && bound.run->row.run == row.new_row.run)
       add_case(name,
-               fmt::format("{} at most {}", bound.threshold->quantity->words,
-                           bound.threshold->quantity->text(bound.threshold->value)),
+               fmt::format("{} at most {}", bound.bound->quantity->words,
+                           bound.bound->quantity->text(bound.bound->value)),
                "failure", bound.above() ? bound.text() : "", suite);
   return suite;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/studies/diff/thresholds.hpp"
+#include "comparisons/studies/diff/upper_bounds.hpp"
 
 namespace rockstack {
 

@@ -7,6 +7,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 #include "comparisons/suites/shipped.hpp"
+#include "engines/worker/pace.hpp"
 
 namespace rockstack {
 namespace {
@@ -27,15 +28,6 @@ struct RunsFolder {
     std::filesystem::remove_all(path, ignored);
   }
 };
-
-/// Wall time of a run with positions, s.
-double time_of_run(const EngineSeries& series, Scene scene, double dt, double duration,
-                   const Limits& limits) {
-  scene.duration = duration;
-  const auto start = std::chrono::steady_clock::now();
-  simulate(*series.engine, scene, dt, series.parameters, limits, true);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// The largest chance with which one number that counts most is reported, however the others come out.
 double reporting_chance(const ResultsChange& change) {
@@ -77,19 +69,16 @@ Suite gate_suite(const EngineSeries& engine, const std::optional<std::uint64_t>&
 }
 
 double expected_time(const Suite& suite, std::size_t cores) {
-  constexpr int few = 5;
   const EngineSeries& series = suite.series.front();
-  const NamedScene& scene = suite.scenes.front();
-  const double dt = series.steps.front(), duration = scene.scene.duration;
-  const double begun = time_of_run(series, scene.scene, dt, few * dt, suite.limits);
-  const double whole = time_of_run(series, scene.scene, dt, duration, suite.limits);
-  const double step = std::max(0.0, whole - begun) / (duration / dt - few);
+  const WorkerPace pace = pace_of(*series.engine, series.parameters, suite.limits);
+  const std::vector<Suite> suites{suite};  // jobs keep references to it
   double time = 0;
-  for (const Job& job : jobs_of({suite})) {
+  for (const Job& job : jobs_of(suites)) {
     if (job.series == nullptr) continue;
-    const double steps = job.scene.scene.duration / job.dt;
-    time += begun + (1 + suite.repeats) * steps * step +
-            (replicates_of(job).runs - 1) * (begun + steps * step) / static_cast<double>(cores);
+    const double block_steps =
+        job.scene.scene.duration / job.dt * static_cast<double>(job.scene.scene.blocks.size());
+    time += pace.of(1, (1 + suite.repeats) * block_steps) +
+            (replicates_of(job).runs - 1) * pace.of(1, block_steps) / static_cast<double>(cores);
   }
   return time;
 }

@@ -11,8 +11,7 @@ namespace rockstack {
 /// The shipped suite `gate` for one engine in the place of its own, and, where it is given, other replicates.
 Suite gate_suite(const EngineSeries& engine, const std::optional<std::uint64_t>& seed);
 
-/// Wall time that its runs may take on so many cores, s, by two short runs of its first scene.
-/// @throws std::runtime_error where the engine does not make these.
+/// Time that its runs may take on so many cores, s.
 double expected_time(const Suite& suite, std::size_t cores);
 
 /// Makes all runs of a gate anew, in a folder that goes again, and reads what they left.

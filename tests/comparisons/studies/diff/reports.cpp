@@ -31,9 +31,9 @@ RecordedResults results(double factor) {
   return {"results", {}, {}, {run}};
 }
 
-std::string complaint(const std::string& threshold) {
+std::string complaint(const std::string& text) {
   try {
-    read_threshold(threshold);
+    read_upper_bound(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -47,17 +47,17 @@ boost::property_tree::ptree read_xml(const std::string& text) {
   return tree;
 }
 
-TEST(Thresholds, HaveTheFieldsWordsAndUnits) {
-  EXPECT_EQ(read_threshold("angles=10mrad").quantity->name, "rms_angle_difference");
-  EXPECT_DOUBLE_EQ(read_threshold("angles=10mrad").value, 0.01);
-  EXPECT_DOUBLE_EQ(read_threshold("rms_angle_difference=0.01rad").value, 0.01);
-  EXPECT_DOUBLE_EQ(read_threshold("first-impact=5ms").value, 5e-3);
-  EXPECT_DOUBLE_EQ(read_threshold("centres=2mm").value, 2e-3);
-  EXPECT_DOUBLE_EQ(read_threshold("energy-gain=1%").value, 0.01);
-  EXPECT_DOUBLE_EQ(read_threshold("impacts-missed=3").value, 3);
+TEST(UpperBounds, HaveTheFieldsWordsAndUnits) {
+  EXPECT_EQ(read_upper_bound("angles=10mrad").quantity->name, "rms_angle_difference");
+  EXPECT_DOUBLE_EQ(read_upper_bound("angles=10mrad").value, 0.01);
+  EXPECT_DOUBLE_EQ(read_upper_bound("rms_angle_difference=0.01rad").value, 0.01);
+  EXPECT_DOUBLE_EQ(read_upper_bound("first-impact=5ms").value, 5e-3);
+  EXPECT_DOUBLE_EQ(read_upper_bound("centres=2mm").value, 2e-3);
+  EXPECT_DOUBLE_EQ(read_upper_bound("energy-gain=1%").value, 0.01);
+  EXPECT_DOUBLE_EQ(read_upper_bound("impacts-missed=3").value, 3);
 }
 
-TEST(Thresholds, ThatAreWronglyAskedForSayWhatIsAllowed) {
+TEST(UpperBounds, ThatAreWronglyAskedForSayWhatIsAllowed) {
   EXPECT_EQ(complaint("angles=10kg"),
             "--fail-above angles=10kg: must be a number ≥ 0 in mrad, rad, as angles=10mrad");
   EXPECT_NE(complaint("angels=1mrad").find("did you mean angles?"), std::string::npos);
@@ -67,12 +67,13 @@ TEST(Thresholds, ThatAreWronglyAskedForSayWhatIsAllowed) {
   EXPECT_NE(complaint("angles=").find("must be a number"), std::string::npos);
   EXPECT_NE(complaint("angles=-1mrad").find("must be a number ≥ 0"), std::string::npos);
   EXPECT_NE(complaint("impacts-missed=3s").find("without a unit"), std::string::npos);
-  EXPECT_THROW(bounded_rows({read_threshold("sinking=1mm")}, results(1)), InputError) << "no row has it";
+  EXPECT_THROW(bounded_rows({read_upper_bound("sinking=1mm")}, results(1)), InputError) << "no row has it";
 }
 
 // The median of 4 to 6 mrad is 5.
-TEST(Thresholds, HoldMediansOfNewRowsAndRowsThatAreNotDoneAreAboveThem) {
-  const std::vector<Threshold> bounds{read_threshold("angles=5.1mrad"), read_threshold("first-impact=4ms")};
+TEST(UpperBounds, HoldMediansOfNewRowsAndRowsThatAreNotDoneAreAboveThem) {
+  const std::vector<UpperBound> bounds{read_upper_bound("angles=5.1mrad"),
+                                       read_upper_bound("first-impact=4ms")};
   RecordedResults now = results(1);
   const auto rows = bounded_rows(bounds, now);
   ASSERT_EQ(rows.size(), 2U);
@@ -91,8 +92,8 @@ TEST(Reports, AHeadlineNamesWhatIsWorseInTheFieldsUnits) {
 
 TEST(Reports, JUnitHasATestCaseANumberAndFailuresSayByHowMuch) {
   const RecordedResults now = results(10);
-  const std::vector<Threshold> thresholds{read_threshold("angles=10mrad")};
-  const std::vector<BoundedRow> bounds = bounded_rows(thresholds, now);
+  const std::vector<UpperBound> asked{read_upper_bound("angles=10mrad")};
+  const std::vector<BoundedRow> bounds = bounded_rows(asked, now);
   const ResultsChange change = hold_against(results(1), now, {});
   const auto suites = read_xml(junit_xml({change, bounds})).get_child("testsuites");
   const auto row = suites.get_child("testsuite");

@@ -1,4 +1,4 @@
-#include "comparisons/studies/diff/thresholds.hpp"
+#include "comparisons/studies/diff/upper_bounds.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ const ReportedQuantity& bounded_quantity(const std::string& name) {
 
 }  // namespace
 
-Threshold read_threshold(const std::string& text) {
+UpperBound read_upper_bound(const std::string& text) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos)
     throw InputError(
@@ -78,27 +78,26 @@ Threshold read_threshold(const std::string& text) {
 }
 
 std::string BoundedRow::text() const {
-  const ReportedQuantity& quantity = *threshold->quantity;
+  const ReportedQuantity& quantity = *bound->quantity;
   if (!median) return fmt::format("has no {}, as it is not done: {}", quantity.words, run->row.reason);
   return fmt::format("{}: {}, {} {}", quantity.words, quantity.text(*median), above() ? "above" : "within",
-                     quantity.text(threshold->value));
+                     quantity.text(bound->value));
 }
 
-std::vector<BoundedRow> bounded_rows(const std::vector<Threshold>& thresholds,
-                                     const RecordedResults& results) {
+std::vector<BoundedRow> bounded_rows(const std::vector<UpperBound>& bounds, const RecordedResults& results) {
   std::vector<BoundedRow> rows;
-  for (const Threshold& threshold : thresholds) {
+  for (const UpperBound& bound : bounds) {
     const std::size_t before = rows.size();
     for (const RecordedRun& run : results.runs) {
       if (!is_engine(run.row)) continue;
-      const std::vector<double> values = values_of(*threshold.quantity, run);
+      const std::vector<double> values = values_of(*bound.quantity, run);
       if (!values.empty())
-        rows.push_back({&run, &threshold, median(values)});
+        rows.push_back({&run, &bound, median(values)});
       else if (run.row.status != RunStatus::done)
-        rows.push_back({&run, &threshold, {}});
+        rows.push_back({&run, &bound, {}});
     }
     if (rows.size() == before)
-      throw InputError(fmt::format("--fail-above {}: no row of {} has it", option_name(*threshold.quantity),
+      throw InputError(fmt::format("--fail-above {}: no row of {} has it", option_name(*bound.quantity),
                                    results.folder.string()));
   }
   return rows;
