@@ -8,11 +8,9 @@
 #include "analytic/scene/ground/records/record_file.hpp"
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
-#include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/statistics/ranking.hpp"
 #include "comparisons/suites/shipped.hpp"
-#include "comparisons/suites/suite_keys.hpp"
 
 namespace rockstack {
 namespace {
@@ -44,17 +42,6 @@ NamedScene read_named_scene(const std::filesystem::path& file, const std::vector
           nearest(document.root, "duration").place,
           std::move(measured),
           std::move(document.root)};
-}
-
-InputKind kind_of(const std::filesystem::path& file) {
-  const Node root = read_toml(file);
-  if (const Node* study = find(root, "study"))
-    return study->text == "stability" ? InputKind::stability_study : InputKind::impact_law_study;
-  if (find(root, "scene") != nullptr) return InputKind::ensemble;
-  const bool suite = std::ranges::any_of(suite_keys.keys, [&](const InputKey& key) {
-    return find(root, key.name) != nullptr && std::string_view(key.name) != "title";
-  });
-  return suite ? InputKind::suite : InputKind::scene;
 }
 
 std::vector<std::string> engines_left_out(const std::vector<Suite>& suites) {

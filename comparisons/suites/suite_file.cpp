@@ -235,6 +235,17 @@ std::vector<std::string> names_of(const ResultSelection& wanted) {
   return names;
 }
 
+InputKind kind_of(const std::filesystem::path& file) {
+  const Node root = read_toml(file);
+  if (const Node* study = find(root, "study"))
+    return study->text == "stability" ? InputKind::stability_study : InputKind::impact_law_study;
+  if (find(root, "scene") != nullptr) return InputKind::ensemble;
+  const bool suite = std::ranges::any_of(suite_keys.keys, [&](const InputKey& key) {
+    return find(root, key.name) != nullptr && std::string_view(key.name) != "title";
+  });
+  return suite ? InputKind::suite : InputKind::scene;
+}
+
 Suite read_suite(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Node root = read_toml(file);
   Suite suite;
