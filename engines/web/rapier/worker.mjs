@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Rapier in two dimensions beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, neighbourMeans, restitution, serve, setting, whole } from '../serve.mjs';
+import { groundReach, neighbourMeans, onOff, restitution, serve, setting, whole } from '../serve.mjs';
 
 const settings = [
   setting('lengthUnit', 1, 0.05, 1e-6, 1e6, { unit: 'm' }),
@@ -12,6 +12,7 @@ const settings = [
   setting('normalizedPredictionDistance', 0.02, 0.02, 0, 1),
   setting('maxCcdSubsteps', 1, 1, 0, 100, whole),
   setting('contactSkin', 0, 0, 0, 1, { unit: 'm' }),
+  onOff('activeHooks', 0, 0),  // contacts of a collider with hooks are found anew in each step
   restitution('restitution'),
 ];
 
@@ -20,6 +21,7 @@ class Simulation {
     this.rapier = rapier;
     this.given = question.parameters;
     this.world = new rapier.World({ x: 0, y: 0 });
+    this.hooks = { filterContactPair: () => rapier.SolverFlags.COMPUTE_IMPULSE, filterIntersectionPair: () => true };
     const chosen = this.world.integrationParameters;
     for (const [name, value] of Object.entries(this.given)) {
       if (name in chosen || name === 'contact_natural_frequency') chosen[name] = value;
@@ -38,7 +40,8 @@ class Simulation {
       .setFriction(friction)
       .setFrictionCombineRule(this.rapier.CoefficientCombineRule.Average)
       .setRestitution(this.given.restitution)
-      .setContactSkin(this.given.contactSkin);
+      .setContactSkin(this.given.contactSkin)
+      .setActiveHooks(this.given.activeHooks === 0 ? this.rapier.ActiveHooks.NONE : this.rapier.ActiveHooks.FILTER_INTERSECTION_PAIRS);
     this.world.createCollider(shape(box), made);
     return made;
   }
@@ -56,7 +59,7 @@ class Simulation {
 
   step(pull) {
     this.world.gravity = pull;
-    this.world.step();
+    this.world.step(undefined, this.hooks);
   }
 
   state(k) {

@@ -27,6 +27,7 @@ const words = (Kind) => {
   return list;
 };
 const setters = {
+  activeHooks: () => {},
   num_internal_stabilization_iterations: (value) => { words(Uint32Array)[15] = value; },
   warmstart_coefficient: (value) => { words(Float32Array)[7] = value; },
   lengthUnit: (value) => { chosen.lengthUnit = value; },
@@ -36,7 +37,8 @@ const setters = {
 };
 for (const [name, value] of Object.entries(set)) setters[name](value);
 
-const box = (width, height) => rapier.ColliderDesc.cuboid(width / 2, height / 2).setFriction(question.friction);
+const box = (width, height) => rapier.ColliderDesc.cuboid(width / 2, height / 2).setFriction(question.friction)
+  .setActiveHooks(set.activeHooks ? rapier.ActiveHooks.FILTER_INTERSECTION_PAIRS : rapier.ActiveHooks.NONE);
 world.createCollider(box(2 * reach, 2 * reach), world.createRigidBody(rapier.RigidBodyDesc.fixed().setTranslation(0, -reach)));
 const bodies = question.blocks.map(({ x, y, angle, width, height, mass, aboutZ, right = 0, up = 0, spin = 0 }) => {
   const body = world.createRigidBody(rapier.RigidBodyDesc.dynamic().setTranslation(x, y).setRotation(-angle)
@@ -46,5 +48,5 @@ const bodies = question.blocks.map(({ x, y, angle, width, height, mass, aboutZ, 
 });
 printAngles(question, (x, y) => {
   world.gravity = { x, y };
-  world.step();
+  world.step(undefined, { filterContactPair: () => null, filterIntersectionPair: () => true });
 }, (k) => -bodies[k].rotation());

@@ -59,7 +59,7 @@ TEST(WebEngines, Box2D3TurnsABodyTooFar) {
 }
 
 /// How far a block of this height sinks in at rest, m.
-double sinking(const WorkerEngine& engine, double height, double dt, const Parameters& parameters) {
+double sinking_in_box2d3(const WorkerEngine& engine, double height, double dt, const Parameters& parameters) {
   Scene scene;
   scene.blocks = {make_block(1, height, 2500)};
   scene.initial = {{0}, {0}};
@@ -83,13 +83,13 @@ TEST(WebEngines, Box2D3SinksByWeightOverASpringOfItsMass) {
       const double corner = 12 * 0.25 / (1 + height * height);  // m r²/I
       const double expected = 9.81 / (omega * omega) * (1 + corner) / 2;
       const Parameters parameters = with(engine->default_parameters(), {{"contactHertz", hertz}});
-      EXPECT_NEAR(sinking(*engine, height, dt, parameters), expected, 4e-6 + 0.01 * expected);
+      EXPECT_NEAR(sinking_in_box2d3(*engine, height, dt, parameters), expected, 4e-6 + 0.01 * expected);
     }
   }
 }
 
 /// The angular velocity that a landing leaves of 1 rad/s, for a block of height over width r without weight.
-double left(const WorkerEngine& engine, double r, double friction, const Parameters& parameters) {
+double left_in_box2d3(const WorkerEngine& engine, double r, double friction, const Parameters& parameters) {
   constexpr double dt = 1e-4;
   Scene scene;
   scene.gravity = 1e-9;
@@ -107,7 +107,7 @@ TEST(WebEngines, Box2D3HasCoulombsFrictionAtAnImpact) {
   if (engine == nullptr) GTEST_SKIP() << "Box2D 3 is not there";
   for (const Parameters& set : {engine->default_parameters(), engine->tuned_parameters()})
     for (const auto& [r, friction] : {std::pair{1.5, 0.2}, {2.0, 0.3}, {2.0, 0.0}, {3.0, 0.1}, {2.0, 1.0}})
-      EXPECT_NEAR(left(*engine, r, friction, set), left_by_coulomb(r, friction), 1e-3)
+      EXPECT_NEAR(left_in_box2d3(*engine, r, friction, set), left_by_coulomb(r, friction), 1e-3)
           << r << ' ' << friction;
 }
 
