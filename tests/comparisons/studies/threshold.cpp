@@ -54,7 +54,7 @@ class Thresholds : public ::testing::Test {
   MotionLibrary library_;
 };
 
-// Of θ'' = p² (θ − α) from θ = 0 the speed decides: the block topples where it is above p α. Twelve digits
+// The speed at θ = 0 decides by θ'' = p² (θ − α): the block topples where it is above p α. Twelve digits
 // are closed in on; by the end of the scene, after e^(p · 30) ≈ 10⁴⁰ times growth, none is undecided.
 TEST_F(Thresholds, ASpeedTopplesABlockFromPTimesItsSlenderness) {
   const Threshold at = found(block_at_a_speed, "initial.velocities.1=0:2");
