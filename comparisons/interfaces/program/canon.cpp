@@ -65,34 +65,48 @@ std::vector<CanonRow> asked_rows(const CheckEngineArguments& arguments) {
   return rows;
 }
 
+void add_canon(CLI::App& command, CheckEngineArguments& arguments) {
+  add_check_engine(command, arguments);
+  arguments.canon = true;
+}
+
 }  // namespace
 
 int run_canon(const CheckEngineArguments& arguments, const Common& common) {
+  const std::filesystem::path out =
+      arguments.out.empty()
+          ? default_results("canon", arguments.engines.empty() ? "all" : arguments.engines.front())
+          : arguments.out;
   Suite suite = read_suite(find_file("canon", "suites"), common.overrides);
   suite.scenes = chosen_from(suite.scenes, arguments.scenes, std::mem_fn(&NamedScene::name));
   std::vector<CanonRow> rows = asked_rows(arguments);
-  const ResultsFolder folder(arguments.out, Results::canon);
+  const ResultsFolder folder(out, Results::canon);
   CanonTeller teller(suite, rows, common);
   std::size_t off = 0;
   for (std::size_t scene = 0; scene < suite.scenes.size(); ++scene) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       CanonRow& row = rows[i];
       teller.begins(scene, i, row);
-      row.answers.push_back(kept_canon_answer(suite, suite.scenes[scene], *row.engine, row.settings,
-                                              arguments.out / "answers"));
+      row.answers.push_back(
+          kept_canon_answer(suite, suite.scenes[scene], *row.engine, row.settings, out / "answers"));
       if (!follows_law(row.answers.back())) ++off;
       teller.tell(row);
     }
   }
   const std::string json = canon_json(suite, rows, common.command);
-  write_file(arguments.out / "canon.csv", canon_csv(rows));
-  write_file(arguments.out / "canon.json", json);
+  write_file(out / "canon.csv", canon_csv(rows));
+  write_file(out / "canon.json", json);
   if (common.json) fmt::print("{}", json);
-  show_report(arguments.out, common);
+  show_report(out, common);
   if (common.prints_text())
     fmt::print("{}\n{} of {} answers neither agree nor converge{}\n", canon_headline(suite, rows), off,
                rows.size() * suite.scenes.size(), off > 0 ? ": exit code 1" : "");
   return off == 0 ? 0 : 1;
+}
+
+Command canon_command() {
+  return make_command("canon", "check-engine --canon: which law of contact does an engine follow?", add_canon,
+                      run_canon);
 }
 
 }  // namespace rockstack

@@ -225,12 +225,10 @@ int check_laws(const CheckEngineArguments& arguments, const Common& common) {
 }
 
 int run_check_engine(const CheckEngineArguments& arguments, const Common& common) {
-  if (!arguments.canon) return check_laws(arguments, common);
-  CheckEngineArguments asked = arguments;
-  if (asked.out.empty())
-    asked.out = default_results("canon", asked.engines.empty() ? "all" : asked.engines.front());
-  return run_canon(asked, common);
+  return arguments.canon ? run_canon(arguments, common) : check_laws(arguments, common);
 }
+
+}  // namespace
 
 void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
   command.add_option(
@@ -249,21 +247,9 @@ void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
       "a canon rockstack-results/canon-ENGINE");
 }
 
-void add_canon(CLI::App& command, CheckEngineArguments& arguments) {
-  add_check_engine(command, arguments);
-  arguments.canon = true;
-}
-
-}  // namespace
-
 Command check_engine_command() {
   return make_command("check-engine", "hold engines to the laws that every engine must follow",
                       add_check_engine, run_check_engine);
-}
-
-Command canon_command() {
-  return make_command("canon", "check-engine --canon: which law of contact does an engine follow?", add_canon,
-                      run_check_engine);
 }
 
 }  // namespace rockstack

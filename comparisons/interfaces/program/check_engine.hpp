@@ -29,6 +29,9 @@ List chosen_from(List list, const std::vector<std::string>& names, const Name& n
   return list;
 }
 
+/// The options of both forms.
+void add_check_engine(CLI::App& command, CheckEngineArguments& arguments);
+
 /// The long form: the canon's scenes at five steps, the cheapest first for every engine.
 int run_canon(const CheckEngineArguments& arguments, const Common& common);
 
