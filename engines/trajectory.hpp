@@ -93,7 +93,7 @@ struct Trajectory {
   std::vector<BodyState> bodies;   ///< where asked for
   /// What its contacts tell, where asked for and where the engine tells them.
   std::optional<ContactRecord> contacts;
-  std::size_t warnings = 0;  ///< steps in which the solver failed and went on
+  std::size_t warnings = 0;        ///< steps in which the solver failed and went on
   std::vector<double> times = {};  ///< of samples that come unevenly, s; empty: one after every step
   /// What interfaces bear in each step, a row a step; where asked for and where the engine tells contacts.
   std::vector<Reaction> reactions = {};

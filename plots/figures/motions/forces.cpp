@@ -40,7 +40,8 @@ std::vector<ForcePanel> read_panels(const std::vector<Run>& runs, const Compared
   const std::size_t blocks = scene.blocks.size(), bins = bins_for(2 * blocks * runs.size());
   std::vector<ForcePanel> panels;
   for (std::size_t k = 1; k <= blocks; ++k)
-    for (const char* force : {"normal", "along"}) panels.push_back({fmt::format("{} {} (weights)", force, k)});
+    for (const char* force : {"normal", "along"})
+      panels.push_back({fmt::format("{} {} (weights)", force, k)});
   for (const Run& run : runs) {
     const std::vector<Curve> curves = forces_of(run, weights_of(scene));
     for (std::size_t p = 0; p < panels.size(); ++p)
