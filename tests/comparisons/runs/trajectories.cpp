@@ -40,7 +40,8 @@ std::string poses_csv(const Trajectory& motion, double step, std::size_t blocks,
                                     static_cast<int>(blocks)));
   for (std::size_t i = 0; i < motion.bodies.size(); ++i) {
     const BodyState& body = motion.bodies[i];
-    if (i % blocks == 0) csv.add(static_cast<double>(i / blocks) * step);
+    const std::size_t sample = i / blocks;
+    if (i % blocks == 0) csv.add(static_cast<double>(sample) * step);
     const Eigen::Quaterniond turn = Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX()) *
                                     Eigen::AngleAxisd(motion.angles[i], Eigen::Vector3d::UnitY());
     csv.add(body.x, 0, body.y, turn.w(), turn.x(), turn.y(), turn.z(), body.velocity_x, 0, body.velocity_y, 0,

@@ -66,7 +66,8 @@ std::string space_csv(const Trajectory& motion, const FileForm& form) {
       {"x_", "y_", "z_", "qw_", "qx_", "qy_", "qz_", "vx_", "vy_", "vz_", "wx_", "wy_", "wz_"}, 2));
   const Eigen::Vector3d out = form.right.cross(form.up);
   for (std::size_t i = 0; i < motion.bodies.size(); i += 2) {
-    const double t = static_cast<double>(i / 2) * dt;
+    const std::size_t sample = i / 2;
+    const double t = static_cast<double>(sample) * dt;
     const Eigen::Vector3d way =
         form.ground ? 0.2 * t * t * form.right : Eigen::Vector3d(Eigen::Vector3d::Zero());
     const Eigen::Vector3d speed =
@@ -126,7 +127,8 @@ TEST(TrajectoryFiles, InThePlaneAndOfAnglesAloneAreReadToTheBit) {
   angles.line("time", numbered("theta_", 2), numbered("omega_", 2), "pattern");
   for (std::size_t i = 0; i < motion.bodies.size(); i += 2) {
     const BodyState &lower = motion.bodies[i], &upper = motion.bodies[i + 1];
-    const double t = static_cast<double>(i / 2) * dt;
+    const std::size_t sample = i / 2;
+    const double t = static_cast<double>(sample) * dt;
     plane.line(t, lower.x, lower.y, lower.angle, lower.velocity_x, lower.velocity_y, lower.angular_velocity,
                upper.x, upper.y, upper.angle, upper.velocity_x, upper.velocity_y, upper.angular_velocity);
     angles.line(t, lower.angle, upper.angle, lower.angular_velocity, upper.angular_velocity, "1a");

@@ -113,7 +113,8 @@ def compare(inputs: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.P
     folder = Path(out) if out is not None else Path(tempfile.mkdtemp(prefix="rockstack-"))
     kept = _Kept(folder) if out is None else None
     with programs_of(engines) as names, progress_bar(progress, "compare") as tell:
-        files = [(name, [one] if isinstance(one, str) else list(one)) for name, one in trajectories.items()]
+        files = [(name, [os.fspath(file) for file in ([one] if isinstance(one, (str, os.PathLike)) else one)])
+                 for name, one in trajectories.items()]
         choice = _core.CompareChoice(names, list(dt), quick, softness, forces, draws or None, history_interval, files)
         rows = _core.compare(asked, str(folder), choice, thread_count(jobs, "jobs"), tell)
     return Comparison(json.loads(rows), folder, kept)
