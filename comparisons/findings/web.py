@@ -120,7 +120,7 @@ def listed_checks(engine, solver, settings):
 
 
 def packages():
-    """packages of npm's engines as they tell of themselves, and how many of 24 checks limits.txt lists for each set."""
+    """packages of npm's engines as they tell of themselves, and how many checks limits.txt lists for each set."""
     yield "engine", "package", "precision", "licence", "listed checks by default", "listed checks tuned"
     for one in sorted((one for one in rockstack.engines() if one["name"] in TABLES), key=lambda one: one["name"]):
         name, solver = one["name"], one["solver"]

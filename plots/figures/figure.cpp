@@ -117,8 +117,8 @@ Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const
 RunSelection SceneSubject::shown(const std::vector<std::string>& files) const {
   RunSelection shown = shown_runs(comparison, scene.name);
   std::erase_if(shown.engines, [&](const Run& run) {
-    return !std::ranges::all_of(files,
-                                [&](const std::string& file) { return fs::exists(run.shown_folder() / file); });
+    return !std::ranges::all_of(
+        files, [&](const std::string& file) { return fs::exists(run.shown_folder() / file); });
   });
   return shown;
 }
