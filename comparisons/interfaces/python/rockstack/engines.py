@@ -23,14 +23,16 @@ class Simulation(Motion):
     """What an engine makes of a scene: a sample at the start and after each step, to the end or until a block has toppled.
     Patterns are what its angles tell; an engine reports no events."""
 
-    __slots__ = ("engine", "warnings", "_bodies")
+    __slots__ = ("engine", "warnings", "_bodies", "_forces")
 
-    def __init__(self, scene: Scene, core: _core.Motion, engine: str, warnings: int, bodies: dict[str, Any] | None):
+    def __init__(self, scene: Scene, core: _core.Motion, engine: str, warnings: int, bodies: dict[str, Any] | None,
+                 forces: bool):
         super().__init__(scene, core)
         self.engine = engine
         self.warnings = warnings
         """How often its solver has failed in a step and gone on."""
         self._bodies = bodies or {}
+        self._forces = forces
 
     @property
     def energy(self) -> np.ndarray | None:
@@ -46,6 +48,12 @@ class Simulation(Motion):
     def penetration(self) -> np.ndarray | None:
         """Largest depth of a block in what is below it, m; shape (samples,). None unless bodies=True."""
         return self._bodies.get("penetration")
+
+    @property
+    def reactions(self) -> np.ndarray | None:
+        """What each interface carries, the mean of the step before, nan at the start, with the fields of Solution.reactions;
+        shape (samples, blocks). None unless forces=True."""
+        return self._core.reactions if self._forces else None
 
     def difference(self) -> np.ndarray:
         """The angles less those of the exact motion at the same times, rad; shape (samples, blocks), nan after the end of
@@ -96,7 +104,8 @@ def simulate(scene: Scene | str | os.PathLike[str], engine: str | os.PathLike[st
                                                             forces)
     if failure is not None:
         raise EngineError(failure)
-    return Simulation(asked, motion, engine.name if isinstance(engine, type) else program, warnings, record)
+    return Simulation(asked, motion, engine.name if isinstance(engine, type) else program, warnings, record,
+                      forces)
 
 
 class Canon(Table):

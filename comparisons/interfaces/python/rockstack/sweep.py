@@ -146,7 +146,7 @@ def threshold(scene: Scene, key: str, low: float, high: float, *, outcome: str =
     """
     if values < 2:
         raise _core.InputError(f"values = {values}: must be a whole number from 2")
-    return Threshold(*_core.threshold(scene.to_dict(), scene._core.folder, f"{key}={low!r}:{high!r}", outcome, values))
+    return Threshold(*_core.threshold(scene.to_dict(), str(scene._core.folder), f"{key}={low!r}:{high!r}", outcome, values))
 
 
 @dataclass(frozen=True, eq=False)

@@ -167,3 +167,20 @@ class FragilityTest(unittest.TestCase):
         for intensities, toppled in (([1.0], [0, 1]), ([], []), ([[1.0]], [[0]]), ([0.0, 1.0], [0, 1]), ([np.nan], [1])):
             with self.assertRaises(rockstack.InputError):
                 rockstack.fragility(intensities, toppled)
+
+
+class ThresholdTest(unittest.TestCase):
+    def test_a_speed_topples_from_p_times_the_slenderness(self):
+        # θ'' = p² (θ − α), Housner 1963: what starts at θ = 0 with more than p α does not come back.
+        scene = rocking(duration=30.0, equations="small-angle", initial={"velocities": [0.1]})
+        least = np.sqrt(3 * 9.81 / (4 * np.hypot(0.25, 0.75))) * np.arctan(1 / 3)
+        found = rockstack.threshold(scene, "initial.velocities.1", 0.0, 4.0, values=20)
+        self.assertAlmostEqual(found.first, least, delta=1e-11)
+        self.assertEqual([happens for _, _, happens in found.ranges], [False, True])
+        self.assertIsNone(rockstack.threshold(scene, "initial.velocities.1", 0.0, 0.1, values=3).first)
+
+    def test_what_is_wrong_is_named(self):
+        with self.assertRaisesRegex(rockstack.InputError, "LOW below HIGH"):
+            rockstack.threshold(rocking(), "gravity", 9.0, 8.0)
+        with self.assertRaisesRegex(rockstack.InputError, "--outcome tilts"):
+            rockstack.threshold(rocking(), "gravity", 8.0, 9.0, outcome="tilts")

@@ -234,6 +234,7 @@ TEST(Changes, EveryDrawnColumnIsReportedOrFollowsFromOthers) {
                                    "relative_position_difference",
                                    "exact_peak_angle",
                                    "exact_peak_over_slenderness",
+                                   "exact_peak_normal_force",
                                    "first_impact_time",
                                    "first_impact_speed",
                                    "impacts",
