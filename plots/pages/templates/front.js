@@ -81,7 +81,7 @@ class Front {
       this.draw();
       this.simulate();
     });
-    this.find("tolerance").textContent = `${(tolerance * degrees).toFixed(1)}°, ${tolerance} rad,`;
+    for (const place of this.root.querySelectorAll(".tolerance")) place.textContent = `${(tolerance * degrees).toFixed(1)}° (${tolerance} rad)`;
     this.find("play").addEventListener("click", () => this.toggle());
     this.find("next").addEventListener("click", () => this.next());
     this.find("back").addEventListener("click", () => this.reset());
