@@ -69,7 +69,10 @@ def roff(text):
 
 
 def entries(arguments):
-    return "".join(f".TP\n\\fB{roff(', '.join(one.names))}\\fR {roff(one.value)}\n{roff(one.text)}\n" for one in arguments)
+    def head(one):
+        return ", ".join(f"\\fB{roff(name)}\\fR" for name in one.names)
+
+    return "".join(f".TP\n{head(one)} {roff(one.value)}\n{roff(one.text)}\n" for one in arguments)
 
 
 def manual(version, main, commands):
@@ -81,7 +84,7 @@ def manual(version, main, commands):
         page += f".SS rockstack {roff(command.name)} {words}\n{roff(command.text)}\n"
         page += entries([*command.positionals, *command.sections["Options"][1:]])
     page += ".SH OPTIONS\n" + entries(main.options)
-    page += (".SH EXIT STATUS\n.TP\n0\nAll is done.\n.TP\n1\nSomething failed, or of \\fBrockstack diff\\fR got worse.\n"
+    page += (".SH EXIT STATUS\n.TP\n0\nAll is done.\n.TP\n1\nSomething failed, or of \\fBrockstack diff\\fR or \\fBrockstack gate\\fR got worse.\n"
              ".TP\n2\nWhat was given is wrong; one line says what, where, and what is allowed.\n"
              ".TP\n3\nOf \\fBrockstack diff\\fR nothing is shown to be worse, but there are rows of which nothing can be said.\n"
              ".SH ENVIRONMENT\n.TP\nROCKSTACK_WORKERS\nFolders of more engines, with colons between them.\n")
