@@ -112,7 +112,8 @@ const std::vector<Mistake>& mistakes() {
        .seen_by = "ForcesAreWhatMovesTheBlocks",
        .answer =
            [](Trajectory& trajectory) {
-             std::ranges::rotate(trajectory.reactions, trajectory.reactions.end() - 2);
+             auto& reactions = trajectory.reactions;
+             std::rotate(reactions.begin(), reactions.end() - 2, reactions.end());
            },
        .forces = true},
       {.name = "AnglesCounterClockwise",
