@@ -26,9 +26,11 @@ constexpr auto shared_name = "solver.js";
 
 using Packages = std::vector<std::pair<const char*, std::string_view>>;
 
-/// What a page solves with, by its id.
+/// What a page solves with, by its id; nothing in a build without it.
 Packages packages() {
-  return {{"solver", solver_wasm}, {"engine", engine_package}};
+  Packages list{{"solver", solver_wasm}, {"engine", engine_package}};
+  std::erase_if(list, [](const auto& package) { return package.second.empty(); });
+  return list;
 }
 
 /// A script that puts packages into the page which loads it.
@@ -40,10 +42,10 @@ std::string shared_script() {
          "{ type: \"application/gzip\", id, textContent }));\n";
 }
 
-/// Whether a page's players and pictures solve: one has a scene, and there is a solver.
+/// Whether a page's players and pictures solve, or sliders have to say that nothing does.
 bool solves(const std::string& content) {
-  return !solver_wasm.empty() && (content.find("\"scene\":{") != std::string::npos ||
-                                  content.find("class=\"moving\"") != std::string::npos);
+  const auto has = [&](const char* part) { return content.find(part) != std::string::npos; };
+  return solver_wasm.empty() ? has("class=\"try\"") : has("\"scene\":{") || has("class=\"moving\"");
 }
 
 }  // namespace
