@@ -85,7 +85,7 @@ int teach(const Lesson& lesson, const fs::path& out, const TeachArguments& argum
 /// Leaves of a course's lesson what its pages lead to: histories with fewer samples. They have their figures
 /// in them.
 void thin_results(const fs::path& lesson) {
-  constexpr double interval = 1e-2;  // s
+  constexpr double interval = 2e-2;  // s
   std::error_code none;
   for (const auto& run : fs::directory_iterator(lesson / "runs", none)) thin_run(run.path(), interval);
   fs::remove_all(lesson / "figures");
