@@ -91,7 +91,7 @@ LessonValues separation_values(const Suite& suite, const std::vector<RunMetrics>
   const Landing right = land(scene, {}), printed = land(scene, {true, true});
   const double height = 2 * scene.blocks.back().half_height;
   constexpr double lower = 2;  // m
-  // Of the top block on the base, whose face is the wider one.
+  // The top block stands on the base, whose face is the wider one.
   const double start = reactions_of(scene, history).at(1).centre / scene.blocks.back().half_width;
   return {.numbers = {{"opening", fixed(opening.time, 4)},
                       {"centre_start", percent(start, 0)},
