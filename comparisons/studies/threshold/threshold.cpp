@@ -88,9 +88,8 @@ ThresholdOutcome outcome_named(const std::string& text, std::size_t blocks) {
 }
 
 std::optional<double> Threshold::first() const {
-  for (std::size_t i = 1; i < ranges.size(); ++i)
-    if (ranges[i].happens) return ranges[i].from;
-  return std::nullopt;
+  if (ranges.size() < 2 || ranges.front().happens) return std::nullopt;
+  return ranges[1].from;
 }
 
 Threshold threshold(const SceneDocument& document, const ThresholdRequest& request, MotionLibrary& library) {

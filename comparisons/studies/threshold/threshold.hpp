@@ -40,7 +40,7 @@ struct Threshold {
   std::vector<TriedValue> tried;
   std::vector<OutcomeRange> ranges;  ///< values that failed lie in none
 
-  /// The least value found at which the outcome happens, where it does not at the range's lower end.
+  /// The least value found at which the outcome happens; none where it happens at the range's lower end.
   std::optional<double> first() const;
 };
 

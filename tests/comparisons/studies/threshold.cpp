@@ -63,6 +63,21 @@ TEST_F(Thresholds, ASpeedTopplesABlockFromPTimesItsSlenderness) {
   EXPECT_EQ(at.ranges.size(), 2u);
 }
 
+// What topples at the lower end has no first value above it: it stands from g = 4R/3 (θ̇/α)² on.
+TEST_F(Thresholds, WhatTopplesFromTheLowerEndHasNoFirst) {
+  SceneDocument faster = document(block_at_a_speed);
+  apply_override(faster.root, "initial.velocities=[1]");
+  const ThresholdRequest request{varied_key("--vary", "gravity=10:30"), outcome_named("topples", 1), 20};
+  const Threshold at = threshold(faster, request, library_);
+  const double least = 4 * radius / 3 / (alpha * alpha);
+  EXPECT_FALSE(at.first());
+  EXPECT_FALSE(
+      (Threshold{{}, {{1, 2, true}, {3, 4, false}, {5, 6, true}}}).first());  // nor where it comes back
+  ASSERT_EQ(at.ranges.size(), 2u);
+  EXPECT_NEAR(at.ranges[1].from, least, 1e-11 * least);
+  EXPECT_EQ(threshold_headline(request, at)[0].find(" first "), std::string::npos);
+}
+
 // The peak below it: θ = α − √(α² − (θ̇/p)²).
 TEST_F(Thresholds, APeakIsReachedAtItsOwnSpeed) {
   const Threshold at = found(block_at_a_speed, "initial.velocities.1=0:0.5", "peak_ratio>0.25");
