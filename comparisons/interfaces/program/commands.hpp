@@ -15,6 +15,7 @@ struct Common {
   bool replace = false;                ///< results of another scene in the folder for results
   std::string workers;                 ///< folders of more engines
   std::string command;                 ///< the whole command line, for the results
+  char** words = nullptr;              ///< of the command line, as execv() takes them
 
   /// Whether tables and sentences are printed.
   bool prints_text() const { return !quiet && !json; }

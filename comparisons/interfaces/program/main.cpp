@@ -81,6 +81,7 @@ int run(int count, char** arguments) {
   app.fallthrough();
   Common common;
   common.command = command_line(count, arguments);
+  common.words = arguments;
   const std::vector<const CLI::Option*> common_options{
       app.add_option("--set", common.overrides,
                      "override a scene key: key=value, e.g. blocks.1.height=3; may be repeated")
@@ -98,7 +99,7 @@ int run(int count, char** arguments) {
     runs[added] = command.add(*added, common);
   }
   for (CLI::App* command : app.get_subcommands({}))
-    command->footer(CLI::Formatter().make_group("Common options", false, common_options));
+    command->footer([&] { return CLI::Formatter().make_group("Common options", false, common_options); });
   try {
     app.parse(count, arguments);
   } catch (const CLI::Success& success) {
