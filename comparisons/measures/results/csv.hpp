@@ -1,7 +1,8 @@
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -109,7 +110,8 @@ class CsvWriter {
   void add_one(const Cell& cell) {
     if constexpr (std::is_arithmetic_v<Cell>) {
       separate();
-      fmt::format_to(std::back_inserter(text_), "{}", cell);
+      std::array<char, 32> digits;  // the longest number that round-trips has 24
+      text_.append(digits.data(), fmt::format_to(digits.data(), FMT_COMPILE("{}"), cell));
     } else if constexpr (std::is_convertible_v<const Cell&, std::string_view>) {
       write(cell);
     } else if constexpr (std::ranges::range<Cell>) {

@@ -67,8 +67,9 @@ std::string folded(std::string_view text) {
   const std::string small = lower(text);
   std::string plain;
   for (std::string_view rest = small; !rest.empty();) {
+    const bool one_byte = static_cast<unsigned char>(rest.front()) < 0x80U;  // none of those letters
     const auto starts = [&](const auto& letter) { return rest.starts_with(letter.first); };
-    const auto letter = std::ranges::find_if(letters, starts);
+    const auto letter = one_byte ? std::end(letters) : std::ranges::find_if(letters, starts);
     const bool known = letter != std::end(letters);
     plain += known ? letter->second : rest.substr(0, 1);
     rest.remove_prefix(known ? letter->first.size() : 1);
