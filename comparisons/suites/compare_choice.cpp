@@ -1,7 +1,9 @@
 #include "comparisons/suites/compare_choice.hpp"
 
 #include <cmath>
+#include <functional>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 
 namespace rockstack {
@@ -19,6 +21,22 @@ void require_valid(const CompareChoice& choice, const CompareNames& names) {
 void apply(const CompareChoice& choice, Suite& suite) {
   if (choice.replicates) set_runs(suite.replicates, *choice.replicates);
   if (choice.history_interval) suite.history_interval = *choice.history_interval;
+}
+
+void refuse(const SceneChoice& choice, const std::string& study, const std::string& prefix) {
+  const auto all = [](const auto& list, const auto& text) { return joined_texts(list, text, ", "); };
+  const auto step_text = [](double step) { return number_text(step); };
+  const auto name = [](const NamedTrajectory& one) { return one.name; };
+  const std::pair<bool, std::string> chosen[] = {
+      {!choice.engines.empty(), "engine " + all(choice.engines, std::identity())},
+      {!choice.steps.empty(), "dt " + all(choice.steps, step_text)},
+      {choice.quick, "quick"},
+      {choice.softness, "softness"},
+      {choice.forces, "forces"},
+      {!choice.trajectories.empty(), "trajectory " + all(choice.trajectories, name)}};
+  for (const auto& [is_chosen, words] : chosen)
+    if (is_chosen)
+      throw InputError(prefix + words + ": must be left out of " + study + ", a suite or study says its own");
 }
 
 void require_above_zero(const std::string& name, double value) {

@@ -22,6 +22,10 @@ void require_valid(const CompareChoice& choice, const CompareNames& names = {});
 /// Changes what a suite says by itself.
 void apply(const CompareChoice& choice, Suite& suite);
 
+/// Refuses what is chosen beside a suite or a study. `prefix`: of names in messages, "--" of options.
+/// @throws InputError with the first that is.
+void refuse(const SceneChoice& choice, const std::string& study, const std::string& prefix = "");
+
 /// @throws InputError where the number of that name is not finite and > 0.
 void require_above_zero(const std::string& name, double value);
 

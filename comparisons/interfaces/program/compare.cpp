@@ -33,27 +33,13 @@ std::filesystem::path compared_file(const std::string& input) {
   return file;
 }
 
-/// A suite says by itself what it runs.
-void refuse_choice(const std::string& suite, const SceneChoice& choice) {
-  const std::string option = !choice.engines.empty() ? "--engine " + choice.engines.front()
-                             : !choice.steps.empty() ? fmt::format("--dt {}", choice.steps.front())
-                             : choice.quick          ? "--quick"
-                             : choice.softness       ? "--softness"
-                             : choice.forces         ? "--forces"
-                             : !choice.trajectories.empty()
-                                 ? "--trajectory " + choice.trajectories.front().name
-                                 : "";
-  if (!option.empty())
-    throw InputError(fmt::format("{}: must be left out of {}, a suite or study says its own", option, suite));
-}
-
 Suite read_input(const std::string& input, const CompareArguments& arguments, const Common& common) {
   const auto file = compared_file(input);
   const InputKind kind = kind_of(file);
   SceneChoice of_scenes = arguments.choice.scenes;
   of_scenes.trajectories = named_trajectories(arguments.trajectories);
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, common.overrides), of_scenes);
-  refuse_choice(input, of_scenes);
+  refuse(of_scenes, input, "--");
   return kind == InputKind::stability_study ? read_stability_study(file, common.overrides).suite
                                             : read_suite(file, common.overrides);
 }
@@ -203,7 +189,7 @@ int run_compare(const CompareArguments& arguments, const Common& common) {
     const auto file = compared_file(input);
     const InputKind kind = kind_of(file);
     if (kind == InputKind::scene || kind == InputKind::suite) continue;
-    refuse_choice(input, arguments.choice.scenes);
+    refuse(arguments.choice.scenes, input, "--");
     if (arguments.choice.history_interval)
       throw InputError(
           fmt::format("--history-interval {}: must be left out of a study, which keeps no histories",

@@ -133,10 +133,7 @@ Suite suite_of(const Input& input, const SceneChoice& choice) {
   if (kind == InputKind::scene) return suite_for(read_named_scene(file, {}), choice);
   if (kind != InputKind::suite)
     throw InputError(name + ": must be a scene or a suite, studies are for the program");
-  if (!choice.engines.empty() || !choice.steps.empty() || choice.quick || choice.softness || choice.forces ||
-      !choice.trajectories.empty())
-    throw InputError("engines, dt, quick, softness, forces and trajectories: must be left out of " + name +
-                     ", a suite says its own");
+  refuse(choice, name);
   return read_suite(file, {});
 }
 
