@@ -43,6 +43,11 @@ export function angles(x, y, z, w) {
   return { angle: -2 * Math.atan2(z, w) % (2 * Math.PI), tilt: 2 * Math.hypot(x, y) * Math.hypot(z, w) };
 }
 
+/** How far a point of the plane is to the right of a block's middle, along its faces, m; `state` as a simulation tells it. */
+export function placeAlong([x, y, angle], point) {
+  return Math.cos(angle) * (point.x - x) - Math.sin(angle) * (point.y - y);
+}
+
 /** Of a motion whose numbers are none any more. */
 export class NotFinite extends Error {}
 
@@ -94,7 +99,7 @@ export function record(simulation, question) {
     simulation.step(pullOf(question, step));
     if (simulation.warnings?.() > before) ++warnings;
     if (!tells) continue;
-    for (const one of reactionsOf(question, simulation.contacts(), states.map((state) => state[2])))
+    for (const one of reactionsOf(question, simulation.contacts(states), states.map((state) => state[2])))
       one.forEach((value, i) => borne[i].push(value));
   }
   const filled = Object.fromEntries(columns.map((name, i) => [name, lists[i]]).filter(([, list]) => list.length > 0));

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Box2D 3 beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, onOff, restitution, serve, setting, threshold, whole } from '../serve.mjs';
+import { groundReach, onOff, placeAlong, restitution, serve, setting, threshold, whole } from '../serve.mjs';
 
 const settings = [
   setting('subStepCount', 4, 50, 1, 1e4, whole),
@@ -15,6 +15,8 @@ const settings = [
   setting('restitutionThreshold', 1, 1, 0, 1e9, { unit: 'm/s', ...threshold }),
   setting('maximumLinearSpeed', 400, 400, 0, 1e9, { unit: 'm/s' }),
 ];
+
+const mostContacts = 16;  // of one body
 
 class Simulation {
   constructor(box2d, question) {
@@ -93,6 +95,34 @@ class Simulation {
       -box2d.b2Body_GetAngularVelocity(body)];
     for (const used of [place, rotation, velocity]) used.delete();
     return state;
+  }
+
+  /** Impulses of the last substep, which the whole step is taken for. The total that the library keeps counts both passes of a substep. */
+  contacts(states) {
+    return states.flatMap((state, k) => this.box2d.b2Body_GetContactData(this.bodies[k + 1], mostContacts)
+      .flatMap((found) => this.pointsOf(found, state, k)));
+  }
+
+  /** A contact's points on the upper body, none where block k is the lower. A normal points from body A to body B. */
+  pointsOf(found, state, k) {
+    const { manifold, shapeIdA, shapeIdB } = found;
+    const [one, other] = [shapeIdA, shapeIdB].map((shape) => this.numberOf(shape));
+    const side = other > one ? 1 : -1;
+    const points = Math.max(one, other) === k + 1 ? Array.from({ length: manifold.pointCount }, (_, i) => {
+      const { point, normalImpulse, tangentImpulse } = manifold.GetPoint(i);
+      const { x, y } = manifold.normal;
+      const [push, rub] = [normalImpulse, tangentImpulse].map((impulse) => this.given.subStepCount * impulse);
+      return { interface: k, along: placeAlong(state, point), push, x: side * (push * x + rub * y), y: side * (push * y - rub * x) };
+    }) : [];
+    found.delete();
+    return points;
+  }
+
+  numberOf(shape) {
+    const material = this.box2d.b2Shape_GetSurfaceMaterial(shape);
+    const number = Number(material.userMaterialId);
+    material.delete();
+    return number;
   }
 
   end() {

@@ -2,10 +2,11 @@
 // MuJoCo 3 beside the exact model, set up as ../../mujoco sets up version 2.2.2: the same settings by the same names, but for one
 // more integrator and friction's own spring. ../../mujoco/README.md says what its contacts are, ../README.md what is set in both sets and why.
 
-import { massFactor, NotFinite, onOff, serve, setting, whole } from '../serve.mjs';
+import { massFactor, NotFinite, onOff, placeAlong, serve, setting, whole } from '../serve.mjs';
 
 const stiffest = 1e18;  // of solref, where a negative number is a stiffness or a damping
 const metres = { unit: 'm' };
+const rungeKutta = 1;  // of integrator
 const choices = (...names) => ({ whole: true, choices: names });
 
 const settings = (solver) => [
@@ -99,6 +100,10 @@ class Simulation {
     mujoco.FS.writeFile('stack.xml', modelOf(question));
     this.model = mujoco.MjModel.loadFromXML('stack.xml');
     this.data = new mujoco.MjData(this.model);
+    this.force = new mujoco.DoubleBuffer(6);
+    this.masses = massFactor(question);
+    this.dt = question.dt;
+    if (question.parameters.integrator === rungeKutta) this.contacts = undefined;  // contacts are those of the last stage alone
     question.blocks.forEach((block, k) => {
       this.data.qpos.set([block.x, block.y, -block.angle], 3 * k);
       this.data.qvel.set([block.velocity_x, block.velocity_y, -block.angular_velocity], 3 * k);
@@ -123,7 +128,29 @@ class Simulation {
     return [x, y, -angle, vx, vy, -spin];
   }
 
+  /** Forces that act all the step. */
+  contacts(states) {
+    const list = this.data.contact;
+    const points = Array.from({ length: this.data.ncon }, (_, i) => this.pointOf(i, list.get(i), states));
+    list.delete();
+    return points;
+  }
+
+  /** Geoms are numbered from 0, the ground; a contact's normal, the first row of its frame, points from the first to the second. */
+  pointOf(i, contact, states) {
+    this.mujoco.mj_contactForce(this.model, this.data, i, this.force);
+    const force = this.force.GetView();
+    const [upper, side] = contact.geom2 > contact.geom1 ? [contact.geom2, 1] : [contact.geom1, -1];
+    const impulse = this.dt / this.masses;
+    const onUpper = (axis) => side * impulse * [0, 1, 2].reduce((sum, row) => sum + force[row] * contact.frame[3 * row + axis], 0);
+    const [x, y] = contact.pos;
+    const point = { interface: upper - 1, along: placeAlong(states[upper - 1], { x, y }), push: impulse * force[0], x: onUpper(0), y: onUpper(1) };
+    contact.delete();
+    return point;
+  }
+
   end() {
+    this.force.delete();
     this.data.delete();
     this.model.delete();
   }

@@ -1,15 +1,17 @@
 #!/usr/bin/env node
-// A stack of blocks in ammo.js by its own calls alone. What is not set stays as the library has it.
+// A stack of blocks in ammo.js by its own calls alone. What is not set stays as the library has it. `borne 1` prints
+// what presses on the ground in the place of angles, N, and `borne 2` how many calls of a contact point tell of what rubs.
 
 import { inPackage, printAngles, readQuestion } from './question.mjs';
 
 const { default: load } = await import(inPackage('ammojs3/dist/ammo.wasm.js'));
 const ammo = await load();
 const question = readQuestion();
-const { set, reach } = question;
+const { set, reach, borne = 0 } = question;
 
 const configuration = new ammo.btDefaultCollisionConfiguration();
-const world = new ammo.btDiscreteDynamicsWorld(new ammo.btCollisionDispatcher(configuration), new ammo.btDbvtBroadphase(),
+const dispatcher = new ammo.btCollisionDispatcher(configuration);
+const world = new ammo.btDiscreteDynamicsWorld(dispatcher, new ammo.btDbvtBroadphase(),
   new ammo.btSequentialImpulseConstraintSolver(), configuration);
 const solver = world.getSolverInfo();
 const setters = {
@@ -38,10 +40,21 @@ const bodies = question.blocks.map((block) => {
   body.setActivationState(4);  // it is not put to sleep
   return body;
 });
+const pressing = () => {
+  let sum = 0;
+  for (let pair = 0; pair < dispatcher.getNumManifolds(); ++pair) {
+    const manifold = dispatcher.getManifoldByIndexInternal(pair);
+    for (let i = 0; i < manifold.getNumContacts(); ++i) sum += manifold.getContactPoint(i).getAppliedImpulse() / question.dt;
+  }
+  return sum;
+};
+const rubbing = () => Object.getOwnPropertyNames(ammo.btManifoldPoint.prototype).filter((name) => /impulse.*lateral|friction/i.test(name)).length;
+const told = [undefined, pressing, rubbing][borne];
 printAngles(question, (x, y) => {
   world.setGravity(new ammo.btVector3(x, y, 0));
   world.stepSimulation(question.dt, 0);
 }, (k) => {
+  if (told) return told();
   const rotation = bodies[k].getWorldTransform().getRotation();
   return -2 * Math.atan2(rotation.z(), rotation.w());
 });

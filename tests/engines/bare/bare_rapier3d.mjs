@@ -1,14 +1,14 @@
 #!/usr/bin/env node
 // A stack of blocks in Rapier 3D by its own calls alone. What is not set stays as the library has it. `locks 1` holds back motion out
 // of the plane, 2 turns out of it, 3 both, 0 nothing; turns are held back where it is left out. `along 1` prints places in the place
-// of angles.
+// of angles, `borne 1` what presses on the ground and `borne 2` what rubs on it, N.
 
 import { inPackage, printAngles, readQuestion } from './question.mjs';
 
 const { default: rapier } = await import(inPackage('@dimforge/rapier3d-compat/dist/rapier.mjs'));
 await rapier.init();
 const question = readQuestion();
-const { set, reach, locks = 2 } = question;
+const { set, reach, locks = 2, borne = 0 } = question;
 const world = new rapier.World({ x: 0, y: 0, z: 0 });
 const chosen = world.integrationParameters;
 chosen.dt = question.dt;
@@ -29,7 +29,7 @@ const add = (wanted, { width, height, depth }, more = (shape) => shape) => {
   return body;
 };
 const size = 2 * reach;
-add(rapier.RigidBodyDesc.fixed().setTranslation(0, -reach, 0), { width: size, height: size, depth: size });
+const ground = add(rapier.RigidBodyDesc.fixed().setTranslation(0, -reach, 0), { width: size, height: size, depth: size });
 const bodies = question.blocks.map((block) => {
   const wanted = rapier.RigidBodyDesc.dynamic().setTranslation(block.x, block.y, 0).setCanSleep(false)
     .setRotation({ x: 0, y: 0, z: -Math.sin(block.angle / 2), w: Math.cos(block.angle / 2) })
@@ -40,11 +40,22 @@ const bodies = question.blocks.map((block) => {
   return add(wanted, block, (shape) => shape.setMassProperties(mass, { x: 0, y: 0, z: 0 },
     { x: aboutX, y: aboutY, z: aboutZ }, { x: 0, y: 0, z: 0, w: 1 }));
 });
+/** Sum over the points in which a body touches the ground, by what the manifold tells of each. */
+const onGround = (body, tell) => {
+  let sum = 0;
+  world.contactPair(ground.collider(0), body.collider(0), (manifold) => {
+    for (let i = 0; i < manifold.numContacts(); ++i) sum += tell(manifold, i) / question.dt;
+  });
+  return sum;
+};
+const told = [undefined, (manifold, i) => manifold.contactImpulse(i),
+  (manifold, i) => Math.hypot(manifold.contactTangentImpulseX(i), manifold.contactTangentImpulseY(i))][borne];
 const hooks = set.activeHooks ? { filterContactPair: () => null, filterIntersectionPair: () => true } : undefined;
 printAngles(question, (x, y) => {
   world.gravity = { x, y, z: 0 };
   world.step(undefined, hooks);
 }, (k) => {
+  if (told) return onGround(bodies[k], told);
   if (question.along) return bodies[k].translation().x;
   const { z, w } = bodies[k].rotation();
   return -2 * Math.atan2(z, w);

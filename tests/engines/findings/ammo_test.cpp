@@ -105,5 +105,20 @@ TEST(WebEngines, AmmoHasAnyCoefficientToTheBit) {
   }
 }
 
+/// Its points have a call for the impulse that presses, and none for the two of friction, which Bullet's own
+/// have as m_appliedImpulseLateral1 and 2.
+TEST(WebEngines, AmmoTellsWhatPressesAndHasNoCallForWhatRubs) {
+  const WorkerEngine* engine = BothBullets{}.web;
+  if (engine == nullptr) GTEST_SKIP() << "ammo.js is not there";
+  const Scene scene = block_held_by_friction();
+  const double weight = scene.blocks[0].mass * scene.gravity;
+  const std::vector<double> pressed = borne(*engine, scene, pressing);
+  double mean = 0;
+  for (std::size_t i = pressed.size() / 2; i < pressed.size(); ++i)
+    mean += pressed[i] / static_cast<double>(pressed.size() - pressed.size() / 2);
+  EXPECT_NEAR(mean, weight, 1e-2 * weight);
+  EXPECT_EQ(borne(*engine, scene, rubbing).back(), 0);
+}
+
 }  // namespace
 }  // namespace rockstack

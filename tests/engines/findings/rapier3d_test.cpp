@@ -71,6 +71,21 @@ TEST(WebEngines, Rapier3DSlidesOnWhereNothingLeavesThePlane) {
   EXPECT_NEAR(slide_in_rapier3d(*engine, locked_turns), 0.25 / (2 * 0.4 * 9.81), 5e-4);
 }
 
+/// The impulses of a manifold's points are the step's, those of friction nought, though friction holds the
+/// block: where all points of a face share it (contact_with_twist_friction.rs) it is kept for a warm start
+/// alone.
+TEST(WebEngines, Rapier3DTellsWhatPressesAndNotWhatRubs) {
+  const WorkerEngine* engine = there("rapier3d:sequential-impulse");
+  if (engine == nullptr) GTEST_SKIP() << "Rapier 3D is not there";
+  const Scene scene = block_held_by_friction();
+  const double weight = scene.blocks[0].mass * scene.gravity;
+  EXPECT_NEAR(borne(*engine, scene, pressing).back(), weight, 1e-3 * weight);
+  EXPECT_EQ(borne(*engine, scene, rubbing).back(), 0);
+  const std::vector<double> places = bare_angles(
+      engine->name, bare_question(*engine, scene, 1e-3, engine->default_parameters()) + "along 1\n");
+  EXPECT_NEAR(places.back(), places.front(), 1e-3);
+}
+
 /// A block on a higher one, let go together.
 Scene pair_let_go() {
   Scene scene;

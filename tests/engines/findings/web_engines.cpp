@@ -22,4 +22,20 @@ std::string moving_question(const WorkerEngine& engine, const Scene& scene, doub
                                                                     more);
 }
 
+Scene block_held_by_friction() {
+  Scene scene;
+  scene.blocks = {make_block(1, 1, 2500)};
+  scene.initial = {{0}, {0}};
+  scene.friction = {0.5};
+  scene.duration = 0.5;
+  scene.horizontal.interval = 10;
+  scene.horizontal.samples = {0.2 * scene.gravity, 0.2 * scene.gravity};
+  return scene;
+}
+
+std::vector<double> borne(const WorkerEngine& engine, const Scene& scene, int what) {
+  return bare_angles(engine.name, bare_question(engine, scene, 1e-3, engine.default_parameters()) +
+                                      fmt::format("borne {}\n", what));
+}
+
 }  // namespace rockstack
