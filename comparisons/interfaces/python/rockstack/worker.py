@@ -66,6 +66,8 @@ class Contacts:
     friction: np.ndarray  #: (contacts,)
     normals: np.ndarray  #: (contacts, 3 × blocks)
     tangents: np.ndarray  #: (contacts, 3 × blocks)
+    interfaces: np.ndarray  #: number of the upper block, from 0; (contacts,)
+    along: np.ndarray  #: place on its lower face, from the middle to the right, m; (contacts,)
 
 
 @dataclass
@@ -122,7 +124,7 @@ class Worker:
     The file is executable; its path is an engine's name: rockstack.simulate(scene, "./ice.py"), `rockstack compare --engine
     ./ice.py`. Each run is a process of its own, so that whatever it does ends that run and nothing else. The class itself is
     an engine's name too, in a notebook as anywhere: rockstack.simulate(scene, Ice). It then answers in this process, where
-    it may print, and a run that takes too long ends after its step.
+    it may print, and a run that takes too long ends after its step. An engine that calls bear() in its steps tells forces.
 
     places: x (right), y (up) in m and the clockwise angle in rad of each block's centre; shape (blocks, 3). rates: theirs,
     m/s and rad/s; shape (blocks, 3). setup: Setup. inverse_masses: 1/kg, 1/kg and 1/(kg·m²), shape (3 × blocks,).
@@ -156,7 +158,7 @@ class Worker:
         setup, count = self.setup, len(self.places)
         bodies = [_Body()] + [_Body(place, width / 2, height / 2) for place, width, height in
                               zip(self.places.tolist(), setup.widths.tolist(), setup.heights.tolist())]
-        gaps, friction, normals, tangents = [], [], [], []
+        gaps, friction, normals, tangents, interfaces, places = [], [], [], [], [], []
         for k in range(count):
             below, above = bodies[k], bodies[k + 1]
             for corner, face, sign in ((above, below, 1), (below, above, -1)):
@@ -169,8 +171,26 @@ class Worker:
                         friction.append(setup.friction[k])
                         normals.append(self._row(k, bodies, point, (face.sine, face.cosine)))
                         tangents.append(self._row(k, bodies, point, (face.cosine, -face.sine)))
+                        interfaces.append(k)
+                        places.append(above.local(*point)[0])
         shape = (len(gaps), 3 * count)
-        return Contacts(np.array(gaps), np.array(friction), np.reshape(normals, shape), np.reshape(tangents, shape))
+        return Contacts(np.array(gaps), np.array(friction), np.reshape(normals, shape), np.reshape(tangents, shape),
+                        np.array(interfaces, dtype=int), np.array(places))
+
+    def bear(self, contacts: Contacts, pushes: np.ndarray, rubs: np.ndarray) -> None:
+        """Tells what contacts bore in this step: impulses along their normals and tangents, N·s, shape (contacts,). Several calls
+        add up. An engine that calls it in each step, without contacts as well, tells forces: simulate(…, forces=True)."""
+        self._bears = True
+        if self._borne is None:
+            return
+        for name, impulses in (("pushes", pushes), ("rubs", rubs)):
+            if np.shape(impulses) != contacts.gaps.shape:
+                raise _core.InputError(f"{name} of shape {np.shape(impulses)}: must be one for each of {len(contacts.gaps)} contacts")
+        for k, along, push, rub, normal, tangent in zip(contacts.interfaces, contacts.along, pushes, rubs, contacts.normals,
+                                                        contacts.tangents):
+            upper = slice(3 * k, 3 * k + 2)
+            self._borne[k, :2] += push * normal[upper] + rub * tangent[upper]
+            self._borne[k, 2:] += push, push * along
 
     @staticmethod
     def _row(k: int, bodies: list[_Body], point: tuple[float, float], direction: tuple[float, float]) -> list[float]:
@@ -229,6 +249,10 @@ class Worker:
         return json.dumps({"rockstack": 1, **answer})
 
     _unwanted: Callable[[], bool] = staticmethod(lambda: False)
+    _bears = False
+    #: Of each interface in the step under way, where it is asked for: impulse to the right and up on the upper block, that across
+    #: faces, and its moment about the middle.
+    _borne: np.ndarray | None = None
 
     def _described(self) -> dict[str, Any]:
         return {"name": self.name, "solver": self.solver, "version": self.version, "licence": self.licence,
@@ -237,7 +261,7 @@ class Worker:
 
     def _answer(self, run: Mapping[str, Any]) -> dict[str, Any]:
         try:
-            places, rates = self._samples(run, run["steps"])
+            places, rates, reactions = self._samples(run, run["steps"])
             if not (np.isfinite(places).all() and np.isfinite(rates).all()):
                 return {"status": "not finite", "reason": "a place or a rate is no number any more"}
             answer = {"status": "done", "angles": places[:, :, 2].ravel().tolist(),
@@ -251,6 +275,9 @@ class Worker:
         if run["bodies"]:
             answer["bodies"] = {name: values[:, :, i].ravel().tolist() for name, values, i in
                                 (("x", places, 0), ("y", places, 1), ("velocity_x", rates, 0), ("velocity_y", rates, 1))}
+        if run.get("reactions") and self._bears:
+            answer["reactions"] = {name: [value if math.isfinite(value) else str(value) for value in reactions[..., i].ravel().tolist()]
+                                   for i, name in enumerate(("normal", "tangential", "centre"))}
         return answer
 
     def _begin(self, run: Mapping[str, Any]) -> None:
@@ -279,16 +306,31 @@ class Worker:
             return np.column_stack((shaken["x"], shaken["y"]))
         return np.tile((run["gravity"]["x"], run["gravity"]["y"]), (run["steps"], 1))
 
-    def _samples(self, run: Mapping[str, Any], steps: int) -> tuple[np.ndarray, np.ndarray]:
-        """Places and rates at the start and after each step, shape (samples, blocks, 3)."""
+    def _reactions(self, angles: np.ndarray, dt: float) -> np.ndarray:
+        """Mean force of a step on each upper block, across and along the face below, or its own where it is wider, N, and where it
+        acts, m; shape (blocks, 3). angles: where the step starts, rad."""
+        below = np.append(math.inf, self.setup.widths[:-1])
+        face = np.where(self.setup.widths > below, angles, np.append(0.0, angles[:-1]))
+        assert self._borne is not None
+        x, y, push, moment = self._borne.T
+        centre = np.divide(moment, push, out=np.full(len(push), math.nan), where=push > 0)
+        sine, cosine = np.sin(face), np.cos(face)
+        return np.column_stack(((x * sine + y * cosine) / dt, (x * cosine - y * sine) / dt, centre))
+
+    def _samples(self, run: Mapping[str, Any], steps: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Places and rates at the start and after each step, shape (samples, blocks, 3), and reactions of each step."""
         self._begin(run)
         pulls, limits = self._pulls(run), np.array(run["toppling_angles"])
-        places, rates = [self.places.copy()], [self.rates.copy()]
+        places, rates, reactions = [self.places.copy()], [self.rates.copy()], []
         while len(places) <= steps and not (np.abs(self.places[:, 2]) > limits).any():
+            self._borne = np.zeros((len(limits), 4)) if run.get("reactions") else None
             self._take_step(run["dt"], pulls[len(places) - 1])
+            if self._borne is not None:
+                reactions.append(self._reactions(places[-1][:, 2], run["dt"]))
             places.append(np.array(self.places, dtype=float))
             rates.append(np.array(self.rates, dtype=float))
-        return np.array(places), np.array(rates)
+        self._borne = None
+        return np.array(places), np.array(rates), np.array(reactions)
 
     def _seconds(self, run: Mapping[str, Any], steps: int) -> float:
         """Wall time of the steps alone."""

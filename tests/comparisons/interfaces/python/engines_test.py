@@ -41,6 +41,33 @@ Ice().serve()
 """
 
 
+class Moreau(rockstack.Worker):
+    """Whole steps of velocities and then of places, with impulses by Gauss and Seidel's method."""
+
+    name, solver = "moreau", "whole-steps"
+    rates_told: list = []
+
+    def step(self, dt, pull):
+        start = self.rates.copy()
+        self.rates[:, :2] += dt * pull
+        found = self.contacts(1e-9)
+        rows, count = np.vstack((found.normals, found.tangents)), len(found.gaps)
+        mass, impulses = rows @ (self.inverse_masses * rows).T, np.zeros(2 * count)
+        speeds = rows @ self.rates.ravel()
+        for _ in range(2000):
+            before = impulses.copy()
+            for i in range(2 * count):
+                impulses[i] -= (speeds[i] + mass[i] @ impulses) / mass[i, i]
+                bound = found.friction[i - count] * impulses[i - count] if i >= count else 0
+                impulses[i] = np.clip(impulses[i], -bound, bound) if i >= count else max(impulses[i], 0)
+            if np.allclose(before, impulses, rtol=1e-13, atol=0):
+                break
+        self.rates += (self.inverse_masses * (rows.T @ impulses)).reshape(-1, 3)
+        self.places += dt * self.rates
+        self.bear(found, impulses[:count], impulses[count:])
+        self.rates_told.append((start, self.rates.copy()))
+
+
 def engine_here() -> str | None:
     """One of this build; those that are off are not there."""
     return next((engine["name"] for engine in rockstack.engines()), None)
@@ -75,6 +102,45 @@ class WorkerTest(unittest.TestCase):
         np.testing.assert_allclose(borne["tangential"][-1], 0, atol=1e-2)
         with self.assertRaisesRegex(rockstack.InputError, "forces: must be left out of ice:free"):
             rockstack.simulate(scene, self.worker, 0.01, forces=True)
+
+    def test_forces_of_an_engine_of_one_s_own_are_those_of_closed_forms(self):
+        cube = {"width": 1.0, "height": 1.0, "density": 2500.0}
+        weight, slope = 2500 * 9.81, np.radians(20)
+        for friction, tilt, tangential in ((0.5, 0.0, 0.0), (1.0, slope, np.sin(slope)), (0.2, slope, 0.2 * np.cos(slope))):
+            scene = rocking(blocks=[cube], initial={"angles": [0.0]}, duration=0.2, law="unilateral",
+                            contact={"friction": friction}, ground={"inclination": float(tilt)})
+            borne = rockstack.simulate(scene, Moreau, 0.01, forces=True).reactions
+            self.assertTrue(np.isnan(borne["normal"][0, 0]))
+            np.testing.assert_allclose(borne["normal"][1:], weight * np.cos(tilt), rtol=1e-9)
+            np.testing.assert_allclose(borne["tangential"][1:], -weight * tangential, atol=1e-6 * weight)
+
+    def test_forces_of_an_engine_of_one_s_own_are_what_moves_its_blocks(self):
+        """Through an impact, and at both interfaces, the upper of which has its axes from the lower block or, where wider, its own."""
+        for top in (0.5, 0.8):
+            blocks = [{"width": 0.6, "height": 1.0, "density": 2500.0}, {"width": top, "height": 1.0, "density": 2500.0}]
+            scene = rocking(blocks=blocks, initial={"angles": [0.1, 0.1]}, law="unilateral", contact={"friction": 0.6})
+            masses, dt = np.array([0.6, top]) * 2500, 0.005
+            Moreau.rates_told = []
+            run = rockstack.simulate(scene, Moreau, dt, forces=True)
+            rates, borne = np.array(Moreau.rates_told), run.reactions[1:]
+            face = np.column_stack((np.zeros(len(borne)), run.angles[:-1, 1 if top > 0.6 else 0]))
+            right = borne["normal"] * np.sin(face) + borne["tangential"] * np.cos(face)
+            up = borne["normal"] * np.cos(face) - borne["tangential"] * np.sin(face)
+            gained = masses[:, None] * (rates[:, 1] - rates[:, 0])[:, :, :2] / dt + masses[:, None] * np.array([0, 9.81])
+            expected = np.flip(np.cumsum(np.flip(gained, 1), 1), 1)
+            self.assertGreater(borne["normal"].max(), 2 * masses.sum() * 9.81)
+            np.testing.assert_allclose(np.stack((right, up), 2), expected, atol=1e-6 * masses.sum() * 9.81)
+            centre = borne["centre"]
+            np.testing.assert_allclose(np.abs(centre[np.isfinite(centre[:, 0]), 0]).max(), 0.3, rtol=1e-9)
+
+    def test_impulses_of_other_contacts_are_refused(self):
+        class Short(Moreau):
+            def bear(self, contacts, pushes, rubs):
+                super().bear(contacts, pushes[1:], rubs)
+
+        with self.assertRaisesRegex(rockstack.EngineError, r"pushes of shape \(0,\): must be one for each of 1 contacts"):
+            rockstack.simulate(rocking(), Short, 0.01, forces=True)
+        rockstack.simulate(rocking(), Short, 0.01)
 
     def test_what_sinks_is_told_whether_or_not_bodies_are_asked_for(self):
         scene = rocking(initial={"angles": [0.0]})
