@@ -12,6 +12,8 @@ void require_for_engines(const Scene& scene) {
       throw std::runtime_error(
           "blocks." + std::to_string(k + 1) +
           ".center_of_mass: must be left out for engines, which are given uniform boxes");
+  if (!scene.pushes.empty())
+    throw std::runtime_error("push: must be left out for engines, which are told of no forces on blocks");
 }
 
 /// Value of a block or the ground, −1.

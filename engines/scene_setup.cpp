@@ -30,6 +30,12 @@ double next_kink(const GroundMotion& motion, double t) {
 }
 
 double displacement_integral(const GroundMotion& motion, double from, double to) {
+  if (!motion.steps.empty()) {
+    double sum = 0;
+    for (const VelocityStep& step : motion.steps)
+      if (step.time >= from && step.time < to) sum += step.size * (to - step.time);
+    return sum;
+  }
   const double last = std::min(to, motion.end());
   double sum = 0;
   for (double t = from; t < last;) {

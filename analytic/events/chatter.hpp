@@ -33,8 +33,9 @@ class EndOfChatter {
   /// No relative angle accelerates more, rad/s². By Gauss's principle a motion has no more energy than that
   /// of free blocks: Σ Iω̇² ≤ Σ m|a|², with a their body force less what is centripetal, ω² times all links at
   /// most.
-  Real fastest_return(const State<Real, N>& state, const Point<Real>& ground) const {
-    const Real effective_gravity = ground.template lpNorm<1>() + model_.gravity;
+  Real fastest_return(const State<Real, N>& state, const std::type_identity_t<Loading<Real>>& loading) const {
+    Real effective_gravity = loading.ground.template lpNorm<1>() + model_.gravity;
+    if (loading.pushes > 0) effective_gravity += effect_of_pushes(loading);
     const Real rotation_rate = state.velocities.template lpNorm<1>();
     return acceleration_gain_ * (effective_gravity + rotation_rate * rotation_rate * links_length_);
   }
@@ -47,17 +48,17 @@ class EndOfChatter {
   }
 
   /// The pattern after an impact with the interfaces closed that part too slowly to be followed. `directions`
-  /// are directions_at() the state, `ground` is (ẍg, ÿg) in m/s².
+  /// are directions_at() the state.
   Pattern without_slow(const State<Real, N>& after, const Interfaces& touching,
-                       const Directions<Real, N>& directions, const Point<Real>& ground) const {
+                       const Directions<Real, N>& directions, const Loading<Real>& loading) const {
     Pattern pattern = after.pattern;
-    const Real fastest = fastest_return(after, ground);
+    const Real fastest = fastest_return(after, loading);
     for (int k = 0; k < after.size(); ++k) {
       if (!touching.test(k) || pattern[k] == Contact::closed) continue;
       const Real speed = abs(after.velocities[k]);
       bool slow = speed <= slow_speed_;
       if (!slow && speed * speed <= 2 * resolution_ * fastest) {
-        const Vector<Real, N> back = accelerations(model_, after, directions, ground);
+        const Vector<Real, N> back = accelerations(model_, after, directions, loading);
         slow = speed * speed <= -2 * resolution_ * back[k] * Real(sign(pattern[k]));
       }
       if (slow) pattern[k] = Contact::closed;
@@ -66,6 +67,17 @@ class EndOfChatter {
   }
 
  private:
+  /// The acceleration of all masses that has as much of Σ m|a|² as pushes make of free blocks, at most, m/s².
+  Real effect_of_pushes(const Loading<Real>& loading) const {
+    Real sum = 0;
+    for (std::size_t i = 0; i < loading.pushes; ++i) {
+      const PushPoint<Real>& push = model_.pushes[i];
+      sum += abs(loading.sizes[i]) * sqrt(1 / model_.stack.mass[push.block] +
+                                          push.arm.squaredNorm() / model_.stack.inertia[push.block]);
+    }
+    return sum / sqrt(model_.stack.mass.sum());
+  }
+
   const Model<Real, N>& model_;
   Real resolution_;           ///< rad
   Real rate_{};               ///< g/H, 1/s²

@@ -173,8 +173,8 @@ class ZenoSummation {
   /// By how much relative accelerations change through the rest, rad/s²: as the stack moves on, as its rates
   /// change in flights, and as the ground's acceleration does.
   Real most_change(const Landing& landing, const RestOfChatter<Real, N>& rest, const Real& speed) const {
-    const Point<Real> ground = landing.piece.at(landing.offset);
-    const Point<Real> later = landing.piece.at(landing.offset + rest.duration);
+    const Point<Real> ground = landing.piece.at(landing.offset).ground;
+    const Point<Real> later = landing.piece.at(landing.offset + rest.duration).ground;
     return (rest.duration * rate_ * rate_ + speed) * rate_ +
            rest.fastest * (later - ground).template lpNorm<1>() / model_.gravity;
   }

@@ -2,6 +2,7 @@
 
 #include "analytic/mechanics/linkage.hpp"
 #include "analytic/polynomials/polynomial.hpp"
+#include "analytic/scene/applied_forces.hpp"
 
 namespace rockstack {
 
@@ -30,13 +31,15 @@ struct Model {
   Stack<Real, N> stack;
   Real gravity;                                ///< m/s², across the ground
   Equations equations = Equations::nonlinear;  ///< other: no velocity terms
+  std::vector<PushPoint<Real>> pushes = {};
 };
 
 template <class Real, int N = Eigen::Dynamic>
 Model<Real, N> make_model(const Scene& scene) {
   Stack<Real, N> stack = make_stack<Real, N>(scene);
   if (scene.equations == Equations::small_angle) stack = small_angle_stack(std::move(stack));
-  return {std::move(stack), Real(scene.gravity) * cos(Real(scene.inclination)), scene.equations};
+  return {std::move(stack), Real(scene.gravity) * cos(Real(scene.inclination)), scene.equations,
+          push_points<Real>(scene)};
 }
 
 /// Where the stack is and how it moves: relative angles φₖ in rad and their rates in rad/s, exactly zero at
@@ -202,13 +205,28 @@ Vector<Real, N> small_angle_levers(const Stack<Real, N>& stack, const Pattern& p
   return levers;
 }
 
+/// Adds what pushes alone make of free blocks: accelerations, or velocities of impulses.
+template <class Real, int N>
+void add_pushes(const Model<Real, N>& model, const Directions<Real, N>& directions,
+                const Loading<Real>& loading, Motion<Real, N>& free) {
+  const auto turn = [&](int k, const Point<Real>& arm) {
+    return turned<Real>(arm.x(), arm.y(), directions.cosine[k], directions.sine[k]);
+  };
+  each_push(model.pushes, loading, turn,
+            [&](const PushPoint<Real>& point, const Point<Real>& force, const Real& moment) {
+              free.centre.col(point.block) += force / model.stack.mass[point.block];
+              free.rotation[point.block] += moment / model.stack.inertia[point.block];
+            });
+}
+
 /// What the blocks would do if nothing held them, less the centripetal bias, in the frame of the ground. A
-/// small-angle stack has arms without width: weight has levers. `ground` is (ẍg, ÿg) in m/s².
+/// small-angle stack has arms without width: weight has levers.
 template <class Real, int N>
 Motion<Real, N> free_acceleration(const Model<Real, N>& model, const State<Real, N>& state,
                                   const Directions<Real, N>& directions, const Chain<Real, N>& chain,
-                                  const Point<Real>& ground) {
+                                  const std::type_identity_t<Loading<Real>>& loading) {
   const int size = model.stack.size();
+  const Point<Real>& ground = loading.ground;
   Motion<Real, N> free{Points<Real, N>::Zero(2, size), Vector<Real, N>::Zero(size)};
   const Point<Real> body_force{-ground.x(), -(model.gravity + ground.y())};
   if (model.equations == Equations::nonlinear) {
@@ -221,6 +239,7 @@ Motion<Real, N> free_acceleration(const Model<Real, N>& model, const State<Real,
     free.rotation =
         -body_force.y() *
         small_angle_levers(model.stack, state.pattern, directions).cwiseQuotient(model.stack.inertia);
+  if (loading.pushes > 0) add_pushes(model, directions, loading, free);
   return free;
 }
 
@@ -228,16 +247,17 @@ Motion<Real, N> free_acceleration(const Model<Real, N>& model, const State<Real,
 /// Eqs. (8)–(18), and (19)–(28) of the linear equations. `directions` are directions_at() the state.
 template <class Real, int N>
 Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
-                              const Directions<Real, N>& directions, const Point<Real>& ground) {
+                              const Directions<Real, N>& directions,
+                              const std::type_identity_t<Loading<Real>>& loading) {
   const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions);
   return nearest_allowed(model.stack, state.pattern, chain,
-                         free_acceleration(model, state, directions, chain, ground));
+                         free_acceleration(model, state, directions, chain, loading));
 }
 
 template <class Real, int N>
 Vector<Real, N> accelerations(const Model<Real, N>& model, const State<Real, N>& state,
-                              const Point<Real>& ground) {
-  return accelerations(model, state, directions_at(model, state.angles), ground);
+                              const std::type_identity_t<Loading<Real>>& loading) {
+  return accelerations(model, state, directions_at(model, state.angles), loading);
 }
 
 /// Kinetic energy and height of the centres times weight, J, from the ground.

@@ -97,19 +97,20 @@ template <class Real, int N>
 }
 
 /// The accelerations of a moving stack and the forces it is under; `directions` are directions_at() the
-/// state, `ground` is (ẍg, ÿg) in m/s².
+/// state.
 template <class Real, int N>
 PatternSolution<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
-                                    const Directions<Real, N>& directions, const Point<Real>& ground) {
+                                    const Directions<Real, N>& directions,
+                                    const std::type_identity_t<Loading<Real>>& loading) {
   const Chain<Real, N> chain = make_chain(model.stack, state.pattern, directions);
   return respond(model, state.pattern, directions, chain,
-                 free_acceleration(model, state, directions, chain, ground));
+                 free_acceleration(model, state, directions, chain, loading));
 }
 
 template <class Real, int N>
 PatternSolution<Real, N> accelerate(const Model<Real, N>& model, const State<Real, N>& state,
-                                    const Point<Real>& ground) {
-  return accelerate(model, state, directions_at(model, state.angles), ground);
+                                    const std::type_identity_t<Loading<Real>>& loading) {
+  return accelerate(model, state, directions_at(model, state.angles), loading);
 }
 
 /// A touching interface whose condition fails, and the contact that would mend it.

@@ -17,7 +17,7 @@ Enumeration named(std::string_view text, int size) {
 
 std::string name(EventKind kind) {
   static constexpr std::array names{"opening", "impact", "closure", "rest",  "topple", "lift-off", "slip",
-                                    "stick",   "corner", "fall",    "touch", "part",   "strike"};
+                                    "stick",   "corner", "fall",    "touch", "part",   "strike",   "impulse"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -27,7 +27,7 @@ std::string name(Consistency consistency) {
 }
 
 EventKind named_event(std::string_view text) {
-  return named<EventKind>(text, static_cast<int>(EventKind::strike) + 1);
+  return named<EventKind>(text, static_cast<int>(EventKind::impulse) + 1);
 }
 
 Consistency named_consistency(std::string_view text) {

@@ -28,6 +28,9 @@ enum class EventKind {
   part,   ///< a corner stops pushing
   // Again of laws that leave pivots:
   strike,  ///< a block meets the ground or one that it is not stacked on; the history ends
+  // Of all laws:
+  impulse,  ///< an impulse of a push, or a step of the ground's velocity; the lowest interface that it
+            ///< changes
 };
 
 std::string name(EventKind kind);

@@ -115,6 +115,23 @@ struct CornerSprings {
   bool operator==(const CornerSprings&) const = default;
 };
 
+/// A point of a block.
+struct BlockPoint {
+  int block = 1;        ///< from 1, bottom to top
+  double x = 0, y = 0;  ///< from the middle of its lower face, in its frame, to the right and up, m
+};
+
+/// A force at a point of a block, given over time. Its direction is that of the ground's axes, however the
+/// block turns.
+struct Push {
+  BlockPoint point;
+  double direction = 0;  ///< rad; 0 to the right, π/2 up
+  GroundMotion force;    ///< N; steps are impulses, N·s
+};
+
+/// The most pushes of a scene.
+inline constexpr std::size_t max_pushes = 8;
+
 /// One question: a stack of blocks, how it starts, how the ground moves, and for how long. SI units.
 struct Scene {
   std::string title;
@@ -136,10 +153,16 @@ struct Scene {
   RestitutionLaw restitution_law = RestitutionLaw::newton;  ///< of that coefficient
   CornerSprings springs;
   InitialState initial;
-  GroundMotion horizontal;  ///< ẍg, positive to the right
-  GroundMotion vertical;    ///< ÿg, positive up
-  double depth = 1;         ///< size of blocks out of the plane, which engines need, m, > 0
+  GroundMotion horizontal;        ///< ẍg, positive to the right
+  GroundMotion vertical;          ///< ÿg, positive up
+  std::vector<Push> pushes = {};  ///< at most max_pushes
+  double depth = 1;               ///< size of blocks out of the plane, which engines need, m, > 0
 };
+
+/// Whether more acts over time than the acceleration of the ground.
+inline bool has_pushes_or_steps(const Scene& scene) {
+  return !scene.pushes.empty() || !scene.horizontal.steps.empty() || !scene.vertical.steps.empty();
+}
 
 /// More friction than this is not told from it.
 inline constexpr double largest_friction = 1000;

@@ -15,7 +15,8 @@ class Collisions {
         model_(model),
         end_of_chatter_(model, resolution_of(options)),
         zeno_(model, resolution_of(options)),
-        sums_chatter_(options.events == EventsKept::summed && zeno_.worthwhile() && !upright_) {}
+        sums_chatter_(options.events == EventsKept::summed && zeno_.worthwhile() && !upright_ &&
+                      model.pushes.empty()) {}
 
   /// As EndOfChatter tells.
   bool negligibly_open(const State<Real, N>& state, int k) const {
@@ -40,14 +41,7 @@ class Collisions {
       if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
         solution = *own;
     recorder.note_impact(solution, piece.start + offset);
-    const auto without_slow = [&] {
-      return end_of_chatter_.without_slow({solution.pattern, impact.before.angles, solution.relative},
-                                          impact.touching(), directions, piece.at(offset));
-    };
-    for (Pattern slow = without_slow(); !(slow == solution.pattern); slow = without_slow()) {
-      solution = velocities_after(model, before, slow);
-      resolution.closes = true;
-    }
+    close_slow(model, impact, before, directions, piece.at(offset), resolution);
     if (sums_chatter_ && !resolution.closes)
       if (const auto rest =
               negligible_rest({impact, before, solution, piece, offset, recorder.events()}, recorder)) {
@@ -57,7 +51,42 @@ class Collisions {
     return resolution;
   }
 
+  /// What follows impulses and steps of the ground's velocity: of what touches, the pattern that pushing
+  /// impulses can bring about, by any law, as at the end of chatter. Where none is, the pattern stays, and
+  /// says so.
+  Resolution<Real, N> kicked(const State<Real, N>& state, const Interfaces& touching,
+                             const Directions<Real, N>& directions, const GroundPiece<Real>& piece,
+                             const Loading<Real>& steps, Recorder<Real, N>& recorder) {
+    const Model<Real, N>& model = upright_ ? *upright_ : model_;
+    BeforeImpact<Real, N> before =
+        upright_ ? before_impact(model, state) : before_impact(model, state, directions);
+    before.motion.centre.colwise() -= steps.ground;
+    if (steps.pushes > 0) add_pushes(model, directions, steps, before.motion);
+    const auto evaluate = [&](const Pattern& pattern) { return velocities_after(model, before, pattern); };
+    const auto found = find_admissible(model.stack, state.pattern, touching, Real(0), evaluate);
+    Resolution<Real, N> resolution{found ? *found : evaluate(state.pattern), Consistency::none};
+    if (found && rockstack::pushes(*found)) resolution.consistency = Consistency::consistent;
+    recorder.note_impact(resolution.solution, piece.start);
+    close_slow(model, {state, touching}, before, directions, piece.at(0), resolution);
+    return resolution;
+  }
+
  private:
+  /// Ends chatter: closes what would part too slowly.
+  void close_slow(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                  const BeforeImpact<Real, N>& before, const Directions<Real, N>& directions,
+                  const Loading<Real>& loading, Resolution<Real, N>& resolution) const {
+    PatternSolution<Real, N>& solution = resolution.solution;
+    const auto without_slow = [&] {
+      return end_of_chatter_.without_slow({solution.pattern, impact.before.angles, solution.relative},
+                                          impact.touching(), directions, loading);
+    };
+    for (Pattern slow = without_slow(); !(slow == solution.pattern); slow = without_slow()) {
+      solution = velocities_after(model, before, slow);
+      resolution.closes = true;
+    }
+  }
+
   /// What impacts of small-angle equations are resolved with: the stack as it is, upright.
   static std::optional<Model<Real, N>> upright_model(const Scene& scene) {
     if (scene.equations != Equations::small_angle) return std::nullopt;
@@ -74,7 +103,7 @@ class Collisions {
     const PatternSolution<Real, N>& after = landing.after;
     if (!zeno_.below_resolution(landing) || recorder.keeps(after)) return std::nullopt;
     const State<Real, N> open{after.pattern, landing.impact.before.angles, after.relative};
-    const Point<Real> ground = landing.piece.at(landing.offset);
+    const Loading<Real> ground = landing.piece.at(landing.offset);
     auto rest = zeno_.rest(landing, end_of_chatter_.fastest_return(open, ground));
     if (rest && recorder.wants(*rest, landing.piece.start + landing.offset)) rest.reset();
     return rest;

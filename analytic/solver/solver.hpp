@@ -45,7 +45,7 @@ class Solver {
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
     // For the IllConditioned that it may throw: steps do not look.
-    accelerations(model_, state_, directions(), ground());
+    accelerations(model_, state_, directions(), loading());
     make_admissible(state_.pattern);
   }
   bool finished() const { return pieces_.finished() || toppled_; }
@@ -53,6 +53,7 @@ class Solver {
 
   void advance() {
     if (!(pieces_.remaining() > 0)) return pieces_.advance();
+    if (pieces_.steps_now()) return kick();
     if (skip_rest()) return;
     if (!(linked_ == state_.pattern)) linkage_ = make_linkage(model_.stack, linked_ = state_.pattern);
     DenseOutput<Real, N> output = steps_(state_, directions(), linkage_, pieces_.current(), pieces_.offset(),
@@ -155,7 +156,7 @@ class Solver {
     }
   }
 
-  Point<Real> ground() const { return pieces_.current().at(pieces_.offset()); }
+  Loading<Real> loading() const { return pieces_.current().at(pieces_.offset()); }
 
   /// At the state.
   const Directions<Real, N>& directions() {
@@ -167,7 +168,9 @@ class Solver {
   /// Goes on past the ground pieces through whose rest the stack stands still, and nothing of it is to be
   /// kept. False where there is none. At the instant of an event steps tell.
   bool skip_rest() {
-    if (!is_closed(state_.pattern) || !ties_.all_clear() || ties_.at_instant()) return false;
+    if (!is_closed(state_.pattern) || !ties_.all_clear() || ties_.at_instant() ||
+        pieces_.has_pushes_or_steps())
+      return false;
     const auto stands = [&] {
       const SupportDemand<Real> bears = support_demand(model_.gravity, pieces_.current(), pieces_.offset());
       return bears.tilt < resting_.critical_tilt && !recorder_.wants(resting_, bears);
@@ -234,6 +237,43 @@ class Solver {
                          outcome.consistency);
   }
 
+  /// Impulses and steps of the ground's velocity, after the impacts that rounding puts behind them.
+  void kick() {
+    const Interfaces landing = landing_now();
+    if (landing.any()) {
+      collide(landing, nullptr);
+      make_admissible(state_.pattern);
+    }
+    const State<Real, N> before = state_;
+    const Resolution<Real, N> outcome = collisions_.kicked(
+        before, ties_.touching(state_), directions(), pieces_.current(), pieces_.take_steps(), recorder_);
+    state_.pattern = outcome.solution.pattern;
+    state_.velocities = outcome.solution.relative;
+    require_numbers();
+    recorder_.note_event(time(), EventKind::impulse, first_change(before, state_), before.pattern,
+                         before.velocities, state_, outcome.consistency);
+    make_admissible(state_.pattern);
+  }
+
+  /// Interfaces that are about to close by what time and angles round to.
+  Interfaces landing_now() const {
+    Interfaces result;
+    for (int k = 0; k < state_.size(); ++k) {
+      const Real side = Real(sign(state_.pattern[k]));
+      const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (1 + time());
+      result.set(k, side * state_.velocities[k] < 0 &&
+                        side * state_.angles[k] <= rounding * abs(state_.velocities[k]));
+    }
+    return result;
+  }
+
+  /// The lowest interface whose velocity an impulse has changed, from 1.
+  static int first_change(const State<Real, N>& before, const State<Real, N>& after) {
+    int k = 0;
+    while (k + 1 < after.size() && before.velocities[k] == after.velocities[k]) ++k;
+    return k + 1;
+  }
+
   /// Rule 2 at an instant: opens the closed interfaces whose centre of pressure would lie outside. `either`:
   /// have just opened to a side that the other would do for as well.
   void make_admissible(Pattern from, const Interfaces& either = {}) {
@@ -241,7 +281,7 @@ class Solver {
     Interfaces pulled;
     const auto evaluate = [&](const Pattern& pattern) {
       return accelerate(model_, State<Real, N>{pattern, state_.angles, state_.velocities}, directions(),
-                        ground());
+                        loading());
     };
     const auto violates = [&](const PatternSolution<Real, N>& present) {
       if (!first_violation(model_.stack, present, touching, ties_.slack())) return false;

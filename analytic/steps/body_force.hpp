@@ -54,6 +54,8 @@ Real longest_series(const GroundPiece<Real>& piece) {
   Real longest = std::numeric_limits<Real>::infinity();
   for (const Pulse* pulse : {piece.horizontal.pulse, piece.vertical.pulse})
     if (pulse) longest = std::min(longest, longest_series<Real>(*pulse));
+  for (const GroundComponent<Real>& push : piece.pushes)
+    if (push.pulse) longest = std::min(longest, longest_series<Real>(*push.pulse));
   return longest;
 }
 
@@ -116,10 +118,18 @@ Polynomial<Real> series_of(const Pulse& pulse, const Real& elapsed, const Real& 
 }
 
 /// The body force on a unit of mass in the frame of the ground, (−ẍg, −(g + ÿg)), over one step, times the
-/// length squared of the step, m.
+/// length squared of the step, m; and the sizes of pushes, likewise, N·s².
 template <class Real>
 struct ScaledBodyForce {
   Polynomial<Real> x, y;
+  std::vector<Polynomial<Real>> pushes = {};
+
+  /// How many terms tell all of it.
+  std::size_t terms() const {
+    std::size_t most = std::max(x.terms, y.terms);
+    for (const Polynomial<Real>& push : pushes) most = std::max(most, push.terms);
+    return most;
+  }
 };
 
 /// A component of it, from `offset` s into the ground's motion on: of that and of what acts `at_rest`,
@@ -150,17 +160,23 @@ template <class Real>
 ScaledBodyForce<Real> scaled_body_force(const Real& gravity, const GroundPiece<Real>& piece,
                                         const Real& offset, const Real& length) {
   const Real negligible = negligible_change(gravity);
-  return {body_force_along<Real>(piece.horizontal, 0, negligible, offset, length),
-          body_force_along<Real>(piece.vertical, gravity, negligible, offset, length)};
+  ScaledBodyForce<Real> scaled{body_force_along<Real>(piece.horizontal, 0, negligible, offset, length),
+                               body_force_along<Real>(piece.vertical, gravity, negligible, offset, length)};
+  for (const GroundComponent<Real>& push : piece.pushes)
+    scaled.pushes.push_back(times(-1, body_force_along<Real>(push, 0, 0, offset, length)));
+  return scaled;
 }
 
 /// The body force over a step `ratio` times as long.
 template <class Real>
 void shorten(ScaledBodyForce<Real>& body_force, const Real& ratio) {
-  for (Polynomial<Real>* series : {&body_force.x, &body_force.y}) {
-    rescale(*series, ratio);
-    for (Real& coefficient : *series) coefficient *= ratio * ratio;
-  }
+  const auto shorten_series = [&](Polynomial<Real>& series) {
+    rescale(series, ratio);
+    for (Real& coefficient : series) coefficient *= ratio * ratio;
+  };
+  shorten_series(body_force.x);
+  shorten_series(body_force.y);
+  for (Polynomial<Real>& push : body_force.pushes) shorten_series(push);
 }
 
 }  // namespace rockstack

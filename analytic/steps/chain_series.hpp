@@ -3,6 +3,7 @@
 #include "analytic/mechanics/pattern_solution.hpp"
 #include "analytic/steps/block_series.hpp"
 #include "analytic/steps/body_force.hpp"
+#include "analytic/steps/push_series.hpp"
 
 namespace rockstack {
 
@@ -41,6 +42,11 @@ class ChainSeries {
   }
 
   std::size_t size() const { return linkage_.size(); }
+
+  /// Lets the pushes of a model act, whose sizes body forces have. `sides`: signs of contacts.
+  void take_pushes(const Model<Real, N>& model, const PerBlock<Real, N>& sides) {
+    pushes_ = push_arms(model, sides);
+  }
 
   /// Makes the step `ratio` times as long, where order 0 is known, which goes with the length squared.
   void shorten(const Real& ratio) {
@@ -143,6 +149,8 @@ class ChainSeries {
         size() > 1 ? n : std::min<std::size_t>(n, std::max(body_force.x.terms, body_force.y.terms));
     PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, base_acceleration);
     if (small_angles_) add_levers(n, body_force.y, known);
+    for (std::size_t i = 0; i < pushes_.size(); ++i)
+      add_push_moments(pushes_[i], body_force.pushes[i], linkage_, blocks_, n, known);
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
@@ -162,6 +170,8 @@ class ChainSeries {
       block.direction[n + 2] = linear_ ? none() : twice * second_derivatives[k];
     }
     couple(n, second_derivatives, base_acceleration);
+    for (std::size_t i = 0; forces_ && i < pushes_.size(); ++i)
+      add_push_forces(pushes_[i], body_force.pushes[i], n, blocks_);
   }
 
   template <std::size_t n>
@@ -260,6 +270,7 @@ class ChainSeries {
   bool small_angles_;  ///< of the linear equations, those of small angles
   bool forces_;
   bool margins_;
+  std::vector<PushArm<Real>> pushes_;
   PerBlock<Real, N> angles_;  ///< at the start, of small angles alone, rad
   std::array<BlockSeries<Real>, capacity(N)> blocks_;
   ChainMass<Real, N> mass_;  ///< at the start of the step

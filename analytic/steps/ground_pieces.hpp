@@ -2,12 +2,13 @@
 
 #include <iterator>
 
-#include "analytic/scene/kinematics.hpp"
+#include "analytic/scene/applied_forces.hpp"
 
 namespace rockstack {
 
-/// One component of the ground's acceleration over a stretch of time: a straight line, or part of a pulse. As
-/// gravity along an inclined ground acts like an acceleration of it the other way, it is in here too.
+/// One component of the ground's acceleration over a stretch of time: a straight line, or part of a pulse; or
+/// a push, N for m/s². As gravity along an inclined ground acts like an acceleration of it the other way, it
+/// is in here too.
 template <class Real>
 struct GroundComponent {
   Real end = std::numeric_limits<Real>::infinity();  ///< s
@@ -22,29 +23,54 @@ struct GroundComponent {
   Real line_at(const Real& offset) const { return value + offset * rate; }
 };
 
-/// A stretch of time over which the ground's acceleration is smooth, in the number type of a calculation.
+/// A stretch of time over which the ground's acceleration and pushes are smooth, in the number type of a
+/// calculation.
 template <class Real>
 struct GroundPiece {
   Real start;   ///< s
   Real length;  ///< s, > 0
   GroundComponent<Real> horizontal, vertical;
+  std::vector<GroundComponent<Real>> pushes = {};
 
-  /// (ẍg, ÿg), m/s².
-  Point<Real> at(const Real& offset) const { return {horizontal.at(offset), vertical.at(offset)}; }
+  Loading<Real> at(const Real& offset) const {
+    Loading<Real> loading{horizontal.at(offset), vertical.at(offset)};
+    for (const GroundComponent<Real>& push : pushes) loading.sizes[loading.pushes++] = push.at(offset);
+    return loading;
+  }
 
-  /// True where neither component is a pulse.
-  bool straight() const { return !horizontal.pulse && !vertical.pulse; }
+  /// True where no component is a pulse.
+  bool straight() const {
+    return !horizontal.pulse && !vertical.pulse &&
+           std::none_of(pushes.begin(), pushes.end(), [](const auto& push) { return push.pulse != nullptr; });
+  }
 };
 
-/// Walks through a scene's ground motion piece by piece: pieces end at the samples of either component, where
-/// a pulse starts or ends, and at the end of the scene. Without ground motion there is one piece.
+/// Walks through a scene's ground motion and pushes piece by piece: pieces end at the samples of any
+/// component, where a pulse starts or ends, at steps of velocities, and at the end of the scene. Without
+/// ground motion there is one piece.
 template <class Real>
 class GroundPieces {
  public:
   explicit GroundPieces(const Scene& scene) : scene_(scene), duration_(scene.duration) {
     downhill_ = Real(scene.gravity) * sin(Real(scene.inclination));
     piece_.horizontal.value = 0 - downhill_;
+    piece_.pushes.resize(scene.pushes.size());
+    push_samples_.resize(scene.pushes.size(), 0);
+    has_pushes_or_steps_ = rockstack::has_pushes_or_steps(scene);
     find_piece();
+  }
+
+  /// Whether more acts than the acceleration of the ground.
+  bool has_pushes_or_steps() const { return has_pushes_or_steps_; }
+
+  /// Whether velocities change at once where the piece starts, and nobody has taken that yet.
+  bool steps_now() const { return steps_now_; }
+  /// By what they do.
+  Loading<Real> take_steps() {
+    steps_now_ = false;
+    Loading<Real> sum{step_at(scene_.horizontal), step_at(scene_.vertical)};
+    for (const Push& push : scene_.pushes) sum.sizes[sum.pushes++] = step_at(push.force);
+    return sum;
   }
 
   bool finished() const { return !(piece_.start < duration_); }
@@ -104,7 +130,31 @@ class GroundPieces {
     follow(scene_.horizontal, 0 - downhill_, horizontal_sample_, piece_.horizontal);
     follow(scene_.vertical, 0, vertical_sample_, piece_.vertical);
     end_ = std::min({piece_.horizontal.end, piece_.vertical.end, duration_});
+    if (has_pushes_or_steps_) follow_pushes_and_steps();
     piece_.length = end_ - piece_.start;
+  }
+
+  void follow_pushes_and_steps() {
+    for (std::size_t i = 0; i < piece_.pushes.size(); ++i) {
+      follow(scene_.pushes[i].force, 0, push_samples_[i], piece_.pushes[i]);
+      end_ = std::min(end_, piece_.pushes[i].end);
+    }
+    const auto note = [&](const GroundMotion& motion) {
+      for (const auto& [time, size] : motion.steps) {
+        if (Real(time) == piece_.start) steps_now_ = true;
+        if (Real(time) > piece_.start) end_ = std::min(end_, Real(time));
+      }
+    };
+    note(scene_.horizontal);
+    note(scene_.vertical);
+    for (const Push& push : scene_.pushes) note(push.force);
+  }
+
+  Real step_at(const GroundMotion& motion) const {
+    Real sum = 0;
+    for (const auto& [time, size] : motion.steps)
+      if (Real(time) == piece_.start) sum += Real(size);
+    return sum;
   }
 
   /// A component from the start of the piece on, to the next sample after `sample`, which is found anew where
@@ -159,6 +209,8 @@ class GroundPieces {
   Real offset_ = 0;
   std::ptrdiff_t horizontal_sample_ = 0;
   std::ptrdiff_t vertical_sample_ = 0;
+  std::vector<std::ptrdiff_t> push_samples_;
+  bool has_pushes_or_steps_ = false, steps_now_ = false;
 };
 
 }  // namespace rockstack

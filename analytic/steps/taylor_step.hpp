@@ -88,8 +88,8 @@ class TaylorSteps {
                                   const Real& offset, const Real& remaining, const Interfaces& watched) {
     const Real step = length(piece, remaining);
     ScaledBodyForce<Real> body_force = scaled_body_force(model_.gravity, piece, offset, step);
-    const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
-    if (is_closed(state.pattern)) {
+    const std::size_t body_force_terms = body_force.terms();
+    if (is_closed(state.pattern) && body_force.pushes.empty()) {
       DenseOutput<Real, N> output{step, state, {}, {}};
       margins_at_rest(linkage, body_force, watched, output);
       lengthen(output.length, body_force_terms);
@@ -105,6 +105,7 @@ class TaylorSteps {
     }
     ChainSeries<Real, N> series(linkage, model_.equations, {forces_, watched.any()}, block_directions,
                                 start.advances);
+    if (!body_force.pushes.empty()) series.take_pushes(model_, start.sides);
     series.extend(0, body_force);
     const Real ratio = start.landing(series);
     if (ratio < 1) {

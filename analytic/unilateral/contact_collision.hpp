@@ -110,22 +110,25 @@ Poses<Real> without_roundings(const ContactModel<Real>& stack, const Poses<Real>
 }
 
 /// The impact of bodies that meet at `touching`; nothing where no impulses end it. `smooth` is the stack
-/// without friction, `free` the acceleration without contact. `choose` is as choose_branch() below.
+/// without friction, `free` the acceleration without contact. `choose` is as choose_branch() below. At the
+/// level of velocities points do not bounce.
 template <class Real, class Choose>
 std::optional<ContactCollision<Real>> collide(const ContactModel<Real>& stack,
                                               const ContactModel<Real>& smooth,
                                               const ContactChatter<Real>& chatter,
                                               const Joints<Real>& touching, Bodies<Real> bodies,
-                                              const FreeVector<Real>& free, const Choose& choose) {
+                                              const FreeVector<Real>& free, const Choose& choose,
+                                              ContactLevel level = ContactLevel::impacts) {
   const FreeVector<Real> before = vector_of(bodies.velocity);
-  const ContactProblem<Real> problem{stack, bodies, before, ContactLevel::impacts};
+  const ContactProblem<Real> problem{stack, bodies, before, level};
   const TouchingContacts<Real> contacts(problem, touching);
   auto found = find_mode(contacts, touching);
   if (!found) return std::nullopt;
   const bool several = choose(contacts, touching, *found);
   ModeResponse<Real> response = respond(problem, *found);
   std::optional<Joints<Real>> mode = found;
-  if (stack.bounces_by(RestitutionLaw::poisson)) mode = expand(problem, touching, *found, response);
+  if (level == ContactLevel::impacts && stack.bounces_by(RestitutionLaw::poisson))
+    mode = expand(problem, touching, *found, response);
   if (!mode) return std::nullopt;
   ContactCollision<Real> impact{*found, response.forces, *std::move(mode), {}};
   if (several) impact.consistency = Consistency::several;

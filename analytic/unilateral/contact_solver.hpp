@@ -56,6 +56,7 @@ class ContactSolver {
     const GroundPiece<Real>& piece = pieces_.current();
     const Real remaining = pieces_.remaining();
     if (!(remaining > 0)) return pieces_.advance();
+    if (pieces_.steps_now()) return kick();
     const Real length =
         std::min<Real>({remaining, longest_, longest_series(piece), springs_.longest_step(state_.bodies)});
     const ScaledBodyForce<Real> body_force = scaled_body_force(across_, piece, pieces_.offset(), length);
@@ -172,18 +173,42 @@ class ContactSolver {
     place(stack_, touching, state_.bodies);
     state_.bodies.velocity = rates;
     const Real approach = closing_speed(stack_, state_.bodies, interface - 1, touching[interface - 1]);
-    const auto impact =
-        collide(stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
-                [&](const auto& contacts, const auto& joints, auto& mode) {
-                  return choose_branch(contacts, joints, mode);
-                });
+    const ContactCollision<Real> impact = take_impulses(touching, ContactLevel::impacts);
+    note(impact.kind, interface, springs_.shown(before), rates, impact.consistency, approach);
+    decide(impact.mode, state_.bodies, 0, true);
+  }
+
+  /// Goes through impulses at joints that touch.
+  ContactCollision<Real> take_impulses(const Joints<Real>& touching, ContactLevel level) {
+    const auto impact = collide(
+        stack_, smooth_, chatter_, touching, state_.bodies, free_acceleration(0, state_.bodies),
+        [&](const auto& contacts, const auto& joints, auto& mode) {
+          return choose_branch(contacts, joints, mode);
+        },
+        level);
     if (!impact) stop("no impulses end an impact at", time());
     recorder_.note_impact(impact->found, state_.bodies, impact->impulses, time());
     state_ = {{state_.bodies.pose, impact->rates}, impact->mode};
     place(stack_, state_.joints, state_.bodies);
     fresh_.mark_impact(touching, impact->mode, time(), stack_.restitution > 0);
-    note(impact->kind, interface, springs_.shown(before), rates, impact->consistency, approach);
-    decide(impact->mode, state_.bodies, 0, true);
+    return *impact;
+  }
+
+  /// Impulses and steps of the ground's velocity. What they press does not bounce.
+  void kick() {
+    note_burst();
+    look_ahead_.note_impact();
+    const Joints<Real> before = state_.joints;
+    const Poses<Real> rates = state_.bodies.velocity;
+    const Loading<Real> steps = pieces_.take_steps();
+    FreeVector<Real> kicked =
+        vector_of(rates) - uniform<Real>(stack_.size(), steps.ground.x(), steps.ground.y());
+    add_pushes(stack_, state_.bodies, steps, kicked);
+    state_.bodies.velocity = poses_of(kicked);
+    const ContactCollision<Real> impact = take_impulses(before, ContactLevel::velocities);
+    note(EventKind::impulse, lowest_change(before, state_.joints), springs_.shown(before), rates,
+         impact.consistency);
+    decide(impact.mode, state_.bodies, 0, true);
   }
 
   /// Decides by the laws of contact as they stand `time_ahead`, s, at `bodies`, which `on_joints` tells to be
@@ -259,8 +284,10 @@ class ContactSolver {
 
   /// Without rigid contacts; springs have bodies where they are at that time.
   FreeVector<Real> free_acceleration(const Real& time_ahead, const Bodies<Real>& bodies) const {
-    const Point<Real> ground = pieces_.current().at(pieces_.offset() + time_ahead);
+    const Loading<Real> loading = pieces_.current().at(pieces_.offset() + time_ahead);
+    const Point<Real>& ground = loading.ground;
     FreeVector<Real> result = uniform<Real>(stack_.size(), -ground.x(), -(across_ + ground.y()));
+    add_pushes(stack_, bodies, loading, result);
     if (!springs_.empty()) result += springs_.accelerations(bodies);
     return result;
   }

@@ -28,6 +28,12 @@ void vary_flight(Scene& scene, const Next& next) {
   }
 }
 
+void vary_motion(GroundMotion& motion, double factor) {
+  for (double& sample : motion.samples) sample *= factor;
+  if (motion.pulse) motion.pulse->amplitude *= factor;
+  for (VelocityStep& step : motion.steps) step.size *= factor;
+}
+
 /// The largest relative change of a scene that is still hardly another.
 constexpr double most_change = 0.1;
 
@@ -83,10 +89,9 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
                                       &initial.gaps, &initial.gap_velocities})
     for (double& value : *values) value *= start;
   for (GroundMotion* motion : {&result.horizontal, &result.vertical}) {
-    const double factor = next_factor();
-    for (double& sample : motion->samples) sample *= factor;
-    if (motion->pulse) motion->pulse->amplitude *= factor;
+    vary_motion(*motion, next_factor());
   }
+  for (Push& push : result.pushes) vary_motion(push.force, next_factor());
   vary_flight(result, [&] { return next_factor() - 1; });
   return result;
 }

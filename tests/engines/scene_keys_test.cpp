@@ -32,7 +32,7 @@ std::string outcome(const Scene& scene) {
   numbers.insert(numbers.end(), history.angles.begin(), history.angles.end());
   numbers.insert(numbers.end(), history.centres.begin(), history.centres.end());
   // Engines take no others.
-  const bool for_engines = scene.blocks.front().offset_x == 0;
+  const bool for_engines = scene.blocks.front().offset_x == 0 && scene.pushes.empty();
   if (for_engines) add(set_up(scene, 0.01, {}), numbers);
   std::string text = scene.title;
   for (const double number : numbers) text += " " + number_text(number);
@@ -89,6 +89,9 @@ const std::vector<KeyCase> cases{
     {&samples_keys, "scale", "2.0"},
     {&samples_keys, "peak", "4.0"},
     {&samples_keys, "time_scale", "2.0"},
+    {&steps_keys, "velocity_steps", "[0.4, -0.3]"},
+    {&steps_keys, "times", "[0.0, 0.4]"},
+    {&steps_keys, "scale", "2.0"},
     {&pulse_keys, "pulse", "\"ricker\""},
     {&pulse_keys, "amplitude", "4.0"},
     {&pulse_keys, "period", "0.4"},
@@ -110,6 +113,13 @@ const std::vector<KeyCase> cases{
     {&synthetic_keys, "interval", "0.02"},
     {&synthetic_keys, "frequency", "3.0"},
     {&synthetic_keys, "damping", "0.5"},
+    {&push_keys, "block", ""},
+    {&push_keys, "height", "1.5"},
+    {&push_keys, "direction", "0.5"},
+    {&push_keys, "force", "600.0"},
+    {&push_keys, "from", "0.1"},
+    {&push_keys, "to", "0.5"},
+    {&push_keys, "impulse", "200.0"},
     {&surface_keys, "friction", "2.0"},
     {&surface_keys, "depth", "2.0"},
 };
@@ -121,8 +131,10 @@ bool is_motion(const KeyTable& table) {
 /// The last of the settings is that of the key whose case it is.
 std::string outcome_with(const std::vector<KeyCase::Setting>& settings) {
   const KeyTable& motion = is_motion(*settings.back().table) ? *settings.back().table : pulse_keys;
-  KeyFile file(
-      {&scene_keys, &block_keys, &initial_keys, &contact_keys, &ground_keys, &motion, &surface_keys});
+  std::vector<const KeyTable*> tables{&scene_keys,  &block_keys, &initial_keys, &contact_keys,
+                                      &ground_keys, &motion,     &surface_keys};
+  if (settings.back().table == &push_keys) tables.push_back(&push_keys);
+  KeyFile file(tables);
   file.set(initial_keys, "angles", "[0.1]");
   for (const auto& [table, key, value] : settings) file.set(*table, key, value);
   const TemporaryFolder folder;

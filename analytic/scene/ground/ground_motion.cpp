@@ -13,15 +13,24 @@ double piece_integral(const GroundMotion& motion, std::size_t piece, double from
   return (to - from) * (motion.samples[piece] + slope * middle);
 }
 
+/// The steps of the velocity within [from, to), m/s.
+double steps_within(const GroundMotion& motion, double from, double to) {
+  double sum = 0;
+  for (const VelocityStep& step : motion.steps)
+    if (step.time >= from && step.time < to) sum += step.size;
+  return sum;
+}
+
 }  // namespace
 
 double GroundMotion::end() const {
   if (pulse) return pulse->start + length(*pulse);
+  if (!steps.empty()) return steps.back().time;
   return samples.empty() ? 0 : interval * static_cast<double>(samples.size() - 1);
 }
 
 double acceleration(const GroundMotion& motion, double t) {
-  if (motion.empty() || t > motion.end()) return 0;
+  if (motion.empty() || t > motion.end() || !motion.steps.empty()) return 0;
   if (motion.pulse) return t < motion.pulse->start ? 0 : acceleration(*motion.pulse, t - motion.pulse->start);
   const auto last = motion.samples.size() - 1;
   const auto piece = std::min(static_cast<std::size_t>(t / motion.interval), last);
@@ -31,6 +40,7 @@ double acceleration(const GroundMotion& motion, double t) {
 }
 
 double mean_acceleration(const GroundMotion& motion, double from, double to) {
+  if (!motion.steps.empty()) return steps_within(motion, from, to) / (to - from);
   if (motion.pulse) {
     const auto gained = [&pulse = *motion.pulse](double t) {
       return velocity(pulse, std::clamp(t - pulse.start, 0.0, length(pulse)));

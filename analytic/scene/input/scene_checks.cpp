@@ -130,6 +130,48 @@ void validate_pulse(const Pulse& pulse, const std::string& key) {
   if (!(pulse.cycles > 0)) throw FieldError(key + ".cycles", pulse.cycles, "a number > 0, or inf");
 }
 
+void validate_steps(const GroundMotion& motion, const std::string& key) {
+  double earlier = 0;
+  for (std::size_t i = 0; i < motion.steps.size(); ++i) {
+    const auto& [time, size] = motion.steps[i];
+    if (!(i == 0 ? time >= 0 : time > earlier) || time > largest_number)
+      throw FieldError(entry_key(key + ".times", i), time, i == 0 ? "≥ 0" : "later than the one before");
+    require_between(entry_key(key + ".velocity_steps", i), size, -largest_number);
+    earlier = time;
+  }
+}
+
+/// Checks a push: where it acts, and its force; keys are those of a file.
+void validate_push(const Scene& scene, const Push& push, const std::string& key) {
+  if (scene.equations == Equations::small_angle)
+    throw FieldError("equations", name(scene.equations),
+                     "another beside push: these leave no lever of its own");
+  const auto blocks = static_cast<int>(scene.blocks.size());
+  if (push.point.block < 1 || push.point.block > blocks)
+    throw FieldError(key + ".block", std::to_string(push.point.block),
+                     "one of the blocks, 1 to " + std::to_string(blocks));
+  const Block& block = scene.blocks[static_cast<std::size_t>(push.point.block) - 1];
+  require_between(key + ".height", push.point.y, 0, 2 * block.half_height);
+  require_between(key + ".x", push.point.x, -block.half_width, block.half_width);
+  require_ranges(key + ".", push_keys, push);
+  if (const auto& steps = push.force.steps; !steps.empty()) {
+    require_between(key + ".from", steps.front().time, 0);
+    require_between(key + ".impulse", steps.front().size, -largest_number);
+    return validate_steps(push.force, key);
+  }
+  if (const auto& pulse = push.force.pulse; pulse && pulse->shape == PulseShape::rectangle)
+    require_between(key + ".from", pulse->start, 0);
+  validate(push.force, key + ".force");
+}
+
+void validate_pushes(const Scene& scene) {
+  if (scene.pushes.size() > max_pushes)
+    throw FieldError("push", std::to_string(scene.pushes.size()) + " tables",
+                     "up to " + std::to_string(max_pushes));
+  for (std::size_t i = 0; i < scene.pushes.size(); ++i)
+    validate_push(scene, scene.pushes[i], entry_key("push", i));
+}
+
 void validate_duration(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   double turning = 0;  // m/s², towards the centre of what turns
@@ -141,8 +183,11 @@ void validate_duration(const Scene& scene) {
   const auto strongest = [](const GroundMotion& motion) {
     return motion.pulse ? std::abs(motion.pulse->amplitude) : peak(motion);
   };
+  double pushed = 0;
+  for (const Push& push : scene.pushes)
+    pushed += strongest(push.force) / scene.blocks[static_cast<std::size_t>(push.point.block) - 1].mass;
   const double acceleration =
-      scene.gravity + strongest(scene.horizontal) + strongest(scene.vertical) + turning;
+      scene.gravity + strongest(scene.horizontal) + strongest(scene.vertical) + turning + pushed;
   const double longest = 1e7 * std::sqrt(smallest / acceleration);
   if (scene.duration > longest)
     throw FieldError("duration", scene.duration,
@@ -155,6 +200,7 @@ void validate_duration(const Scene& scene) {
 void validate(const GroundMotion& motion, const std::string& key) {
   if (motion.empty()) return;
   if (motion.pulse) return validate_pulse(*motion.pulse, key);
+  if (!motion.steps.empty()) return validate_steps(motion, key);
   require_positive(key + ".interval", motion.interval);
   require_each_between(key + ".samples", motion.samples, -largest_number);
 }
@@ -176,6 +222,7 @@ void validate(const Scene& scene) {
   validate_inclination(scene);
   validate(scene.horizontal, "ground.horizontal");
   validate(scene.vertical, "ground.vertical");
+  validate_pushes(scene);
   validate_duration(scene);
   require_ranges("engine.", surface_keys, scene);
 }

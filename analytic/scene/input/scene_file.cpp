@@ -1,6 +1,7 @@
 #include "analytic/scene/input/scene_file.hpp"
 
 #include "analytic/scene/ground/records/record_file.hpp"
+#include "analytic/scene/input/applied_forces_file.hpp"
 #include "analytic/scene/input/scene_keys.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
@@ -77,6 +78,22 @@ GroundMotion from_synthetic(const Node& table, MotionLibrary& library) {
   GroundMotion result = *library.synthetic(motion);
   for (double& sample : result.samples) sample *= motion.peak;
   return result;
+}
+
+GroundMotion from_steps(const Node& table, const Node& sizes) {
+  require_table(table, steps_keys);
+  const Node& times = required(table, "times", "as many times as there are velocity_steps");
+  const std::vector<double> given = numbers(sizes), at = numbers(times);
+  if (given.empty()) throw wrong_value(sizes, "at least one number");
+  if (at.size() != given.size())
+    throw wrong_value(times, "as long as velocity_steps, " + std::to_string(given.size()));
+  const Node* scale = find(table, "scale");
+  const double factor = scale == nullptr ? 1 : number(*scale);
+  GroundMotion motion;
+  motion.source = "steps of the velocity" + (factor == 1 ? "" : ", times " + number_text(factor));
+  motion.steps.reserve(at.size());
+  for (std::size_t i = 0; i < at.size(); ++i) motion.steps.push_back({at[i], given[i] * factor});
+  return motion;
 }
 
 void scale_to_peak(GroundMotion& motion, const Node& node) {
@@ -173,6 +190,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.initial = read_initial(root, scene.blocks.size());
   read_ground(document, library, scene);
   read_contact(root, scene);
+  read_pushes(document, library, scene);
   read_engine(root, scene);
   return scene;
 }
@@ -183,11 +201,12 @@ GroundMotion read_ground_motion(const Node& table, const std::filesystem::path& 
                                 MotionLibrary& library) {
   if (const Node* pulse = find(table, "pulse")) return from_pulse(table, *pulse);
   if (find(table, "synthetic") != nullptr) return from_synthetic(table, library);
+  if (const Node* steps = find(table, "velocity_steps")) return from_steps(table, *steps);
   const Node* record = find(table, "record");
   const Node* samples = find(table, "samples");
   if (record == nullptr && samples == nullptr)
     throw missing_key(table, "record",
-                      "given, or samples and interval, or a pulse or synthetic in its place");
+                      "given, or samples and interval, a pulse, synthetic or velocity_steps in its place");
   GroundMotion motion =
       record != nullptr ? from_record(table, *record, folder, library) : from_samples(table, *samples);
   const Node* scale = find(table, "scale");

@@ -2,6 +2,7 @@
 
 #include "analytic/scene/ground/synthetic.hpp"
 #include "analytic/scene/input/key.hpp"
+#include "analytic/scene/pattern.hpp"
 
 namespace rockstack {
 
@@ -56,6 +57,7 @@ inline const KeysOf<Scene> scene_keys{
      {"initial", "", "", "a table [initial]", no_default, "how it starts"},
      {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
      {"contact", "", "", "a table [contact]", no_default, "how blocks touch"},
+     {"push", "", "", "up to 8 tables [[push]]", no_default, "forces on blocks"},
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
      {"restitution", "[0.9]", "", KeyRange{"a number from 0 to 1 for each block", 0, 1}, "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
@@ -171,6 +173,15 @@ inline const KeyTable samples_keys{
      {"time_scale", "1.0", "", "> 0", "1",
       "factor on the times; √λ for a model of λ times the size, whose angles are then those of the original"}}};
 
+inline const KeyTable steps_keys{
+    "[ground.horizontal]",
+    "steps of the ground's velocity: impulses on all masses",
+    {{"velocity_steps", "[0.3, -0.3]", "m/s", "at least one number", required_key,
+      "by which the ground's velocity changes at once"},
+     {"times", "[0.0, 0.5]", "s", "as many, from 0 on, each later than the one before", required_key,
+      "of the steps"},
+     {"scale", "1.0", "", "any number", "1", "factor on the steps", usual_scales}}};
+
 inline const KeysOf<Pulse> pulse_keys{
     "[ground.horizontal]",
     "a pulse",
@@ -225,6 +236,21 @@ inline const KeysOf<SyntheticMotion> synthetic_keys{
      {"damping", "0.6", "", by_itself("> 0, up to 1"), "of the ground layer, as a fraction of critical",
       &SyntheticMotion::damping}}};
 
+inline const KeysOf<Push> push_keys{
+    "[[push]]",
+    "a force on a block, or an impulse; not with small-angle equations",
+    {{"block", "1", "", whole_numbers(1, max_blocks), required_key, "that is pushed, from the bottom up",
+      part(&Push::point, &BlockPoint::block)},
+     {"height", "0.5", "m", "from 0 to the block's", "half of the block's",
+      "of the point that is pushed over the block's lower face, in its middle"},
+     {"direction", "0.0", "rad", any_number, "0 to the right, π/2 up; it stays, however the block turns",
+      &Push::direction, UsualNumbers{-3.15, 3.15}},
+     {"force", "500.0", "N", "a number, or a table of samples or a pulse, as [ground.horizontal] has",
+      required_key, "over time; in a table N stand for m/s²"},
+     {"from", "0.0", "s", "≥ 0, beside no table", "0", "when the force begins, or the impulse acts"},
+     {"to", "1.0", "s", "later, beside a number", "the end of the scene", "when the force ends"},
+     {"impulse", "100.0", "N·s", "any number", "instead of force", "at an instant"}}};
+
 inline const KeysOf<Scene> surface_keys{
     "[engine]",
     "what engines need and the exact solver does not",
@@ -237,7 +263,7 @@ inline const KeysOf<Scene> surface_keys{
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
 inline constexpr std::initializer_list<const KeyTable*> scene_tables{
-    &scene_keys,   &block_keys, &initial_keys,  &contact_keys,    &ground_keys,    &record_keys,
-    &samples_keys, &pulse_keys, &harmonic_keys, &near_fault_keys, &synthetic_keys, &surface_keys};
+    &scene_keys, &block_keys, &initial_keys,  &contact_keys,    &ground_keys,    &record_keys, &samples_keys,
+    &steps_keys, &pulse_keys, &harmonic_keys, &near_fault_keys, &synthetic_keys, &push_keys,   &surface_keys};
 
 }  // namespace rockstack

@@ -19,6 +19,19 @@ Point<Real> turned(const Point<Real>& vector, const Real& angle) {
   return turned<Real>(vector.x(), vector.y(), cos(angle), sin(angle));
 }
 
+/// Adds what pushes alone make of free blocks: accelerations, or velocities of impulses.
+template <class Real>
+void add_pushes(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Loading<Real>& loading,
+                FreeVector<Real>& free) {
+  const auto turn = [&](int k, const Point<Real>& arm) { return turned<Real>(arm, bodies.pose[k].angle); };
+  each_push(stack.pushes, loading, turn,
+            [&](const PushPoint<Real>& point, const Point<Real>& force, const Real& moment) {
+              const Eigen::Index at = Eigen::Index{3} * point.block;
+              const Eigen::Matrix<Real, 3, 1> effect(force.x(), force.y(), moment);
+              free.template segment<3>(at) += stack.inverse_mass.template segment<3>(at).cwiseProduct(effect);
+            });
+}
+
 template <class Real>
 ContactKinematics<Real> kinematics_of(const ContactModel<Real>& stack, const Bodies<Real>& bodies,
                                       const CornerOnFace<Real>& corner) {

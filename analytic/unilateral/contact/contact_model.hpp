@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analytic/scene/kinematics.hpp"
+#include "analytic/scene/applied_forces.hpp"
 #include "analytic/unilateral/contact/short_vector.hpp"
 
 namespace rockstack {
@@ -149,7 +149,8 @@ struct ContactModel {
   Real restitution = 0;  ///< of all points
   RestitutionLaw restitution_law = RestitutionLaw::newton;
   std::vector<SpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
-  FreeVector<Real> inverse_mass;         ///< three a block
+  std::vector<PushPoint<Real>> pushes;
+  FreeVector<Real> inverse_mass;  ///< three a block
 
   ContactModel(std::vector<Block> stacked, const std::vector<double>& coefficients)
       : blocks(std::move(stacked)),
@@ -210,6 +211,7 @@ ContactModel<Real> contact_model_of(const Scene& scene) {
   ContactModel<Real> stack(scene.blocks, friction_of(scene));
   stack.restitution = Real(scene.point_restitution);
   stack.restitution_law = scene.restitution_law;
+  stack.pushes = push_points<Real>(scene);
   const CornerSprings& springs = scene.springs;
   if (springs.stiffness.empty() && springs.bed_stiffness.empty()) return stack;
   const auto of = [](const std::vector<double>& values, std::size_t k, double default_value) {

@@ -147,6 +147,8 @@ class SeriesMaker {
     }
     for (const HeldJoint<Real>& joint : held_) joint.add_force(series_.forces[joint.interface()], n, motion);
     known_.add_forces(n, motion);
+    for (std::size_t i = 0; i < body_force.pushes.size(); ++i)
+      add_push(stack_.pushes[i], body_force.pushes[i], n, motion);
     const Real* lightness = stack_.inverse_mass.data();
     for (std::size_t k = 0; k < joints_.size(); ++k, lightness += 3) {
       Real* own = &motion[3 * (k + 1)];
@@ -154,6 +156,21 @@ class SeriesMaker {
       own[1] *= lightness[1];
       own[2] *= lightness[2];
     }
+  }
+
+  /// Adds coefficient n of a push, and of its moment.
+  void add_push(const PushPoint<Real>& push, const Polynomial<Real>& size, std::size_t n,
+                ChainVector<Real>& motion) const {
+    const auto k = static_cast<std::size_t>(push.block);
+    const Point<Real> force = coefficient(size, n) * push.direction;
+    Real moment = 0;
+    for (std::size_t m = 0; m < std::min(size.terms, n + 1); ++m)
+      moment +=
+          size[m] * quarter_turned<Real>(turned(series_.bodies[k], push.arm, n - m)).dot(push.direction);
+    Real* own = &motion[3 * (k + 1)];
+    own[0] += force.x();
+    own[1] += force.y();
+    own[2] += moment;
   }
 
   /// Changes coefficient n of accelerations so that what is held stays so at order n + 2; notes its forces.
@@ -208,7 +225,7 @@ ModeStep<Real> mode_step(const ContactModel<Real>& stack, const Joints<Real>& jo
     maker.begin(step.planned);
     maker.extend(0, body_force);
   }
-  const std::size_t body_force_terms = std::max(body_force.x.terms, body_force.y.terms);
+  const std::size_t body_force_terms = body_force.terms();
   constexpr std::size_t most = max_orders<Real>;
   std::size_t orders = 0;
   // What the last two coefficients leave out, in shares of what is negligible.

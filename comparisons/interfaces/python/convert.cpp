@@ -121,7 +121,7 @@ bool is_known(const bool& value) {
 }
 
 bool is_known(EventKind kind) {
-  return kind >= EventKind::opening && kind <= EventKind::strike;
+  return kind >= EventKind::opening && kind <= EventKind::impulse;
 }
 
 bool is_known(Consistency consistency) {

@@ -66,7 +66,7 @@ auto fields_of(A<HeldMotion> auto& motion) {
 }
 
 auto fields_of(A<GroundMotion> auto& motion) {
-  return std::tie(motion.interval, motion.samples, motion.source, motion.made_up, motion.pulse);
+  return std::tie(motion.interval, motion.samples, motion.source, motion.made_up, motion.pulse, motion.steps);
 }
 
 template <class List>

@@ -165,10 +165,8 @@ std::vector<Reaction> reactions_of(const Scene& scene, const History& history) {
   std::vector<Reaction> rows;
   rows.reserve(history.size() * static_cast<std::size_t>(history.blocks));
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const double time = history.times[i];
-    const Point<double> ground{acceleration(scene.horizontal, time) - gravity_of(scene).along,
-                               acceleration(scene.vertical, time)};
-    const PatternSolution<double> solution = accelerate(model, state_at(history, i), ground);
+    const PatternSolution<double> solution =
+        accelerate(model, state_at(history, i), loading_at(scene, history.times[i]));
     const auto& [normal, tangential, moment] = solution.reactions;
     for (int k = 0; k < history.blocks; ++k) {
       const bool carried = solution.pattern[k] == Contact::closed && normal[k] > solution.rounding[k];

@@ -133,7 +133,9 @@ class Oscillator {
 };
 
 /// The largest acceleration from a time on, m/s²; of pulses at the ends of a thousand parts of what is left.
+/// Of steps the last one.
 double largest_after(const GroundMotion& motion, double time) {
+  if (!motion.steps.empty()) return std::abs(motion.steps.back().size);
   if (!motion.pulse) {
     const auto first = static_cast<std::size_t>(std::ceil(time / motion.interval));
     return largest_magnitude(std::span(motion.samples).subspan(std::min(first, motion.samples.size())));

@@ -23,11 +23,21 @@ std::string processor() {
 }
 
 Json motion_fields(const GroundMotion& motion) {
-  const auto& [interval, samples, source, made_up, pulse] = motion;
-  if (!pulse) return std::tuple(interval, samples, source, made_up, Json());
-  const auto& [shape, amplitude, period, start, cycles, phase] = *pulse;
-  return std::tuple(interval, samples, source, made_up,
-                    std::tuple(shape, amplitude, period, start, cycles, phase));
+  const auto& [interval, samples, source, made_up, pulse, steps] = motion;
+  Json of_pulse;
+  if (pulse) {
+    const auto& [shape, amplitude, period, start, cycles, phase] = *pulse;
+    of_pulse = std::tuple(shape, amplitude, period, start, cycles, phase);
+  }
+  Json fields = std::tuple(interval, samples, source, made_up, of_pulse);
+  for (const auto& [time, size] : steps) fields.push_back(std::tuple(time, size));
+  return fields;
+}
+
+Json push_fields(const Push& push) {
+  const auto& [point, direction, force] = push;
+  const auto& [block, x, y] = point;
+  return std::tuple(block, x, y, direction, motion_fields(force));
 }
 
 }  // namespace
@@ -47,14 +57,15 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
 // Members are bound by their number, so that a struct with another one does not compile until it counts here.
 Json scene_fields(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
-               point_restitution, restitution_law, springs, initial, horizontal, vertical, depth] = scene;
+               point_restitution, restitution_law, springs, initial, horizontal, vertical, pushes, depth] =
+      scene;
   const Json each = mapped(blocks, [](const Block& block) -> Json {
     const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
     return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
   });
   const auto& [stiffness, damping, bed_stiffness, bed_damping, tangential] = springs;
   const auto& [angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities] = initial;
-  return {
+  Json fields{
       {"title", title},
       {"duration", duration},
       {"gravity", gravity},
@@ -71,6 +82,9 @@ Json scene_fields(const Scene& scene) {
       {"horizontal", motion_fields(horizontal)},
       {"vertical", motion_fields(vertical)},
       {"depth", depth}};
+  // Identities of scenes without them stay as they were.
+  if (!pushes.empty()) fields["pushes"] = mapped(pushes, push_fields);
+  return fields;
 }
 
 std::string ground_words(const Scene& scene) {

@@ -107,7 +107,8 @@ Column velocities(const Placement& placement, const Vector<Number>& relative_vel
   return result;
 }
 
-Solution accelerate(const Model<Number>& model, const State<Number>& state, const Point<Number>& ground) {
+Solution accelerate(const Model<Number>& model, const State<Number>& state, const Point<Number>& ground,
+                    const Column& pushed) {
   const bool linear = model.equations == Equations::linear;
   const Vector<Number> still = Vector<Number>::Zero(state.angles.size());
   const Placement placement = place(model, state.pattern, linear ? still : state.angles);
@@ -117,11 +118,14 @@ Solution accelerate(const Model<Number>& model, const State<Number>& state, cons
   for (int k = 0; k < model.stack.size(); ++k) {
     free.segment<2>(row(k)) << -ground.x(), -model.gravity - ground.y();
   }
+  if (pushed.size() > 0) free += pushed;
   return solve(model, state.pattern, constraints, free, constraints.centripetal);
 }
 
-Solution strike(const Model<Number>& model, const State<Number>& before, const Pattern& pattern) {
-  const Column free = velocities(place(model, before.pattern, before.angles), before.velocities);
+Solution strike(const Model<Number>& model, const State<Number>& before, const Pattern& pattern,
+                const Column& pushed) {
+  Column free = velocities(place(model, before.pattern, before.angles), before.velocities);
+  if (pushed.size() > 0) free += pushed;
   const Constraints constraints = constrain(place(model, pattern, before.angles), pattern, free);
   return solve(model, pattern, constraints, free, Column::Zero(free.size()));
 }

@@ -41,10 +41,13 @@ struct Solution {
   Vector<Number> moment;    ///< at each closed interface about its middle, clockwise
 };
 
-Solution accelerate(const Model<Number>& model, const State<Number>& state, const Point<Number>& ground);
+/// `pushed`: what pushes alone make of free blocks; empty where there are none.
+Solution accelerate(const Model<Number>& model, const State<Number>& state, const Point<Number>& ground,
+                    const Column& pushed = {});
 
 /// The velocities after an impact that leads to `pattern`, from those before.
-Solution strike(const Model<Number>& model, const State<Number>& before, const Pattern& pattern);
+Solution strike(const Model<Number>& model, const State<Number>& before, const Pattern& pattern,
+                const Column& pushed = {});
 
 /// Angular momentum of the blocks from `interface` up about its pivot, clockwise.
 Number angular_momentum(const Model<Number>& model, const Placement& placement, const Column& motion,

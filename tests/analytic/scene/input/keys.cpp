@@ -11,17 +11,18 @@ namespace rockstack {
 namespace {
 
 /// The ways to say how the ground moves.
-const std::vector<const KeyTable*> motions{&record_keys,   &samples_keys,    &pulse_keys,
+const std::vector<const KeyTable*> motions{&record_keys,   &samples_keys,    &steps_keys,    &pulse_keys,
                                            &harmonic_keys, &near_fault_keys, &synthetic_keys};
 
 /// Tables of a scene with a motion of that kind.
 std::vector<const KeyTable*> tables_with(const KeyTable* motion) {
-  return {&scene_keys, &block_keys, &initial_keys, &ground_keys, &contact_keys, motion, &surface_keys};
+  return {&scene_keys,   &block_keys, &initial_keys, &ground_keys,
+          &contact_keys, motion,      &push_keys,    &surface_keys};
 }
 
 KeyFile scene_file(const KeyTable& motion) {
-  return KeyFile(
-      {&scene_keys, &block_keys, &initial_keys, &contact_keys, &ground_keys, &motion, &surface_keys});
+  return KeyFile({&scene_keys, &block_keys, &initial_keys, &contact_keys, &ground_keys, &motion, &push_keys,
+                  &surface_keys});
 }
 
 /// Reads a scene beside a record; fills `scene` where it is given.
