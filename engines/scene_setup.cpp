@@ -128,6 +128,7 @@ Setup set_up(const Scene& scene, double dt, const Parameters& parameters,
   Setup setup;
   setup.blocks = place(scene);
   setup.friction = friction_of(scene);
+  setup.kinetic_friction = scene.kinetic_friction;
   setup.gravity = body_acceleration(scene);
   for (int k = 0; k < static_cast<int>(scene.blocks.size()); ++k)
     setup.toppling_angles.push_back(toppling_angle(scene, k));

@@ -31,17 +31,23 @@ struct GroundStep {
 
 /// A scene as an engine is told it: boxes on the ground y = 0, and what every time step does to them.
 struct Setup {
-  std::vector<Placement> blocks;        ///< bottom to top
-  std::vector<double> friction;         ///< Coulomb's coefficient of each interface, from the ground up
-  BodyAcceleration gravity;             ///< in the ground's axes
-  std::vector<double> toppling_angles;  ///< of each block, rad: a run ends where |angle| is above it
-  double dt = 0;                        ///< s
+  std::vector<Placement> blocks;              ///< bottom to top
+  std::vector<double> friction;               ///< Coulomb's coefficient of each interface, from the ground up
+  std::vector<double> kinetic_friction = {};  ///< likewise of what slides; empty where it is the same
+  BodyAcceleration gravity;                   ///< in the ground's axes
+  std::vector<double> toppling_angles;        ///< of each block, rad: a run ends where |angle| is above it
+  double dt = 0;                              ///< s
   std::size_t steps = 0;
   /// Gravity less the ground's mean acceleration, of each step; empty where every step has gravity alone.
   std::vector<BodyAcceleration> accelerations;
   /// Motion of the ground in each step, where it really moves; else empty.
   std::vector<GroundStep> ground;
 };
+
+/// The coefficient of each interface where it slides, of engines that have a second one.
+inline const std::vector<double>& kinetic_friction_of(const Setup& setup) {
+  return setup.kinetic_friction.empty() ? setup.friction : setup.kinetic_friction;
+}
 
 /// How far a ground with edges should go to each side, m: ten times all blocks in a row. There must be one.
 inline double ground_reach(const std::vector<Placement>& blocks) {

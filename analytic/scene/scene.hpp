@@ -149,6 +149,8 @@ struct Scene {
   std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
   /// Coulomb's coefficient of each interface, upwards, 0 … largest_friction; none: largest_friction.
   std::vector<double> friction = {};
+  /// The same of an interface that slides, 0 … its friction; none: its friction. Law `unilateral` alone.
+  std::vector<double> kinetic_friction = {};
   double point_restitution = 0;  ///< coefficient e of all contact points, 0 … 1; law `unilateral` alone
   RestitutionLaw restitution_law = RestitutionLaw::newton;  ///< of that coefficient
   CornerSprings springs;
@@ -175,6 +177,11 @@ inline bool leaves_pivots(Law law) {
 /// Coulomb's coefficient of each interface, from the ground up.
 inline std::vector<double> friction_of(const Scene& scene) {
   return scene.friction.empty() ? std::vector<double>(scene.blocks.size(), largest_friction) : scene.friction;
+}
+
+/// The coefficient of each interface where it slides, from the ground up.
+inline std::vector<double> kinetic_friction_of(const Scene& scene) {
+  return scene.kinetic_friction.empty() ? friction_of(scene) : scene.kinetic_friction;
 }
 
 /// Gravity in the ground's axes, along it to the right and across it downwards, m/s².

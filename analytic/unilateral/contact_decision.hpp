@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <bit>
 
 #include "analytic/scene/branching.hpp"
 #include "analytic/unilateral/contact_collision.hpp"
@@ -85,6 +86,20 @@ bool one_motion_obeys(const TouchingContacts<Real>& contacts, const Joints<Real>
   return true;
 }
 
+/// Adds what follows where of several interfaces that have left static cones at once one alone has.
+template <class Real>
+void add_from_other_cones(const ContactProblem<Real>& problem, const Joints<Real>& joints,
+                          OtherModes<Real>& others) {
+  if (std::has_single_bit(problem.left_cones)) return;
+  for (std::uint32_t rest = problem.left_cones; rest != 0 && !others.full(); rest &= rest - 1) {
+    ContactProblem<Real> alone = problem;
+    alone.left_cones = rest & (~rest + 1);
+    const TouchingContacts<Real> contacts(alone, joints);
+    const auto mode = find_mode(contacts, joints);
+    if (mode && cones_left(alone, joints, *mode) == 0 && obeys(contacts, joints, *mode)) others.add(*mode);
+  }
+}
+
 /// Up to `most` modes besides one that obey as well, where there are few to try: for one they are sought
 /// where friction couples at a point, for more wherever there may be any.
 template <class Real>
@@ -94,6 +109,8 @@ std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, co
   OtherModes<Real> others(problem, mode, most);
   add_on_other_faces(problem, joints, mode, others);
   if (!problem.of_accelerations() || others.full()) return std::move(others).take();
+  add_from_other_cones(problem, joints, others);
+  if (others.full()) return std::move(others).take();
   const auto& interfaces = contacts.interfaces();
   const bool sought = most > 1 ? !one_motion_obeys(contacts, joints)
                                : std::any_of(interfaces.begin(), interfaces.end(),
@@ -113,7 +130,8 @@ std::vector<Joints<Real>> other_modes(const TouchingContacts<Real>& contacts, co
     return std::any_of(pairs.begin(), pairs.end(), [&](int k) { return slides_off(other[k]); });
   };
   for (const auto& other : modes_that_obey(contacts, joints, most_tried))
-    if (!others.full() && !same_modes(mode, other) && in_cones(other) && !leaves_face(other))
+    if (!others.full() && !same_modes(mode, other) && cones_left(problem, joints, other) == 0 &&
+        in_cones(other) && !leaves_face(other))
       others.add(other);
   return std::move(others).take();
 }

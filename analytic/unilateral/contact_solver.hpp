@@ -223,14 +223,15 @@ class ContactSolver {
                                                                window, Real(scene_.gravity) * window)
                                                : touching;
     Joints<Real> joints = joined;
-    const ContactProblem<Real> problem{stack_, bodies, free, ContactLevel::accelerations};
+    ContactProblem<Real> problem{stack_, bodies, free, ContactLevel::accelerations};
     std::optional<TouchingContacts<Real>> contacts(std::in_place, problem, joints);
-    auto mode = find_mode(*contacts, joints);
+    auto mode = find_mode_in_cones(problem, joints, contacts);
     if (!mode) {
       joints = follow_without_solution(joints);
       bodies = state_.bodies;
+      problem.left_cones = 0;
       contacts.emplace(problem, joints);
-      mode = find_mode(*contacts, joints);
+      mode = find_mode_in_cones(problem, joints, contacts);
       if (!mode) stop("no forces let the motion go on at", time());
     }
     // Other modes are sought only where an event can tell of them.

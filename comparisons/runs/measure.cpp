@@ -40,6 +40,8 @@ Json all_parameters(const EngineSeries& series, const Scene& scene) {
   const std::vector<double> friction = acting_friction(series, scene);
   const bool alike = std::ranges::adjacent_find(friction, std::not_equal_to<>()) == friction.end();
   Json parameters = with_restitution(*series.engine, scene, series.parameters);
+  if (!scene.kinetic_friction.empty() && series.engine->capabilities.kinetic_friction)
+    parameters["kinetic_friction"] = scene.kinetic_friction;
   parameters["friction"] = alike ? Json(friction.front()) : Json(friction);
   return parameters;
 }

@@ -214,12 +214,18 @@ Scene Variant::apply(Scene scene) const {
   if (choice == Choice::paper) scene.law = Law::paper;
   if (choice == Choice::consistent) scene.law = Law::consistent;
   if (choice == Choice::unilateral || choice == Choice::friction) scene.law = Law::unilateral;
-  if (scene.law != Law::unilateral) scene.point_restitution = 0;
+  if (scene.law != Law::unilateral) {
+    scene.point_restitution = 0;
+    scene.kinetic_friction.clear();
+  }
   if (scene.law != Law::compliant) {
     scene.springs = {};
     scene.initial.preloaded = true;
   }
-  if (choice == Choice::friction) scene.friction.assign(scene.blocks.size(), friction);
+  if (choice == Choice::friction) {
+    scene.friction.assign(scene.blocks.size(), friction);
+    scene.kinetic_friction.clear();
+  }
   return scene;
 }
 

@@ -1,6 +1,7 @@
 #include "engines/formats/model_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -59,6 +60,8 @@ bool starts_in_motion(const Setup& setup) {
 std::vector<std::string> left_out_everywhere(const ModelScene& scene, bool bounces) {
   std::vector<std::string> list;
   if (!scene.ground.empty()) list.emplace_back("the ground's motion");
+  if (const auto& sliding = scene.setup.kinetic_friction; !sliding.empty())
+    list.push_back(fmt::format("kinetic_friction {}", fmt::join(sliding, " ")));
   if (scene.restitution > 0 && !bounces) list.push_back(fmt::format("restitution {}", scene.restitution));
   return list;
 }

@@ -16,7 +16,8 @@ std::vector<std::size_t> wrong_interfaces(const std::vector<double>& interfaces)
 /// True where the scene has a block that moves at the start.
 bool starts_in_motion(const Setup& setup);
 
-/// What no format here holds: the ground's motion and, unless `bounces`, restitution.
+/// What no format here holds: the ground's motion, a second coefficient of friction and, unless `bounces`,
+/// restitution.
 std::vector<std::string> left_out_everywhere(const ModelScene& scene, bool bounces);
 
 /// A comment at the head of a file: what the scene is, its axes, how to run it, how to come back, and what is

@@ -98,8 +98,8 @@ class SimbodySimulation final : public ShakenSimulation {
       const bool narrower_below = k > 0 && setup.blocks[k - 1].width < above.width;
       const Placement& narrow = narrower_below ? setup.blocks[k - 1] : above;
       const double face = k > 0 ? setup.blocks[k - 1].height / 2 : 0;
-      const double friction = setup.friction[k];
-      const SimTK::ContactMaterial material(stiffness_, dissipation_, friction, friction);
+      const SimTK::ContactMaterial material(stiffness_, dissipation_, setup.friction[k],
+                                            kinetic_friction_of(setup)[k]);
       SimTK::ContactSurface plane(SimTK::ContactGeometry::HalfSpace(), material);
       plane.joinClique(cliques[k]);
       SimTK::ContactSurface brick(

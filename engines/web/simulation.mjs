@@ -27,6 +27,9 @@ export function neighbourMeans(friction) {
   return own;
 }
 
+/** The coefficients of each interface where it slides, of libraries that have a second one. */
+export const kineticFriction = (question) => question.kinetic_friction ?? question.friction;
+
 /** What masses are multiplied by, so that the whole stack has `wanted` kg; 0 leaves them. No angle depends on it. */
 export function massFactor(question) {
   const wanted = question.parameters.unitMass;

@@ -82,6 +82,7 @@ json fields_of(const RunRequest& run, Form form) {
   for (const auto& [name, value] : run.parameters)
     object["parameters"][name] = parameter_field(run, name, value);
   if (run.warm_up > 0) object["warm_up"] = run.warm_up;
+  if (!setup.kinetic_friction.empty()) object["kinetic_friction"] = to_field(setup.kinetic_friction, form);
   if (run.question > 0) object["question"] = run.question;
   if (run.reactions) object["reactions"] = true;
   if (!setup.accelerations.empty())
@@ -103,6 +104,8 @@ RunRequest read_run_request(const json& object) {
   run.repeats = count_field(object, "repeats");
   run.bodies = flag_field(object, "bodies");
   if (has_field(object, "warm_up")) run.warm_up = count_field(object, "warm_up");
+  if (has_field(object, "kinetic_friction"))
+    setup.kinetic_friction = numbers_field(object, "kinetic_friction");
   if (has_field(object, "question")) run.question = count_field(object, "question");
   if (has_field(object, "reactions")) run.reactions = flag_field(object, "reactions");
   setup.blocks =
@@ -128,6 +131,7 @@ json fields_of(const EngineDescription& engine) {
               {"lead", engine.capabilities.lead},
               {"tuned_lead", engine.capabilities.tuned_lead},
               {"settings", json::array()}};
+  if (engine.capabilities.kinetic_friction) object["kinetic_friction"] = true;
   if (engine.warm_up > 0) object["warm_up"] = engine.warm_up;
   if (engine.runs_per_process > 1) object["runs_per_process"] = engine.runs_per_process;
   for (const Setting& setting : engine.settings) {
@@ -164,6 +168,7 @@ EngineDescription read_engine(const json& object) {
   engine.licence = text_field(object, "licence");
   Capabilities& able = engine.capabilities;
   if (has_field(object, "largest_friction")) able.largest_friction = number_field(object, "largest_friction");
+  if (has_field(object, "kinetic_friction")) able.kinetic_friction = flag_field(object, "kinetic_friction");
   if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
   if (has_field(object, "planar")) able.planar = flag_field(object, "planar");
   if (has_field(object, "lead")) able.lead = number_field(object, "lead");

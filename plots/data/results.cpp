@@ -28,6 +28,9 @@ ComparedScene compared_scene(const Json& json, const fs::path& results) {
   scene.ground = json.at("ground").get<std::string>();
   if (!scene.restitution.empty())
     scene.heading += fmt::format(" with restitution {}, engines without", fmt::join(scene.restitution, ", "));
+  if (!scene.kinetic_friction.empty())
+    scene.heading += fmt::format(" with kinetic_friction {}; engines of one coefficient have friction's",
+                                 fmt::join(scene.kinetic_friction, ", "));
   if (const Json& time = json.at("predictable_time"); !time.is_null())
     scene.predictable_time = time.get<double>();
   scene.results = json.at("results").get<std::vector<std::string>>();

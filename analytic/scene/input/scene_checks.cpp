@@ -93,6 +93,24 @@ void validate_initial(const Scene& scene) {
   }
 }
 
+void validate_friction(const Scene& scene) {
+  const std::string key = "contact.kinetic_friction";
+  if (!scene.friction.empty())
+    require_one_each("contact.friction", scene.friction, scene.blocks.size(), 0, largest_friction);
+  if (scene.kinetic_friction.empty()) return;
+  require_one_each(key, scene.kinetic_friction, scene.blocks.size(), 0, largest_friction);
+  const std::vector<double> most = friction_of(scene);
+  for (std::size_t k = 0; k < most.size(); ++k) {
+    const double given = scene.kinetic_friction[k];
+    const auto refuse = [&](const std::string& why) { throw FieldError(entry_key(key, k), given, why); };
+    if (given > most[k]) refuse("at most contact.friction, " + number_text(most[k]) + " there");
+    if (given == most[k] || scene.law == Law::unilateral) continue;
+    refuse(std::string("that of contact.friction under law ") + name(scene.law) +
+           (scene.law == Law::compliant ? ", where springs along a face would jump as it slides"
+                                        : ", where nothing slides: say law = \"unilateral\""));
+  }
+}
+
 void validate_point_restitution(const Scene& scene) {
   require_ranges("contact.", contact_keys, scene);
   const double given = scene.point_restitution;
@@ -215,8 +233,7 @@ void validate(const Scene& scene) {
   require_ranges("", scene_keys, scene, scene.blocks.size());
   validate_law(scene);
   validate_initial(scene);
-  if (!scene.friction.empty())
-    require_one_each("contact.friction", scene.friction, scene.blocks.size(), 0, largest_friction);
+  validate_friction(scene);
   validate_point_restitution(scene);
   validate_springs(scene);
   validate_inclination(scene);

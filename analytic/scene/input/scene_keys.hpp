@@ -110,6 +110,11 @@ inline const KeysOf<Scene> contact_keys{
        "\"compliant\" and in engines; laws of pivots never slip, and warn where they would have to",
        UsualNumbers{0.01, largest_friction, true}},
       [](const Node& node, Scene& scene) { scene.friction = each_interface(node, scene); }},
+     {{"kinetic_friction", "0.4", "",
+       "a number from 0 to friction, or one for each block; law \"unilateral\"", "friction",
+       "the coefficient of what slides, and of impulses; of engines that have a second one",
+       UsualNumbers{0.01, largest_friction, true}},
+      [](const Node& node, Scene& scene) { scene.kinetic_friction = each_interface(node, scene); }},
      {"restitution", "0.0", "", KeyRange{"a number from 0 to 1; law \"unilateral\"", 0, 1},
       "coefficient of contact points, which engines take too: what a point that meets a face keeps of "
       "its speed across it, backwards; of rocking under laws of pivots see restitution outside this table",

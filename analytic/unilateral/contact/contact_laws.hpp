@@ -6,6 +6,13 @@ namespace rockstack {
 
 // Points push or part, 0 ≤ λ_N ⟂ gap' ≥ 0, and rub by Coulomb's law, |λ_T| ≤ μ λ_N, λ_T = −μ λ_N sgn slip'
 // where they slide (Moreau 1988; Stewart & Trinkle 1996). Both ends of a flat contact share λ_T.
+//
+// Two coefficients, μ_k ≤ μ_s. What sticks has the static cone; a contact whose forces leave it has the
+// kinetic one from there on, and sticks again where its slip comes to an end, or does not grow, in either
+// cone (cones_left()). Impulses have the kinetic one alone: static friction is that of contacts which have
+// rested (Rabinowicz 1951, J. Appl. Phys. 22, 1373–1379), and the proof in expansion.hpp that impacts never
+// gain energy needs one coefficient for both phases. So a block that meets the ground sticks where μ_k admits
+// it.
 
 /// What the joint of one interface can become.
 template <class Real>
@@ -151,7 +158,19 @@ bool changes_face(const ContactProblem<Real>& problem, const ShortVector<Contact
   if (!joint.touches() || joint.slip != 0) return slides_off(joint);
   const auto other = on_other_face(forces[k], joint, relative_angle(problem.bodies.pose, k));
   const int against = joint.corner_below ? joint.side() : -joint.side();
-  return against * other.tangential > problem.stack.friction[k] * other.normal + rounding;
+  return against * other.tangential > problem.friction(k, joint) * other.normal + rounding;
+}
+
+/// The interfaces that slide in a mode although they still have static cones that are not the kinetic ones.
+template <class Real>
+std::uint32_t cones_left(const ContactProblem<Real>& problem, const Joints<Real>& joints,
+                         const Joints<Real>& mode) {
+  std::uint32_t left = 0;
+  for (std::size_t k = 0; k < mode.size(); ++k)
+    if (mode[k].slip != 0 && problem.stack.friction[k] != problem.stack.kinetic_friction[k] &&
+        problem.has_static_cone(static_cast<int>(k), joints[k]))
+      left |= 1U << k;
+  return left;
 }
 
 /// The first of `pairs` that changes its face in a mode of `contacts`, or −1.

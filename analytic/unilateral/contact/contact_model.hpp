@@ -140,13 +140,14 @@ struct SpringLaw {
   bool soft() const { return stiffness < std::numeric_limits<Real>::infinity(); }
 };
 
-/// The stack that contacts hold, with the friction coefficient of each interface. Bodies count from 0; −1 is
+/// The stack that contacts hold, with the friction coefficients of each interface. Bodies count from 0; −1 is
 /// the ground, endless and without height, whose centre of mass is its middle.
 template <class Real = double>
 struct ContactModel {
   std::vector<Block> blocks;
-  std::vector<Real> friction;
-  Real restitution = 0;  ///< of all points
+  std::vector<Real> friction;          ///< where it sticks
+  std::vector<Real> kinetic_friction;  ///< where it slides, and of impulses
+  Real restitution = 0;                ///< of all points
   RestitutionLaw restitution_law = RestitutionLaw::newton;
   std::vector<SpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
   std::vector<PushPoint<Real>> pushes;
@@ -155,6 +156,7 @@ struct ContactModel {
   ContactModel(std::vector<Block> stacked, const std::vector<double>& coefficients)
       : blocks(std::move(stacked)),
         friction(coefficients.begin(), coefficients.end()),
+        kinetic_friction(friction),
         inverse_mass(3 * static_cast<Eigen::Index>(blocks.size())) {
     for (int k = 0; k < size(); ++k) {
       const Block& block = blocks[k];
@@ -209,6 +211,8 @@ struct ContactModel {
 template <class Real>
 ContactModel<Real> contact_model_of(const Scene& scene) {
   ContactModel<Real> stack(scene.blocks, friction_of(scene));
+  const std::vector<double> sliding = kinetic_friction_of(scene);
+  stack.kinetic_friction.assign(sliding.begin(), sliding.end());
   stack.restitution = Real(scene.point_restitution);
   stack.restitution_law = scene.restitution_law;
   stack.pushes = push_points<Real>(scene);

@@ -224,6 +224,22 @@ std::optional<Joints<Real>> find_mode(const ContactProblem<Real>& problem, const
   return find_mode(TouchingContacts<Real>(problem, joints), joints);
 }
 
+/// The mode in which what sticks has static friction until its forces leave that cone, and then kinetic: as
+/// `problem` and `contacts` have it in the end.
+template <class Real>
+std::optional<Joints<Real>> find_mode_in_cones(ContactProblem<Real>& problem, const Joints<Real>& joints,
+                                               std::optional<TouchingContacts<Real>>& contacts) {
+  auto mode = find_mode(*contacts, joints);
+  while (mode) {
+    const std::uint32_t left = cones_left(problem, joints, *mode);
+    if (left == 0) break;
+    problem.left_cones |= left;
+    contacts.emplace(problem, joints);
+    mode = find_mode(*contacts, joints);
+  }
+  return mode;
+}
+
 /// Modes that obey besides one, up to a number of them, none of which moves as another.
 template <class Real>
 class OtherModes {
@@ -275,7 +291,7 @@ void add_on_other_faces(const ContactProblem<Real>& problem, Joints<Real> joints
     for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]].corner_below = (faces >> i & 1U) != 0;
     const TouchingContacts<Real> contacts(problem, joints);
     const auto other = mode_on_faces(contacts, joints);
-    if (!other || !obeys(contacts, joints, *other)) continue;
+    if (!other || !obeys(contacts, joints, *other) || cones_left(problem, joints, *other) != 0) continue;
     if (problem.of_accelerations() && any_pair([&](std::size_t k) { return slides_off((*other)[k]); }))
       continue;
     others.add(*other, pairs);

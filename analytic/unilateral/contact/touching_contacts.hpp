@@ -18,10 +18,18 @@ struct ContactProblem {
   const Bodies<Real>& bodies;
   const FreeVector<Real>& free;  ///< the motion without contact
   ContactLevel level;
+  std::uint32_t left_cones = 0;  ///< interfaces, as bits, whose forces have left the static cone
 
   bool of_accelerations() const { return level == ContactLevel::accelerations; }
   /// The way an interface slides: a direction, or 0 where it is to be found.
   int slip_before(const Joint<Real>& joint) const { return of_accelerations() ? joint.slip : 0; }
+  /// Whether an interface has its static coefficient: one that sticks, until its forces leave that cone.
+  bool has_static_cone(int interface, const Joint<Real>& joint) const {
+    return of_accelerations() && joint.slip == 0 && (left_cones >> interface & 1U) == 0;
+  }
+  Real friction(int interface, const Joint<Real>& joint) const {
+    return (has_static_cone(interface, joint) ? stack.friction : stack.kinetic_friction)[interface];
+  }
 };
 
 /// The Jacobian of the angle between an interface's upper and lower block, times a factor.
@@ -118,7 +126,8 @@ class TouchingContacts {
     const ContactModel<Real>& stack = problem_.stack;
     const Real bias = problem_.of_accelerations() ? 1 : 0;
     const ContactKinematics<Real> kinematics = kinematics_of(stack, problem_.bodies, k, joint);
-    TouchingInterface<Real> contact{k, joint.touch == Contact::closed, rows_.size(), stack.friction[k]};
+    TouchingInterface<Real> contact{k, joint.touch == Contact::closed, rows_.size(),
+                                    problem_.friction(k, joint)};
     const FreeRow<Real>& gap = kinematics.gap_row;
     if (!contact.flat) {
       add_row(gap, bias * kinematics.gap_bias + bounce_of(problem_, gap));

@@ -47,7 +47,7 @@ class HeldJoint {
     interface_ = interface;
     flat_ = joint.touch == Contact::closed;
     slip_ = joint.slip;
-    friction_ = stack.friction[interface];
+    friction_ = stack.kinetic_friction[interface];
     half_width_ = stack.blocks[interface].half_width;
     for (Row& row : rows_) row.first = 3 * static_cast<int>(interface);
     rows_[0].left = 0;

@@ -94,6 +94,7 @@ Json capabilities_json(const WorkerEngine& engine, const std::string& settings) 
           {"licence", engine.licence},
           {"worker", engine.program.string()},
           {"largest_friction", std::isfinite(able.largest_friction) ? Json(able.largest_friction) : Json()},
+          {"kinetic_friction", able.kinetic_friction},
           {"single_precision", able.single_precision},
           {"planar", able.planar},
           {"lead", able.lead},
@@ -113,9 +114,10 @@ void print_capabilities(const Json& able) {
   const auto yes = [&](const char* key) { return able[key].get<bool>() ? "yes" : "no"; };
   fmt::print("{}  {}\n", able["engine"].get<std::string>(), able["version"].get<std::string>());
   fmt::print(
-      "  friction up to {}; {} precision; planar {}; places lead by {} steps; really moves the ground: {}; "
+      "  friction up to {}, {}; {} precision; planar {}; places lead by {} steps; really moves the ground: {}; "
       "tells contacts: {}; {} settings\n  a step takes {}, the whole worker for two hundred {}{}\n",
       able["largest_friction"].is_null() ? "any" : able["largest_friction"].dump(),
+      able["kinetic_friction"].get<bool>() ? "static and kinetic" : "one coefficient",
       able["single_precision"].get<bool>() ? "single" : "double",
       able["planar"].get<bool>() ? "by nature" : "by constraint",
       able["lead"] == able["tuned_lead"] ? able["lead"].dump()

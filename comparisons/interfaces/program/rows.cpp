@@ -1,6 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
@@ -97,6 +100,18 @@ std::size_t longest_name(const std::vector<Suite>& suites) {
   return length;
 }
 
+/// Which engines do not tell what sticks from what slides, where scenes do.
+void print_single_coefficients(const std::vector<Suite>& suites) {
+  std::set<std::string> names;
+  for (const Suite& suite : suites)
+    if (std::ranges::any_of(suite.scenes,
+                            [](const NamedScene& one) { return !one.scene.kinetic_friction.empty(); }))
+      for (const EngineSeries& one : suite.series)
+        if (!one.files && !one.engine->capabilities.kinetic_friction) names.insert(one.engine->full_name());
+  if (!names.empty())
+    fmt::print("kinetic_friction: not of {}, whose single coefficient is friction\n", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 void print_legend(const std::vector<Suite>& suites, const Common& common) {
@@ -122,6 +137,7 @@ void print_legend(const std::vector<Suite>& suites, const Common& common) {
       "told apart\n",
       replicates > 1 ? fmt::format(", medians of {} replicates{} (quartiles)", replicates, fewer) : "");
   if (ratio) fmt::print("restitution: of the exact motion alone, engines run without\n");
+  print_single_coefficients(suites);
   if (tested) fmt::print("test: RMS difference from what was measured, mrad, or mm of a point\n");
   std::fflush(stdout);
 }

@@ -57,8 +57,8 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
 // Members are bound by their number, so that a struct with another one does not compile until it counts here.
 Json scene_fields(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
-               point_restitution, restitution_law, springs, initial, horizontal, vertical, pushes, depth] =
-      scene;
+               kinetic_friction, point_restitution, restitution_law, springs, initial, horizontal,
+               vertical, pushes, depth] = scene;
   const Json each = mapped(blocks, [](const Block& block) -> Json {
     const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
     return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
@@ -75,6 +75,7 @@ Json scene_fields(const Scene& scene) {
       {"restitution", restitution},
       {"blocks", each},
       {"friction", friction},
+      {"kinetic_friction", kinetic_friction},
       {"point_restitution", point_restitution},
       {"restitution_law", restitution_law},
       {"springs", std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential)},

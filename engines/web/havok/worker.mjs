@@ -2,7 +2,7 @@
 // Havok beside the exact model. ../README.md says what is set and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, restitution, serve, setting, turn } from '../serve.mjs';
+import { angles, groundReach, kineticFriction, restitution, serve, setting, turn } from '../serve.mjs';
 
 const settings = [
   setting('idealStepTime', 1 / 60, 0, 0, 10, { unit: 's' }),  // 0: as it comes
@@ -40,7 +40,8 @@ class Simulation {
     this.owned = [];
     this.world = got(havok.HP_World_Create(), havok);
     require(havok.HP_World_SetIdealStepTime(this.world, this.given.idealStepTime), havok);
-    const [ground, ...friction] = factors(question.friction);
+    const sliding = factors(kineticFriction(question));
+    const [ground, ...friction] = factors(question.friction).map((sticking, k) => [sticking, sliding[k]]);
     const reach = groundReach(question.blocks);
     this.add({ width: 2 * reach, height: 2 * reach, depth: 2 * reach, x: 0, y: -reach, angle: 0 }, ground,
       havok.MotionType.STATIC);
@@ -53,7 +54,7 @@ class Simulation {
     const body = got(havok.HP_Body_Create(), havok);
     this.owned.push([shape, body]);
     const { ARITHMETIC_MEAN, MULTIPLY } = havok.MaterialCombine;
-    const material = [friction, friction, this.given.restitution, MULTIPLY, ARITHMETIC_MEAN];
+    const material = [...friction, this.given.restitution, MULTIPLY, ARITHMETIC_MEAN];
     require(havok.HP_Shape_SetMaterial(shape, material), havok);
     require(havok.HP_Body_SetShape(body, shape), havok);
     require(havok.HP_Body_SetMotionType(body, type), havok);
@@ -106,7 +107,7 @@ await serve({
   module: '@babylonjs/havok',
   note: ' of npm, WebAssembly, single precision',
   licence: 'MIT',
-  capabilities: { single_precision: true, lead: 0.125 },
+  capabilities: { single_precision: true, kinetic_friction: true, lead: 0.125 },
   solvers: [{ solver: 'own', settings }],
   load: async () => {
     const wasmBinary = readFileSync(new URL('../node_modules/@babylonjs/havok/lib/esm/HavokPhysics.wasm', import.meta.url));

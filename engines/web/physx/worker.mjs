@@ -2,7 +2,7 @@
 // PhysX 5 beside the exact model. ../README.md says what is set in both sets and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, neighbourMeans, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
+import { angles, groundReach, kineticFriction, neighbourMeans, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
 
 const metres = { unit: 'm' };
 
@@ -49,7 +49,8 @@ class Simulation {
     this.given = question.parameters;
     this.gravity = new px.PxVec3(0, 0, 0);
     this.scene = physics.createScene(this.describe(question.solver, dispatcher));
-    const [ground, ...friction] = neighbourMeans(question.friction);
+    const sliding = neighbourMeans(kineticFriction(question));
+    const [ground, ...friction] = neighbourMeans(question.friction).map((sticking, k) => [sticking, sliding[k]]);
     this.addGround(ground, groundReach(question.blocks));
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, friction[k]));
   }
@@ -72,7 +73,7 @@ class Simulation {
 
   shape(geometry, friction) {
     const { px, given } = this;
-    const material = this.physics.createMaterial(friction, friction, given.restitution);
+    const material = this.physics.createMaterial(...friction, given.restitution);
     material.setFrictionCombineMode(px.PxCombineModeEnum.eAVERAGE);
     const flags = new px.PxShapeFlags(px.PxShapeFlagEnum.eSIMULATION_SHAPE);
     const shape = this.physics.createShape(geometry, material, true, flags);
@@ -141,7 +142,7 @@ await serve({
   module: 'physx-js-webidl',
   note: ' of npm, PhysX 5.6.1, WebAssembly, single precision',
   licence: 'BSD-3-Clause, bindings MIT',
-  capabilities: { single_precision: true },
+  capabilities: { single_precision: true, kinetic_friction: true },
   solvers: [{ solver: 'pgs', settings: settings(50) }, { solver: 'tgs', settings: settings(4) }],
   load,
   start: (library, question) => new Simulation(library, question),

@@ -107,6 +107,7 @@ TEST_P(Messages, HaveEveryFieldOfARequest) {
   const std::vector<Change<RunRequest>> changes{
       [](RunRequest& run) { run.solver = "quickstep"; },
       [](RunRequest& run) { run.parameters["erp"] = 0.3; },
+      [](RunRequest& run) { run.setup.kinetic_friction = {0.1}; },
       [](RunRequest& run) { run.repeats = 4; },
       [](RunRequest& run) { run.bodies = false; },
       [](RunRequest& run) { run.reactions = false; },

@@ -220,7 +220,7 @@ function controlsOf(page) {
     if (law === "compliant" && !scene().contact?.bed_stiffness) table("contact")(true).stiffness ??= 1e8;
     if (law !== "compliant" && scene().contact)
       for (const name of ["stiffness", "damping", "tangential", "bed_stiffness", "bed_damping"]) delete scene().contact[name];
-    if (law !== "unilateral") for (const name of ["restitution", "restitution_law"]) delete scene().contact?.[name];
+    if (law !== "unilateral") for (const name of ["restitution", "restitution_law", "kinetic_friction"]) delete scene().contact?.[name];
     if (leavesPivots(law)) for (const name of ["restitution", "equations"]) delete scene()[name];
   };
 
@@ -239,9 +239,15 @@ function controlsOf(page) {
     const contact = table("contact"), { law } = scene(), of = (name, told) => controlOf("[contact]", name, contact, told);
     // A scene states its friction once, which engines may have under an older name.
     const given = key(contact, "friction", scene().engine?.friction ?? 1000);
-    const friction = of("friction", { get: given.get, set: (value) => { delete scene().engine?.friction; given.set(value); } });
+    const friction = of("friction", { get: given.get, set: (value) => {
+      delete scene().engine?.friction;
+      given.set(value);
+      delete contact().kinetic_friction;
+    } });
     const soft = law !== "compliant" ? [] : [of("stiffness"), of("damping")];
-    const bouncing = law !== "unilateral" ? [] : [of("restitution", { name: "restitution of points" }),
+    const bouncing = law !== "unilateral" ? [] : [
+      of("kinetic_friction", { limits: () => [0.01, given.get()], get: () => key(contact, "kinetic_friction", given.get()).get() }),
+      of("restitution", { name: "restitution of points" }),
       of("restitution_law", { set: (law) => Object.assign(contact(true), { restitution: contact(true).restitution ?? 0, restitution_law: law }) })];
     return group("Contact", true, controlOf("", "law", scene, { set: setLaw }), friction, ...bouncing, ...soft, ...(leavesPivots(law) ? [] : ofPivots()));
   };

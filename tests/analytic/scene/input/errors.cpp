@@ -59,6 +59,11 @@ TEST(SceneErrors, FrictionAndSlip) {
        "scene.toml:13: contact.friction.2 = 10000: must be a number from 0 to 1000"},
       {12, "[contact]\nfriction = [0.1]",
        "scene.toml:13: contact.friction = an array of 1: must be a number, or as many as there are blocks, 2"},
+      {12, "law = \"unilateral\"\n[contact]\nfriction = 0.3\nkinetic_friction = [0.2, 0.4]",
+       "scene.toml:15: contact.kinetic_friction.2 = 0.4: must be at most contact.friction, 0.3 there"},
+      {12, "[contact]\nkinetic_friction = 0.2",
+       "scene.toml:13: contact.kinetic_friction.1 = 0.2: must be that of contact.friction under law consistent, "
+       "where nothing slides: say law = \"unilateral\""},
       {12, "[contact]\nfriction = \"high\"", "scene.toml:13: contact.friction = \"high\": must be a number"},
       {12, "[contact]\nrestitution = 1.5",
        "scene.toml:13: contact.restitution = 1.5: must be a number from 0 to 1"},
