@@ -76,6 +76,7 @@ struct Capabilities {
   /// The coefficient of friction that acts where a scene asks for more.
   double largest_friction = std::numeric_limits<double>::infinity();
   bool kinetic_friction = false;  ///< it has a second coefficient, of what slides; else that which sticks
+  bool wall = false;              ///< it can have one beside the blocks; else scenes with one are refused
   bool single_precision = false;
   bool planar = false;  ///< by nature; else constraints or corrections hold its bodies in the plane
   /// How many steps places are ahead under a constant force: ½ for semi-implicit Euler, 0 of higher order.

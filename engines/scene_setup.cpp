@@ -96,6 +96,11 @@ BodyAcceleration body_acceleration(const Scene& scene, double from, double to) {
           still.y - mean_acceleration(scene.vertical, from, to)};
 }
 
+FixedBox place_wall(const Placement& block, int side) {
+  const double size = 2 * block.height;
+  return {side * (block.width + size) / 2, size / 2, size, size, block.depth};
+}
+
 Parameters with_restitution(const EngineDescription& engine, const Scene& scene, Parameters parameters) {
   if (scene.point_restitution == 0) return parameters;
   for (const Setting& setting : engine.settings) {
@@ -110,6 +115,11 @@ void require_restitution(const EngineDescription& engine, const Scene& scene) {
   if (std::ranges::find(engine.settings, SettingRole::restitution, &Setting::role) == engine.settings.end())
     throw std::runtime_error(
         fmt::format("contact.restitution: {} has no coefficient of restitution", engine.full_name()));
+}
+
+void require_wall(const EngineDescription& engine, const Scene& scene) {
+  if (scene.wall.side != 0 && !engine.capabilities.wall)
+    throw std::runtime_error(fmt::format("wall: {} is told of none", engine.full_name()));
 }
 
 double step_count(double duration, double dt) {
@@ -130,6 +140,7 @@ Setup set_up(const Scene& scene, double dt, const Parameters& parameters,
   setup.friction = friction_of(scene);
   setup.kinetic_friction = scene.kinetic_friction;
   setup.gravity = body_acceleration(scene);
+  if (scene.wall.side != 0) setup.wall = place_wall(setup.blocks.front(), scene.wall.side);
   for (int k = 0; k < static_cast<int>(scene.blocks.size()); ++k)
     setup.toppling_angles.push_back(toppling_angle(scene, k));
   setup.dt = dt;

@@ -35,6 +35,12 @@ Parameters with_restitution(const EngineDescription& engine, const Scene& scene,
 /// @throws std::runtime_error where points bounce and the engine has no coefficient for it.
 void require_restitution(const EngineDescription& engine, const Scene& scene);
 
+/// The wall at a side of a block as it stands, −1 left, 1 right: flush with it, twice as high and as thick.
+FixedBox place_wall(const Placement& block, int side);
+
+/// @throws std::runtime_error where a scene has a wall and the engine is told of none.
+void require_wall(const EngineDescription& engine, const Scene& scene);
+
 /// Steps of dt in a duration, both in s; one that is whole up to rounding counts.
 double step_count(double duration, double dt);
 

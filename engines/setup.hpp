@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace rockstack {
@@ -29,6 +30,12 @@ struct GroundStep {
   double velocity_x = 0, velocity_y = 0;  ///< m/s
 };
 
+/// A box that stands still beside the blocks, upright. SI units.
+struct FixedBox {
+  double x = 0, y = 0;                      ///< centre, m
+  double width = 0, height = 0, depth = 0;  ///< full sizes, m
+};
+
 /// A scene as an engine is told it: boxes on the ground y = 0, and what every time step does to them.
 struct Setup {
   std::vector<Placement> blocks;              ///< bottom to top
@@ -38,6 +45,7 @@ struct Setup {
   std::vector<double> toppling_angles;        ///< of each block, rad: a run ends where |angle| is above it
   double dt = 0;                              ///< s
   std::size_t steps = 0;
+  std::optional<FixedBox> wall = {};
   /// Gravity less the ground's mean acceleration, of each step; empty where every step has gravity alone.
   std::vector<BodyAcceleration> accelerations;
   /// Motion of the ground in each step, where it really moves; else empty.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "analytic/scene/ground/ground_motion.hpp"
 #include "analytic/scene/messages/input_error.hpp"
@@ -132,6 +133,16 @@ struct Push {
 /// The most pushes of a scene.
 inline constexpr std::size_t max_pushes = 8;
 
+/// A rigid wall at one side of the lowest block, flush with it as it stands: the block rocks to the other
+/// side alone. Laws of pivots and one block alone.
+struct Wall {
+  int side = 0;  ///< −1 left, 1 right; 0: no wall
+  /// What a strike leaves of the angular velocity, backwards, 0 … 1; none: wall_restitution() has it.
+  std::optional<double> restitution = {};
+
+  bool operator==(const Wall&) const = default;
+};
+
 /// One question: a stack of blocks, how it starts, how the ground moves, and for how long. SI units.
 struct Scene {
   std::string title;
@@ -154,6 +165,7 @@ struct Scene {
   double point_restitution = 0;  ///< coefficient e of all contact points, 0 … 1; law `unilateral` alone
   RestitutionLaw restitution_law = RestitutionLaw::newton;  ///< of that coefficient
   CornerSprings springs;
+  Wall wall;
   InitialState initial;
   GroundMotion horizontal;        ///< ẍg, positive to the right
   GroundMotion vertical;          ///< ÿg, positive up

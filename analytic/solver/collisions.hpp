@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/events/chatter.hpp"
+#include "analytic/scene/wall.hpp"
 #include "analytic/solver/recorder.hpp"
 
 namespace rockstack {
@@ -16,7 +17,7 @@ class Collisions {
         end_of_chatter_(model, resolution_of(options)),
         zeno_(model, resolution_of(options)),
         sums_chatter_(options.events == EventsKept::summed && zeno_.worthwhile() && !upright_ &&
-                      model.pushes.empty()) {}
+                      scene.wall.side == 0 && model.pushes.empty()) {}
 
   /// As EndOfChatter tells.
   bool negligibly_open(const State<Real, N>& state, int k) const {
@@ -40,7 +41,10 @@ class Collisions {
     if (!scene_.restitution.empty())
       if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
         solution = *own;
-    recorder.note_impact(solution, piece.start + offset);
+    if (scene_.wall.side != 0)  // whose impulses the ground shares as it will
+      resolution = {strike(model, impact, before), Consistency::consistent};
+    else
+      recorder.note_impact(solution, piece.start + offset);
     close_slow(model, impact, before, directions, piece.at(offset), resolution);
     if (sums_chatter_ && !resolution.closes)
       if (const auto rest =
@@ -72,6 +76,15 @@ class Collisions {
   }
 
  private:
+  /// Strike of a block at its wall, which it leaves by the ratio of that, about the same corner.
+  PatternSolution<Real, N> strike(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                  const BeforeImpact<Real, N>& before) const {
+    const Vector<Real, N> relative = Real(-wall_restitution(scene_)) * impact.before.velocities;
+    const Pattern pattern = relative[0] == 0 ? closed_pattern(impact.before.size()) : impact.before.pattern;
+    return solution_for(model, pattern, before.directions,
+                        make_chain(model.stack, pattern, before.directions), before.motion, relative);
+  }
+
   /// Ends chatter: closes what would part too slowly.
   void close_slow(const Model<Real, N>& model, const Impact<Real, N>& impact,
                   const BeforeImpact<Real, N>& before, const Directions<Real, N>& directions,

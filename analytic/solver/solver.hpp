@@ -84,6 +84,8 @@ class Solver {
   /// Goes along a step up to its first event, and through that. @throws as run().
   void follow(DenseOutput<Real, N>& output, const ExcludedEvents& cleared = {}) {
     ties_.keep_fresh_open(output);
+    if (scene_.wall.side != 0)  // never opens there
+      (scene_.wall.side < 0 ? output.margins[0].left : output.margins[0].right) = {Real(1)};
     const FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
     state_ = output.at(event.s);
     require_numbers();
@@ -237,6 +239,11 @@ class Solver {
                          outcome.consistency);
   }
 
+  /// Whether what would open to a side cannot, as there is a wall.
+  bool leans_on_wall(Contact opens) const {
+    return scene_.wall.side != 0 && opens == static_cast<Contact>(scene_.wall.side);
+  }
+
   /// Impulses and steps of the ground's velocity, after the impacts that rounding puts behind them.
   void kick() {
     const Interfaces landing = landing_now();
@@ -284,7 +291,8 @@ class Solver {
                         loading());
     };
     const auto violates = [&](const PatternSolution<Real, N>& present) {
-      if (!first_violation(model_.stack, present, touching, ties_.slack())) return false;
+      const auto violation = first_violation(model_.stack, present, touching, ties_.slack());
+      if (!violation || leans_on_wall(violation->mend)) return false;
       pulled = pulled_apart(model_.stack, present);
       return true;
     };

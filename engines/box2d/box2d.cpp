@@ -107,6 +107,7 @@ class Box2DSimulation final : public ShakenSimulation {
     world_.SetContactListener(&contacts_);
     set_gravity(setup.gravity);
     add_ground(ground_reach(setup.blocks));
+    if (setup.wall) add_wall(*setup.wall);
     for (const Placement& placement : setup.blocks) add_block(placement);
   }
 
@@ -142,6 +143,12 @@ class Box2DSimulation final : public ShakenSimulation {
     add(definition, 2 * reach, 2 * reach, unit_.to(0, -reach));
   }
 
+  /// A wall is a shape of the ground's body, whose number it has.
+  void add_wall(const FixedBox& wall) {
+    fixture_.userData.pointer = 0;
+    add_box(*bodies_.front(), wall.width, wall.height, unit_.to(wall.x, wall.y));
+  }
+
   void place_ground(const GroundStep& step) override {
     bodies_.front()->SetTransform(unit_.to(step.x, step.y), 0);
     bodies_.front()->SetLinearVelocity(unit_.to(step.velocity_x, step.velocity_y));
@@ -165,14 +172,18 @@ class Box2DSimulation final : public ShakenSimulation {
   /// `centre`: of the box, from the body's origin, in the library's unit.
   b2Body& add(b2BodyDef& definition, double width, double height, const b2Vec2& centre) {
     definition.allowSleep = false;
+    fixture_.userData.pointer = bodies_.size();
+    bodies_.push_back(world_.CreateBody(&definition));
+    add_box(*bodies_.back(), width, height, centre);
+    return *bodies_.back();
+  }
+
+  void add_box(b2Body& body, double width, double height, const b2Vec2& centre) {
     b2PolygonShape box;
     box.SetAsBox(unit_.to(0.5 * width), unit_.to(0.5 * height), centre, 0);
     box.m_radius = radius_;
     fixture_.shape = &box;
-    fixture_.userData.pointer = bodies_.size();
-    bodies_.push_back(world_.CreateBody(&definition));
-    bodies_.back()->CreateFixture(&fixture_);
-    return *bodies_.back();
+    body.CreateFixture(&fixture_);
   }
 
   LengthUnit unit_;
@@ -192,7 +203,7 @@ std::vector<Engine> make_box2d() {
         .solver = "sequential-impulse",
         .version = BOX2D_VERSION ", single precision",
         .licence = "MIT",
-        .capabilities = {.single_precision = true, .planar = true},
+        .capabilities = {.wall = true, .single_precision = true, .planar = true},
         .settings =
             {count_setting("velocityIterations", 8, 50),
              {.name = "positionIterations", .default_value = 3, .most = 1e6, .whole = true},

@@ -44,6 +44,7 @@ class ChipmunkSimulation final : public ShakenSimulation {
     };
     handler->userData = this;
     add_ground(ground_reach(setup.blocks));
+    if (setup.wall) add_wall(*setup.wall);
     for (const Placement& placement : setup.blocks) add_block(placement);
   }
 
@@ -130,6 +131,12 @@ class ChipmunkSimulation final : public ShakenSimulation {
     });
   }
 
+  /// A wall is a shape of the ground's body, whose number it has.
+  void add_wall(const FixedBox& wall) {
+    const cpBB box = cpBBNewForExtents(cpv(wall.x, wall.y), wall.width / 2, wall.height / 2);
+    add_shape(cpBoxShapeNew2(bodies_.front().get(), box, 0));
+  }
+
   void place_ground(const GroundStep& step) override {
     cpBodySetPosition(bodies_.front().get(), cpv(step.x, step.y));
     cpBodySetVelocity(bodies_.front().get(), cpv(step.velocity_x, step.velocity_y));
@@ -173,7 +180,7 @@ std::vector<Engine> make_chipmunk() {
             .solver = "sequential-impulse",
             .version = fmt::format("{}, double precision", cpVersionString),
             .licence = "MIT",
-            .capabilities = {.planar = true, .lead = -0.5},
+            .capabilities = {.wall = true, .planar = true, .lead = -0.5},
             .settings = {count_setting("iterations", 10, 50),
                          {.name = "collisionSlop", .unit = "m", .default_value = 0.1F, .tuned = 1e-4},
                          {.name = "collisionBias", .default_value = bias, .most = 1},

@@ -32,8 +32,18 @@ std::string pairs(const Setup& setup) {
       text += fmt::format(R"(    <pair geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0"/>)"
                           "\n",
                           geom_name(lower), geom_name(upper), friction > 0 ? 3 : 1, friction, friction);
+    if (setup.wall)
+      text += fmt::format(R"(    <pair geom1="wall" geom2="{}" condim="{}" friction="{} {} 0 0 0"/>)"
+                          "\n",
+                          geom_name(upper), friction > 0 ? 3 : 1, friction, friction);
   }
   return text;
+}
+
+std::string wall(const FixedBox& box, double friction) {
+  return fmt::format(R"(    <geom name="wall" type="box" pos="{} 0 {}" size="{} {} {}" friction="{} 0 0"/>)"
+                     "\n",
+                     box.x, box.y, box.width / 2, box.depth / 2, box.height / 2, friction);
 }
 
 std::string keyframe(const Setup& setup) {
@@ -80,7 +90,7 @@ ModelFile mjcf_of(const ModelScene& scene) {
   const Setup& setup = scene.setup;
   const std::vector<std::string> left_out = left_out_everywhere(scene, false);
   const std::vector<double> friction = surface_friction(setup.friction);
-  std::string blocks;
+  std::string blocks = setup.wall ? wall(*setup.wall, friction.front()) : "";
   for (std::size_t k = 0; k < setup.blocks.size(); ++k)
     blocks += body(setup.blocks[k], k + 1, friction[k + 1]);
   return {fmt::format(R"(<mujoco model="{}">

@@ -34,6 +34,22 @@ std::string model(const Placement& block, std::size_t number, double friction, d
       block.inertia_about_y, box, surface(friction, restitution), box);
 }
 
+std::string wall(const FixedBox& box, const std::string& surface) {
+  const std::string shape =
+      fmt::format("<geometry><box><size>{} {} {}</size></box></geometry>", box.width, box.depth, box.height);
+  return fmt::format(
+      R"(    <model name="wall">
+      <static>true</static>
+      <pose>{} 0 {} 0 0 0</pose>
+      <link name="link">
+        <collision name="box">{}{}</collision>
+        <visual name="box">{}</visual>
+      </link>
+    </model>
+)",
+      box.x, box.y, shape, surface, shape);
+}
+
 std::string state(const ModelScene& scene) {
   std::string text = fmt::format("    <state world_name=\"{}\">\n", scene.name);
   for (std::size_t k = 0; k < scene.setup.blocks.size(); ++k) {
@@ -79,7 +95,7 @@ ModelFile sdf_of(const ModelScene& scene) {
   if (starts_in_motion(setup))
     left_out.emplace_back("velocities at the start where a simulator passes over the state below");
   const std::vector<double> friction = surface_friction(setup.friction);
-  std::string blocks;
+  std::string blocks = setup.wall ? wall(*setup.wall, surface(friction.front(), scene.restitution)) : "";
   for (std::size_t k = 0; k < setup.blocks.size(); ++k)
     blocks += model(setup.blocks[k], k + 1, friction[k + 1], scene.restitution);
   const double reach = 2 * ground_reach(setup.blocks);

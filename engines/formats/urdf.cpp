@@ -44,6 +44,22 @@ std::string ground(double reach) {
                      2 * reach, 2 * thickness, -thickness);
 }
 
+std::string wall(const FixedBox& box) {
+  const std::string shape =
+      fmt::format("<geometry><box size=\"{} {} {}\"/></geometry>", box.width, box.depth, box.height);
+  return fmt::format(R"(  <link name="wall">
+    <collision>{0}</collision>
+    <visual>{0}</visual>
+  </link>
+  <joint name="wall" type="fixed">
+    <parent link="world"/>
+    <child link="wall"/>
+    <origin xyz="{1} 0 {2}" rpy="0 0 0"/>
+  </joint>
+)",
+                     shape, box.x, box.y);
+}
+
 std::string velocities(const Setup& setup) {
   std::string text;
   for (const Placement& block : setup.blocks)
@@ -71,7 +87,7 @@ ModelFile urdf_of(const ModelScene& scene) {
     left_out.push_back(fmt::format("velocities at the start along x and z and about y, of each block: {}",
                                    velocities(setup)));
   for (std::string& more : left_out_everywhere(scene, false)) left_out.push_back(std::move(more));
-  std::string blocks;
+  std::string blocks = setup.wall ? wall(*setup.wall) : "";
   for (std::size_t k = 0; k < setup.blocks.size(); ++k) blocks += link(setup.blocks[k], k + 1);
   return {fmt::format("<?xml version=\"1.0\"?>\n{}<robot name=\"{}\">\n{}{}</robot>\n",
                       head_comment(scene, urdf_usage(scene), left_out), scene.name,

@@ -78,6 +78,7 @@ class OdeSimulation final : public ShakenSimulation {
       ground_ = dBodyCreate(world_.get());
       dBodySetKinematic(ground_);
     }
+    if (setup.wall) add_wall(*setup.wall);
     for (const Placement& placement : setup.blocks)
       add_block(placement, parameters.at("finiteRotationMode") != 0);
   }
@@ -100,6 +101,7 @@ class OdeSimulation final : public ShakenSimulation {
  private:
   void add_contacts(dGeomID one, dGeomID other) {
     const dBodyID first = body_of(one), second = body_of(other);
+    if (first == second) return;  // a wall on the ground
     const int count =
         dCollide(one, other, static_cast<int>(contacts_.size()), &contacts_.front().geom, sizeof(dContact));
     if (count == 0) return;
@@ -177,12 +179,22 @@ class OdeSimulation final : public ShakenSimulation {
     }
   }
 
-  dBodyID body_of(dGeomID geometry) const { return geometry == plane_ ? ground_ : dGeomGetBody(geometry); }
+  dBodyID body_of(dGeomID geometry) const {
+    return geometry == plane_ || geometry == wall_ ? ground_ : dGeomGetBody(geometry);
+  }
 
   void place_ground(const GroundStep& step) override {
     dBodySetPosition(ground_, step.x, step.y, 0);
     dBodySetLinearVel(ground_, step.velocity_x, step.velocity_y, 0);
     dGeomPlaneSetParams(plane_, 0, 1, 0, step.y);
+    if (wall_ != nullptr) dGeomSetPosition(wall_, wall_start_.x + step.x, wall_start_.y + step.y, 0);
+  }
+
+  /// A wall is the ground's, as the plane is.
+  void add_wall(const FixedBox& wall) {
+    wall_start_ = wall;
+    wall_ = dCreateBox(space_.get(), wall.width, wall.height, wall.depth);
+    dGeomSetPosition(wall_, wall.x, wall.y, 0);
   }
 
   void advance() override {
@@ -244,6 +256,8 @@ class OdeSimulation final : public ShakenSimulation {
   double stiffness_ = 0, damping_ = 0;  ///< of each contact point, in those masses
   std::deque<Touch> touches_;           ///< ODE writes into them while it steps
   dGeomID plane_ = nullptr;
+  dGeomID wall_ = nullptr;  ///< where there is one
+  FixedBox wall_start_;
   dBodyID ground_ = nullptr;  ///< where it really moves
   std::vector<dBodyID> bodies_;
   std::unique_ptr<dxWorld, void (*)(dWorldID)> world_{dWorldCreate(), dWorldDestroy};
@@ -284,6 +298,7 @@ Engine with(OdeSolver solver) {
            .solver = solver == OdeSolver::step ? "step" : "quickstep",
            .version = dODE_VERSION ", double precision",
            .licence = "BSD-3-Clause OR LGPL-2.1-or-later",
+           .capabilities = {.wall = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
             initialise();

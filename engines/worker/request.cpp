@@ -22,6 +22,12 @@ constexpr std::array<Named<Placement>, 13> placement_fields{
      {"inertia_about_x", &Placement::inertia_about_x},
      {"inertia_about_y", &Placement::inertia_about_y}}};
 
+constexpr std::array<Named<FixedBox>, 5> box_fields{{{"x", &FixedBox::x},
+                                                     {"y", &FixedBox::y},
+                                                     {"width", &FixedBox::width},
+                                                     {"height", &FixedBox::height},
+                                                     {"depth", &FixedBox::depth}}};
+
 constexpr std::array<Named<BodyAcceleration>, 2> acceleration_fields{
     {{"x", &BodyAcceleration::x}, {"y", &BodyAcceleration::y}}};
 
@@ -85,6 +91,7 @@ json fields_of(const RunRequest& run, Form form) {
   if (!setup.kinetic_friction.empty()) object["kinetic_friction"] = to_field(setup.kinetic_friction, form);
   if (run.question > 0) object["question"] = run.question;
   if (run.reactions) object["reactions"] = true;
+  if (setup.wall) object["wall"] = object_of(*setup.wall, box_fields);
   if (!setup.accelerations.empty())
     write_columns(object["accelerations"], setup.accelerations, acceleration_fields, form);
   if (!setup.ground.empty()) write_columns(object["ground"], setup.ground, ground_fields, form);
@@ -114,6 +121,8 @@ RunRequest read_run_request(const json& object) {
     run.parameters[name] = number_field(object["parameters"], name.c_str());
     if (value.is_number_integer()) run.whole.insert(name);
   }
+  if (has_field(object, "wall"))
+    setup.wall = within("wall", [&] { return read_object(field(object, "wall"), box_fields); });
   if (has_field(object, "accelerations"))
     read_columns(object["accelerations"], setup.accelerations, acceleration_fields);
   if (has_field(object, "ground")) read_columns(object["ground"], setup.ground, ground_fields);
@@ -131,6 +140,7 @@ json fields_of(const EngineDescription& engine) {
               {"lead", engine.capabilities.lead},
               {"tuned_lead", engine.capabilities.tuned_lead},
               {"settings", json::array()}};
+  if (engine.capabilities.wall) object["wall"] = true;
   if (engine.capabilities.kinetic_friction) object["kinetic_friction"] = true;
   if (engine.warm_up > 0) object["warm_up"] = engine.warm_up;
   if (engine.runs_per_process > 1) object["runs_per_process"] = engine.runs_per_process;
@@ -168,6 +178,7 @@ EngineDescription read_engine(const json& object) {
   engine.licence = text_field(object, "licence");
   Capabilities& able = engine.capabilities;
   if (has_field(object, "largest_friction")) able.largest_friction = number_field(object, "largest_friction");
+  if (has_field(object, "wall")) able.wall = flag_field(object, "wall");
   if (has_field(object, "kinetic_friction")) able.kinetic_friction = flag_field(object, "kinetic_friction");
   if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
   if (has_field(object, "planar")) able.planar = flag_field(object, "planar");

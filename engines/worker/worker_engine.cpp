@@ -178,6 +178,7 @@ RunReply ask(const WorkerEngine& engine, const Scene& scene, double dt, const Pa
              const Limits& limits, RunRequest& asked) {
   try {
     require_restitution(engine, scene);
+    require_wall(engine, scene);
     check_step(dt, scene.duration);
     const double memory = question_memory(engine, scene, dt, parameters);
     if (const auto most = static_cast<double>(limits.memory); memory > most)

@@ -187,6 +187,7 @@ Json player_scene(const Scene& scene, const History& history) {
   make_room(stage);
   stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(scene, history)}};
   if (leaves_pivots(scene.law)) stage["friction"] = friction_of(scene);
+  if (scene.wall.side != 0) stage["wall"] = scene.wall.side;
   return stage;
 }
 

@@ -22,6 +22,7 @@ void add(const Setup& setup, std::vector<double>& numbers) {
                                    block.mass, block.inertia});
   numbers.insert(numbers.end(), setup.friction.begin(), setup.friction.end());
   numbers.insert(numbers.end(), {setup.gravity.x, setup.gravity.y, static_cast<double>(setup.steps)});
+  if (setup.wall) numbers.push_back(setup.wall->x);
   for (const BodyAcceleration& step : setup.accelerations) numbers.insert(numbers.end(), {step.x, step.y});
 }
 
@@ -70,6 +71,8 @@ const std::vector<KeyCase> cases{
      "kinetic_friction",
      "0.05",
      {unilateral, slippery, {&initial_keys, "slip_velocities", "[0.5]"}}},
+    {&wall_keys, "side", "\"right\"", {{&initial_keys, "angles", "[0.0]"}}},
+    {&wall_keys, "restitution", "0.2"},
     {&contact_keys, "restitution", "0.5", {unilateral, {&initial_keys, "gaps", "[0.1]"}}},
     {&contact_keys,
      "restitution_law",
@@ -137,7 +140,8 @@ std::string outcome_with(const std::vector<KeyCase::Setting>& settings) {
   const KeyTable& motion = is_motion(*settings.back().table) ? *settings.back().table : pulse_keys;
   std::vector<const KeyTable*> tables{&scene_keys,  &block_keys, &initial_keys, &contact_keys,
                                       &ground_keys, &motion,     &surface_keys};
-  if (settings.back().table == &push_keys) tables.push_back(&push_keys);
+  for (const KeyTable* alone : {&push_keys, static_cast<const KeyTable*>(&wall_keys)})
+    if (settings.back().table == alone) tables.push_back(alone);
   KeyFile file(tables);
   file.set(initial_keys, "angles", "[0.1]");
   for (const auto& [table, key, value] : settings) file.set(*table, key, value);

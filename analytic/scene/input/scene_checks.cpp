@@ -141,6 +141,29 @@ void validate_law(const Scene& scene) {
                                                        : ", where dashpots decide"));
 }
 
+/// A wall is made for one block that turns about its corners and starts away from it.
+void validate_wall(const Scene& scene) {
+  const int side = scene.wall.side;
+  if (side == 0) return;
+  const auto refuse = [](const std::string& why) { throw FieldError("wall", "a table", "left out " + why); };
+  if (scene.blocks.size() > 1)
+    refuse("where a stack has " + std::to_string(scene.blocks.size()) + " blocks: a wall is beside one");
+  if (leaves_pivots(scene.law))
+    refuse(std::string("under law ") + name(scene.law) + ": walls are for laws of pivots");
+  if (has_pushes_or_steps(scene)) refuse("beside pushes and steps of the ground's velocity");
+  if (!scene.restitution.empty()) refuse("beside restitution: wall.restitution is the ratio of its strikes");
+  const Block& block = scene.blocks.front();
+  if (block.offset_x != 0 || block.offset_y != 0) refuse("beside blocks.1.center_of_mass");
+  if (const auto& ratio = scene.wall.restitution) require_between("wall.restitution", *ratio, 0, 1);
+  const double angle = scene.initial.angles[0], rate = scene.initial.velocities[0];
+  if (side * angle > 0)
+    throw FieldError("initial.angles.1", angle,
+                     std::string(side < 0 ? "≥ 0" : "≤ 0") + ", away from the wall");
+  if (angle == 0 && side * rate > 0)
+    throw FieldError("initial.velocities.1", rate,
+                     std::string(side < 0 ? "≥ 0" : "≤ 0") + ", away from the wall");
+}
+
 void validate_pulse(const Pulse& pulse, const std::string& key) {
   require_ranges(key + ".", keys_of(pulse.shape), pulse);
   if (!(pulse.cycles > 1 && pulse.cycles <= 1e6) && pulse.shape == PulseShape::mavroeidis_papageorgiou)
@@ -233,6 +256,7 @@ void validate(const Scene& scene) {
   require_ranges("", scene_keys, scene, scene.blocks.size());
   validate_law(scene);
   validate_initial(scene);
+  validate_wall(scene);
   validate_friction(scene);
   validate_point_restitution(scene);
   validate_springs(scene);

@@ -191,6 +191,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   read_ground(document, library, scene);
   read_contact(root, scene);
   read_pushes(document, library, scene);
+  if (const Node* wall = find(root, "wall")) read_members(*wall, wall_keys, scene.wall);
   read_engine(root, scene);
   return scene;
 }

@@ -58,6 +58,7 @@ inline const KeysOf<Scene> scene_keys{
      {"ground", "", "", "tables [ground.horizontal], [ground.vertical]", no_default, "how the ground moves"},
      {"contact", "", "", "a table [contact]", no_default, "how blocks touch"},
      {"push", "", "", "up to 8 tables [[push]]", no_default, "forces on blocks"},
+     {"wall", "", "", "a table [wall]", no_default, "what one block rocks away from"},
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
      {"restitution", "[0.9]", "", KeyRange{"a number from 0 to 1 for each block", 0, 1}, "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
@@ -140,6 +141,18 @@ inline const KeysOf<Scene> contact_keys{
        "stiffness and damping along the face over those across it, up to friction; a bed has one such spring, "
        "at its middle, for all of its width"},
       [](const Node& node, Scene& scene) { scene.springs.tangential = number(node); }}}};
+
+inline const KeysOf<Wall> wall_keys{
+    "[wall]",
+    "a rigid wall that one block stands against; laws of pivots",
+    {{{"side", "\"left\"", "", "\"left\" or \"right\"", required_key,
+       "of the block; it rocks to the other side alone"},
+      [](const Node& node, Wall& wall) {
+        wall.side = choice<bool>(node, {"left", "right"}) ? 1 : -1;
+      }},
+     {{"restitution", "0.3", "", "a number from 0 to 1", "that of its shape (analytic/scene/wall.hpp)",
+       "what a strike leaves of the angular velocity, backwards; of the exact solver alone", usual_shares},
+      [](const Node& node, Wall& wall) { wall.restitution = number(node); }}}};
 
 inline const KeysOf<Scene> ground_keys{
     "[ground]",
@@ -268,7 +281,8 @@ inline const KeysOf<Scene> surface_keys{
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
 inline constexpr std::initializer_list<const KeyTable*> scene_tables{
-    &scene_keys, &block_keys, &initial_keys,  &contact_keys,    &ground_keys,    &record_keys, &samples_keys,
-    &steps_keys, &pulse_keys, &harmonic_keys, &near_fault_keys, &synthetic_keys, &push_keys,   &surface_keys};
+    &scene_keys,    &block_keys,      &initial_keys,   &contact_keys, &wall_keys,
+    &ground_keys,   &record_keys,     &samples_keys,   &steps_keys,   &pulse_keys,
+    &harmonic_keys, &near_fault_keys, &synthetic_keys, &push_keys,    &surface_keys};
 
 }  // namespace rockstack

@@ -57,7 +57,7 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
 // Members are bound by their number, so that a struct with another one does not compile until it counts here.
 Json scene_fields(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
-               kinetic_friction, point_restitution, restitution_law, springs, initial, horizontal,
+               kinetic_friction, point_restitution, restitution_law, springs, wall, initial, horizontal,
                vertical, pushes, depth] = scene;
   const Json each = mapped(blocks, [](const Block& block) -> Json {
     const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
@@ -79,6 +79,7 @@ Json scene_fields(const Scene& scene) {
       {"point_restitution", point_restitution},
       {"restitution_law", restitution_law},
       {"springs", std::tuple(stiffness, damping, bed_stiffness, bed_damping, tangential)},
+      {"wall", std::tuple(wall.side, wall.restitution.value_or(-1))},
       {"initial", std::tuple(angles, velocities, slip_velocities, preloaded, offsets, gaps, gap_velocities)},
       {"horizontal", motion_fields(horizontal)},
       {"vertical", motion_fields(vertical)},

@@ -26,6 +26,7 @@ class Simulation {
     this.world = this.addWorld(question.friction);
     this.pull = new box2d.b2Vec2(0, 0);
     this.bodies = [];
+    if (question.wall) this.addWall(question.wall);
     const reach = groundReach(question.blocks);
     this.add({ width: 2 * reach, height: 2 * reach, x: 0, y: -reach, angle: 0 }, box2d.b2BodyType.b2_staticBody);
     for (const block of question.blocks) this.addBlock(block);
@@ -65,6 +66,12 @@ class Simulation {
     for (const used of [chosen, shape, box]) used.delete();
     this.bodies.push(body);
     return body;
+  }
+
+  /** Numbered as the ground, which comes after it. */
+  addWall(wall) {
+    this.add({ ...wall, angle: 0 }, this.box2d.b2BodyType.b2_staticBody);
+    this.bodies.pop();
   }
 
   addBlock(block) {
@@ -136,7 +143,7 @@ await serve({
   module: 'box2d3-wasm',
   note: ' of npm, Box2D 3.2.0, WebAssembly, single precision',
   licence: 'MIT',
-  capabilities: { single_precision: true, planar: true, lead: 0.5 / 4, tuned_lead: 0.5 / 50 },
+  capabilities: { wall: true, single_precision: true, planar: true, lead: 0.5 / 4, tuned_lead: 0.5 / 50 },
   solvers: [{ solver: 'soft-step', settings }],
   load: async () => (await import('box2d3-wasm')).default({ pthreadCount: 0 }),
   start: (box2d, question) => new Simulation(box2d, question),

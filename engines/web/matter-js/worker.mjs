@@ -29,6 +29,7 @@ class Simulation {
     const reach = groundReach(question.blocks);
     this.bodies = [];
     this.add({ x: 0, y: -reach, width: 2 * reach, height: 2 * reach }, { isStatic: true });
+    if (question.wall) this.addWall(question.wall);
     const masses = massFactor(question);
     for (const block of question.blocks) this.addBlock(block, masses);
   }
@@ -44,6 +45,12 @@ class Simulation {
     this.matter.Composite.add(this.engine.world, body);
     this.bodies.push(body);
     return body;
+  }
+
+  /** Still, as the ground is; a block above has the friction of its own interface. */
+  addWall(wall) {
+    this.add(wall, { isStatic: true });
+    this.bodies.pop();
   }
 
   addBlock(block, masses) {
@@ -76,7 +83,7 @@ await serve({
   module: 'matter-js',
   note: ' of npm, JavaScript, double precision',
   licence: 'MIT',
-  capabilities: { planar: true },
+  capabilities: { wall: true, planar: true },
   solvers: [{ solver: 'sequential-impulse', settings }],
   load: async () => {
     const { default: matter } = await import('matter-js');

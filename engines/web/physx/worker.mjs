@@ -52,6 +52,7 @@ class Simulation {
     const sliding = neighbourMeans(kineticFriction(question));
     const [ground, ...friction] = neighbourMeans(question.friction).map((sticking, k) => [sticking, sliding[k]]);
     this.addGround(ground, groundReach(question.blocks));
+    if (question.wall) this.addWall(question.wall, ground);
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, friction[k]));
   }
 
@@ -93,6 +94,12 @@ class Simulation {
     const geometry = box ? new this.px.PxBoxGeometry(reach, reach, reach) : new this.px.PxPlaneGeometry();
     ground.attachShape(this.shape(geometry, friction));
     this.scene.addActor(ground);
+  }
+
+  addWall({ x, y, width, height, depth }, friction) {
+    const wall = this.physics.createRigidStatic(this.pose(x, y, turn(0)));
+    wall.attachShape(this.shape(new this.px.PxBoxGeometry(width / 2, height / 2, depth / 2), friction));
+    this.scene.addActor(wall);
   }
 
   addBlock(block, friction) {
@@ -142,7 +149,7 @@ await serve({
   module: 'physx-js-webidl',
   note: ' of npm, PhysX 5.6.1, WebAssembly, single precision',
   licence: 'BSD-3-Clause, bindings MIT',
-  capabilities: { single_precision: true, kinetic_friction: true },
+  capabilities: { wall: true, single_precision: true, kinetic_friction: true },
   solvers: [{ solver: 'pgs', settings: settings(50) }, { solver: 'tgs', settings: settings(4) }],
   load,
   start: (library, question) => new Simulation(library, question),

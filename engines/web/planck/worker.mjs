@@ -30,6 +30,7 @@ class Simulation {
     this.touches = new Map();
     const reach = groundReach(question.blocks);
     this.add({ type: 'static', position: { x: 0, y: -reach } }, reach, reach);
+    if (question.wall) this.addWall(question.wall);
     for (const block of question.blocks) this.addBlock(block);
     // The library would take the root of a product.
     this.world.on('pre-solve', (contact) => {
@@ -72,6 +73,14 @@ class Simulation {
     return body;
   }
 
+  /** Of the ground's body, whose number it has. */
+  addWall({ x, y, width, height }) {
+    const [ground] = this.bodies;
+    const box = new this.planck.Box(width / 2, height / 2, { x: x - ground.getPosition().x, y: y - ground.getPosition().y });
+    box.m_radius = this.given.polygonRadius;
+    ground.createFixture({ shape: box, restitution: this.given.restitution, userData: 0 });
+  }
+
   addBlock(block) {
     const body = this.add({
       type: 'dynamic',
@@ -102,7 +111,7 @@ await serve({
   module: 'planck',
   note: ' of npm, JavaScript, double precision',
   licence: 'MIT',
-  capabilities: { planar: true },
+  capabilities: { wall: true, planar: true },
   solvers: [{ solver: 'sequential-impulse', settings }],
   load: () => import('planck'),
   start: (planck, question) => new Simulation(planck, question),

@@ -34,6 +34,7 @@ export class RapierStack {
     const reach = groundReach(question.blocks);
     const ground = this.cuboid({ width: 2 * reach, height: 2 * reach, depth: 2 * reach });
     this.ground = this.add(rapier.RigidBodyDesc.fixed().setTranslation(...this.numbers(0, -reach)), ground, own[0]);
+    if (question.wall) this.addWall(question.wall, own[0]);
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, own[k + 1]));
   }
 
@@ -51,6 +52,10 @@ export class RapierStack {
       .setActiveHooks(given.activeHooks === 0 ? rapier.ActiveHooks.NONE : rapier.ActiveHooks.FILTER_INTERSECTION_PAIRS);
     this.world.createCollider(box, made);
     return made;
+  }
+
+  addWall(wall, friction) {
+    this.add(this.rapier.RigidBodyDesc.fixed().setTranslation(...this.numbers(wall.x, wall.y)), this.cuboid(wall), friction);
   }
 
   addBlock(block, friction) {
@@ -78,7 +83,7 @@ export async function serveRapier({ name, module, capabilities, tunedHooks, Stac
     module,
     note: ' of npm, WebAssembly, single precision',
     licence: 'Apache-2.0',
-    capabilities: { single_precision: true, lead: 0.5 / 4, tuned_lead: 0.5 / 20, ...capabilities },
+    capabilities: { wall: true, single_precision: true, lead: 0.5 / 4, tuned_lead: 0.5 / 20, ...capabilities },
     solvers: [{ solver: 'sequential-impulse', settings: settings(tunedHooks) }],
     load: async () => {
       const rapier = (await import(module)).default;

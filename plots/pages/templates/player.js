@@ -64,6 +64,7 @@ class Player {
     this.ground = data.ground ? { times: unpack(data.ground.times), along: unpack(data.ground.values), up: unpack(data.ground.up) } : null;
     this.weight = data.weight;
     this.friction = data.friction;
+    this.wall = data.wall;
     this.horizon = data.horizon;
     this.title = data.title;
     this.end = Math.max(...this.tracks.map((track) => track.end));
@@ -429,8 +430,16 @@ class Player {
     pen.fillText(line, x + 24, y, room - 30);
   }
 
+  // As far as there is room, and twice as high as the block that stands against it.
+  drawWall({ pen, x, y }, middle, room) {
+    const [half, high] = this.stack.half[0], face = x(this.wall * half), end = middle + this.wall * (room / 2 - 4);
+    if ((end - face) * this.wall <= 0) return;
+    pen.fillRect(Math.min(face, end), y(4 * high), Math.abs(end - face), y(0) - y(4 * high));
+  }
+
   drawGround({ pen, y, scale, x }, middle, room, height) {
     pen.fillStyle = "#e4e0d8";
+    if (this.wall) this.drawWall({ pen, x, y }, middle, room);
     pen.fillRect(middle - room / 2 + 4, y(0), room - 8, 10);
     pen.strokeStyle = "#555";
     pen.lineWidth = 1;

@@ -107,6 +107,9 @@ TEST_P(Messages, HaveEveryFieldOfARequest) {
   const std::vector<Change<RunRequest>> changes{
       [](RunRequest& run) { run.solver = "quickstep"; },
       [](RunRequest& run) { run.parameters["erp"] = 0.3; },
+      [](RunRequest& run) {
+        run.setup.wall = FixedBox{-1, 2, 2, 4, 1};
+      },
       [](RunRequest& run) { run.setup.kinetic_friction = {0.1}; },
       [](RunRequest& run) { run.repeats = 4; },
       [](RunRequest& run) { run.bodies = false; },

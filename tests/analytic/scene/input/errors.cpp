@@ -61,6 +61,8 @@ TEST(SceneErrors, FrictionAndSlip) {
        "scene.toml:13: contact.friction = an array of 1: must be a number, or as many as there are blocks, 2"},
       {12, "law = \"unilateral\"\n[contact]\nfriction = 0.3\nkinetic_friction = [0.2, 0.4]",
        "scene.toml:15: contact.kinetic_friction.2 = 0.4: must be at most contact.friction, 0.3 there"},
+      {12, "[wall]\nside = \"left\"",
+       "scene.toml:13: wall = a table: must be left out where a stack has 2 blocks: a wall is beside one"},
       {12, "[contact]\nkinetic_friction = 0.2",
        "scene.toml:13: contact.kinetic_friction.1 = 0.2: must be that of contact.friction under law consistent, "
        "where nothing slides: say law = \"unilateral\""},

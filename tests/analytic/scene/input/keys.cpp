@@ -60,6 +60,9 @@ TEST(SceneKeys, AreThoseThatAreRead) {
       expect_keys_are_those_read(scene_file(*motion), *table,
                                  [](const auto& text) { return read_keys(text); });
   }
+  // A wall excludes some of the others.
+  expect_keys_are_those_read(KeyFile({&scene_keys, &block_keys, &wall_keys}), wall_keys,
+                             [](const auto& text) { return read_keys(text); });
   expect_tables_are_complete(scene_tables);
 }
 
