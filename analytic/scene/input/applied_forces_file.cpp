@@ -25,7 +25,7 @@ void require_beside(const Node& table, const char* key, bool given, const char* 
   if (node != nullptr && !given) throw wrong_value(*node, words);
 }
 
-GroundMotion read_force(const Node& table, const std::filesystem::path& folder, MotionLibrary& library,
+GroundMotion read_force(const Node& table, const std::function<GroundMotion(const Node&)>& read_motion,
                         double duration) {
   const Node* force = find(table, "force");
   const Node* impulse = find(table, "impulse");
@@ -45,13 +45,14 @@ GroundMotion read_force(const Node& table, const std::filesystem::path& folder, 
   if (force->kind != Node::Kind::table ||
       (find(*force, "samples") == nullptr && find(*force, "pulse") == nullptr))
     throw wrong_value(*force, "a number, or a table of samples and interval, or of a pulse");
-  return read_ground_motion(*force, folder, library);
+  return read_motion(*force);
 }
 
 }  // namespace
 
-void read_pushes(const SceneDocument& document, MotionLibrary& library, Scene& scene) {
-  const Node* array = find(document.root, "push");
+void read_pushes(const Node& root, const std::function<GroundMotion(const Node&)>& read_motion,
+                 Scene& scene) {
+  const Node* array = find(root, "push");
   if (array == nullptr) return;
   if (array->kind != Node::Kind::array) throw wrong_value(*array, "an array of tables, [[push]]");
   for (const Node& table : array->children) {
@@ -60,7 +61,7 @@ void read_pushes(const SceneDocument& document, MotionLibrary& library, Scene& s
     const auto block = static_cast<std::size_t>(push.point.block);
     const bool known = block <= scene.blocks.size();  // else validate() says so
     push.point.y = number_or(table, "height", known ? scene.blocks[block - 1].half_height : 0);
-    push.force = read_force(table, document.folder, library, scene.duration);
+    push.force = read_force(table, read_motion, scene.duration);
   }
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "analytic/scene/input/scene_file.hpp"
+#include <functional>
+
+#include "analytic/scene/input/document.hpp"
+#include "analytic/scene/scene.hpp"
 
 namespace rockstack {
 
-/// Reads the tables [[push]] of a scene whose blocks are known. @throws InputError.
-void read_pushes(const SceneDocument& document, MotionLibrary& library, Scene& scene);
+/// Reads the tables [[push]] of a scene whose blocks are known; `read_motion` what tells a force over time as
+/// it tells the ground's acceleration. @throws InputError.
+void read_pushes(const Node& root, const std::function<GroundMotion(const Node&)>& read_motion, Scene& scene);
 
 }  // namespace rockstack

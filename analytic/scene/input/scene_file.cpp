@@ -190,7 +190,8 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   scene.initial = read_initial(root, scene.blocks.size());
   read_ground(document, library, scene);
   read_contact(root, scene);
-  read_pushes(document, library, scene);
+  read_pushes(
+      root, [&](const Node& table) { return read_ground_motion(table, document.folder, library); }, scene);
   if (const Node* wall = find(root, "wall")) read_members(*wall, wall_keys, scene.wall);
   read_engine(root, scene);
   return scene;

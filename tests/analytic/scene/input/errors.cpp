@@ -261,7 +261,7 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
   expect_errors({
       {1, "durration = 5",
        "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, blocks, "
-       "initial, ground, contact, engine, restitution; did you mean duration?"},
+       "initial, ground, contact, push, engine, restitution; did you mean duration?"},
       {7, "widht = 1.0",
        "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
        "center_of_mass; did you mean width?"},
@@ -270,11 +270,34 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
       {12, "[ground]\nsideways = 1",
        "scene.toml:13: ground.sideways: unknown key, must be one of horizontal, vertical, inclination"},
       {12, "[ground.vertical]\nspectrum = 1",
-       "scene.toml:12: ground.vertical.record: missing, must be given, or samples and interval, or a pulse or "
-       "synthetic in its place"},
+       "scene.toml:12: ground.vertical.record: missing, must be given, or samples and interval, a pulse, synthetic or "
+       "velocity_steps in its place"},
       {12, "[ground.vertical]\npulse = \"half-sine\"\namplitude = 1\nperiod = 1\ncycles = 2",
        "scene.toml:16: ground.vertical.cycles: unknown key, must be one of pulse, amplitude, period, start"},
       {12, "[engine]\ngrip = 1", "scene.toml:13: engine.grip: unknown key, must be one of friction, depth"},
+  });
+}
+
+TEST(SceneErrors, PushesActOnBlocksAndInOneWay) {
+  expect_errors({
+      {12, "[[push]]\nblock = 3\nforce = 1",
+       "scene.toml:13: push.1.block = 3: must be one of the blocks, 1 to 2"},
+      {12, "[[push]]\nblock = 1",
+       "scene.toml:12: push.1.force: missing, must be given, or impulse in its place"},
+      {12, "[[push]]\nblock = 1\nforce = 1\nimpulse = 1",
+       "scene.toml:15: push.1.impulse = 1: must be left out where force is given (scene.toml:14)"},
+      {12, "[[push]]\nblock = 1\nforce = 1\nheight = 20",
+       "scene.toml:15: push.1.height = 20: must be a number from 0 to 1.25"},
+      {12, "[[push]]\nblock = 1\nforce = 1\nfrom = 2\nto = 1",
+       "scene.toml:16: push.1.to = 1: must be later than the force begins"},
+      {12, "[[push]]\nblock = 1\nimpulse = 1\nfrom = -1",
+       "scene.toml:15: push.1.from = -1: must be a number from 0 to 1e+20"},
+      {12, "[[push]]\nblock = 1\nforce = { samples = [1, 2] }",
+       "scene.toml:14: push.1.force.interval: missing, must be a number"},
+      {12, "[ground.horizontal]\nvelocity_steps = [1, 2]\ntimes = [1, 1]",
+       "scene.toml:14: ground.horizontal.times.2 = 1: must be later than the one before"},
+      {12, "[ground.horizontal]\nvelocity_steps = [1, 2]\ntimes = [1]",
+       "scene.toml:14: ground.horizontal.times = an array of 1: must be as long as velocity_steps, 2"},
   });
 }
 

@@ -93,7 +93,7 @@ TEST(Overrides, AreThePlaceOfTheirErrors) {
             "--set engine.grip=1: engine.grip: unknown key, must be one of friction, depth");
   EXPECT_EQ(error_with("ground.vertical.scale=2"),
             "--set ground.vertical.scale=2: ground.vertical.record: missing, must be given, or samples and "
-            "interval, or a pulse or synthetic in its place");
+            "interval, a pulse, synthetic or velocity_steps in its place");
 }
 
 TEST(Overrides, TwoLinesAreNotTwoValues) {
