@@ -153,7 +153,7 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
 void write_ground(const std::vector<Suite>& suites, const std::filesystem::path& folder) {
   for (const Suite& suite : suites)
     for (const NamedScene& scene : suite.scenes) {
-      if (scene.scene.horizontal.empty() && scene.scene.vertical.empty()) continue;
+      if (!scene.scene.horizontal.accelerates() && !scene.scene.vertical.accelerates()) continue;
       std::filesystem::create_directories(folder / "ground");
       write_file(folder / "ground" / (scene.name + ".csv"), ground_csv(scene.scene));
     }

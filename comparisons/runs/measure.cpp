@@ -83,7 +83,7 @@ void add_history(const History& history, RunFiles& files) {
 void write_motion(const NamedScene& scene, const History& history, const SupportLoss& support, Json summary,
                   RunFiles files, const std::filesystem::path& folder) {
   add_history(history, files);
-  if (!scene.scene.horizontal.empty() || !scene.scene.vertical.empty())
+  if (scene.scene.horizontal.accelerates() || scene.scene.vertical.accelerates())
     files["ground.csv"] = ground_csv(scene.scene);
   summary.update(outcome_json(run_outcome(scene.scene, history), summary.at("engine") != "exact"));
   if (summary.at("status") == name(RunStatus::done))

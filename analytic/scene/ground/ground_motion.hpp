@@ -24,6 +24,8 @@ struct GroundMotion {
   std::optional<Pulse> pulse = {};
   std::vector<VelocityStep> steps = {};  ///< in order of time
 
+  /// Whether it has accelerations, besides steps of the velocity.
+  bool accelerates() const { return !samples.empty() || pulse; }
   bool empty() const { return samples.empty() && !pulse && steps.empty(); }
   /// The time after which the ground is still, s.
   double end() const;

@@ -33,6 +33,10 @@ GroundMotion read_force(const Node& table, const std::function<GroundMotion(cons
     throw missing_key(table, "force", "given, or impulse in its place");
   if (force != nullptr && impulse != nullptr) throw excluded_key(*impulse, *force);
   const bool constant = force != nullptr && force->kind == Node::Kind::number;
+  const bool known = force == nullptr || constant ||
+                     (force->kind == Node::Kind::table &&
+                      (find(*force, "samples") != nullptr || find(*force, "pulse") != nullptr));
+  if (!known) throw wrong_value(*force, "a number, or a table of samples and interval, or of a pulse");
   require_beside(table, "from", constant || impulse != nullptr, "left out beside a table, which tells times");
   require_beside(table, "to", constant, "left out beside no constant force");
   if (constant) return constant_force(table, force->number, duration);
@@ -42,9 +46,6 @@ GroundMotion read_force(const Node& table, const std::function<GroundMotion(cons
     motion.steps = {{number_or(table, "from", 0), impulse->number}};
     return motion;
   }
-  if (force->kind != Node::Kind::table ||
-      (find(*force, "samples") == nullptr && find(*force, "pulse") == nullptr))
-    throw wrong_value(*force, "a number, or a table of samples and interval, or of a pulse");
   return read_motion(*force);
 }
 
