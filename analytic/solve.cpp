@@ -49,6 +49,8 @@ History solve(const Scene& scene, const SolveOptions& options, Branching* branch
   if (options.integrator == Integrator::rk4 && scene.duration / options.step > most_steps)
     throw std::invalid_argument("step = " + number_text(options.step) + ": must be at least " +
                                 number_text(scene.duration / most_steps) + " s, or there are too many");
+  if (options.integrator != Integrator::taylor && !scene.restraints.empty())
+    throw std::invalid_argument("integrator = rk4: must be taylor beside restraint");
   if (leaves_pivots(scene.law)) {
     validate(options);
     if (options.integrator != Integrator::taylor)

@@ -153,7 +153,7 @@ void solve_batch(const std::function<std::optional<Scene>()>& next, const SolveO
     const std::size_t kind = scene->equations == Equations::linear ? 1 : 0;
     // Kernels know pivots alone, no levers, no walls, and the ground's acceleration.
     const bool by_itself = scene->equations == Equations::small_angle || leaves_pivots(scene->law) ||
-                           scene->wall.side != 0 || has_pushes_or_steps(*scene);
+                           scene->wall.side != 0 || has_applied_forces(*scene);
     const std::size_t blocks = by_itself ? 0 : scene->blocks.size();
     if (blocks == 1)
       one[kind].add(number, std::move(*scene));

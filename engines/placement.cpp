@@ -14,6 +14,9 @@ void require_for_engines(const Scene& scene) {
           ".center_of_mass: must be left out for engines, which are given uniform boxes");
   if (!scene.pushes.empty())
     throw std::runtime_error("push: must be left out for engines, which are told of no forces on blocks");
+  if (!scene.restraints.empty())
+    throw std::runtime_error(
+        "restraint: must be left out for engines, which are told of no tendons and dampers");
 }
 
 /// Value of a block or the ground, −1.

@@ -35,7 +35,8 @@ class EndOfChatter {
   /// most.
   Real fastest_return(const State<Real, N>& state, const std::type_identity_t<Loading<Real>>& loading) const {
     Real effective_gravity = loading.ground.template lpNorm<1>() + model_.gravity;
-    if (loading.pushes > 0) effective_gravity += effect_of_pushes(loading);
+    if (loading.pushes > 0 || !model_.restraints.empty())
+      effective_gravity += effect_of_forces(state, loading);
     const Real rotation_rate = state.velocities.template lpNorm<1>();
     return acceleration_gain_ * (effective_gravity + rotation_rate * rotation_rate * links_length_);
   }
@@ -67,15 +68,18 @@ class EndOfChatter {
   }
 
  private:
-  /// The acceleration of all masses that has as much of Σ m|a|² as pushes make of free blocks, at most, m/s².
-  Real effect_of_pushes(const Loading<Real>& loading) const {
+  /// The acceleration of all masses that has as much of Σ m|a|² as applied forces make of free blocks, m/s².
+  Real effect_of_forces(const State<Real, N>& state, const Loading<Real>& loading) const {
+    const Directions<Real, N> directions = directions_at(model_, state.angles);
+    const int size = model_.stack.size();
+    Motion<Real, N> free{Points<Real, N>::Zero(2, size), Vector<Real, N>::Zero(size)};
+    add_pushes(model_, directions, loading, free);
+    add_restraints(model_, state, directions, make_chain(model_.stack, state.pattern, directions), free);
     Real sum = 0;
-    for (std::size_t i = 0; i < loading.pushes; ++i) {
-      const PushPoint<Real>& push = model_.pushes[i];
-      sum += abs(loading.sizes[i]) * sqrt(1 / model_.stack.mass[push.block] +
-                                          push.arm.squaredNorm() / model_.stack.inertia[push.block]);
-    }
-    return sum / sqrt(model_.stack.mass.sum());
+    for (int k = 0; k < size; ++k)
+      sum += model_.stack.mass[k] * free.centre.col(k).squaredNorm() +
+             model_.stack.inertia[k] * free.rotation[k] * free.rotation[k];
+    return sqrt(sum / model_.stack.mass.sum());
   }
 
   const Model<Real, N>& model_;

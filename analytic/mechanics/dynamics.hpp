@@ -3,6 +3,7 @@
 #include "analytic/mechanics/linkage.hpp"
 #include "analytic/polynomials/polynomial.hpp"
 #include "analytic/scene/applied_forces.hpp"
+#include "analytic/scene/restraint_law.hpp"
 
 namespace rockstack {
 
@@ -32,6 +33,7 @@ struct Model {
   Real gravity;                                ///< m/s², across the ground
   Equations equations = Equations::nonlinear;  ///< other: no velocity terms
   std::vector<PushPoint<Real>> pushes = {};
+  std::vector<RestraintLaw<Real>> restraints = {};  ///< as they are now
 };
 
 template <class Real, int N = Eigen::Dynamic>
@@ -39,7 +41,7 @@ Model<Real, N> make_model(const Scene& scene) {
   Stack<Real, N> stack = make_stack<Real, N>(scene);
   if (scene.equations == Equations::small_angle) stack = small_angle_stack(std::move(stack));
   return {std::move(stack), Real(scene.gravity) * cos(Real(scene.inclination)), scene.equations,
-          push_points<Real>(scene)};
+          push_points<Real>(scene), restraint_laws<Real>(scene)};
 }
 
 /// Where the stack is and how it moves: relative angles φₖ in rad and their rates in rad/s, exactly zero at
@@ -212,11 +214,42 @@ void add_pushes(const Model<Real, N>& model, const Directions<Real, N>& directio
   const auto turn = [&](int k, const Point<Real>& arm) {
     return turned<Real>(arm.x(), arm.y(), directions.cosine[k], directions.sine[k]);
   };
-  each_push(model.pushes, loading, turn,
-            [&](const PushPoint<Real>& point, const Point<Real>& force, const Real& moment) {
-              free.centre.col(point.block) += force / model.stack.mass[point.block];
-              free.rotation[point.block] += moment / model.stack.inertia[point.block];
-            });
+  each_push(model.pushes, loading, turn, [&](int k, const Point<Real>& force, const Real& moment) {
+    free.centre.col(k) += force / model.stack.mass[k];
+    free.rotation[k] += moment / model.stack.inertia[k];
+  });
+}
+
+/// Adds what restraints alone make of free blocks.
+template <class Real, int N>
+void add_restraints(const Model<Real, N>& model, const State<Real, N>& state,
+                    const Directions<Real, N>& directions, const Chain<Real, N>& chain,
+                    Motion<Real, N>& free) {
+  const Points<Real, N> places = centres(chain);
+  const Vector<Real, N> rates = absolute(state.velocities);
+  const Points<Real, N> speeds = centre_velocities(chain, rates);
+  const auto motion_of = [&](int k, const Point<Real>& own) -> PointMotion<Real> {
+    if (k < 0) return {own, Point<Real>::Zero(), own};
+    const Point<Real> arm = turned<Real>(own.x(), own.y(), directions.cosine[k], directions.sine[k]);
+    return {places.col(k) + arm, speeds.col(k) + rates[k] * quarter_turned(arm), arm};
+  };
+  each_restraint(model.restraints, motion_of, [&](int k, const Point<Real>& force, const Real& moment) {
+    free.centre.col(k) += force / model.stack.mass[k];
+    free.rotation[k] += moment / model.stack.inertia[k];
+  });
+}
+
+/// Lets restraints go to the lengths that they have at a state.
+template <class Real, int N>
+void follow_restraints(Model<Real, N>& model, const State<Real, N>& state) {
+  const Directions<Real, N> directions = directions_at(model, state.angles);
+  const Points<Real, N> places = centres(make_chain(model.stack, state.pattern, directions));
+  const auto place = [&](int k, const Point<Real>& arm) -> Point<Real> {
+    if (k < 0) return arm;
+    return places.col(k) + turned<Real>(arm.x(), arm.y(), directions.cosine[k], directions.sine[k]);
+  };
+  for (RestraintLaw<Real>& law : model.restraints)
+    law.follow(Point<Real>(place(law.to, law.to_arm) - place(law.from, law.from_arm)).norm());
 }
 
 /// What the blocks would do if nothing held them, less the centripetal bias, in the frame of the ground. A
@@ -240,6 +273,7 @@ Motion<Real, N> free_acceleration(const Model<Real, N>& model, const State<Real,
         -body_force.y() *
         small_angle_levers(model.stack, state.pattern, directions).cwiseQuotient(model.stack.inertia);
   if (loading.pushes > 0) add_pushes(model, directions, loading, free);
+  if (!model.restraints.empty()) add_restraints(model, state, directions, chain, free);
   return free;
 }
 

@@ -53,15 +53,15 @@ Loading<Real> loading_at(const Scene& scene, double time) {
   return loading;
 }
 
-/// Calls f with each push, its force on the ground's axes, and its clockwise moment about the centre of mass;
-/// `turn` maps a block's own vector to where the block stands.
+/// Calls f with the block of each push, its force on the ground's axes, and its clockwise moment about the
+/// centre of mass; `turn` maps a block's own vector to where the block stands.
 template <class Real, class Turn, class F>
 void each_push(const std::vector<PushPoint<Real>>& points, const Loading<Real>& loading, const Turn& turn,
                const F& f) {
   for (std::size_t i = 0; i < loading.pushes; ++i) {
     const PushPoint<Real>& point = points[i];
     const Point<Real> force = loading.sizes[i] * point.direction;
-    f(point, force, quarter_turned<Real>(turn(point.block, point.arm)).dot(force));
+    f(point.block, force, quarter_turned<Real>(turn(point.block, point.arm)).dot(force));
   }
 }
 

@@ -16,8 +16,9 @@ Enumeration named(std::string_view text, int size) {
 }  // namespace
 
 std::string name(EventKind kind) {
-  static constexpr std::array names{"opening", "impact", "closure", "rest",  "topple", "lift-off", "slip",
-                                    "stick",   "corner", "fall",    "touch", "part",   "strike",   "impulse"};
+  static constexpr std::array names{"opening", "impact",  "closure", "rest", "topple", "lift-off",
+                                    "slip",    "stick",   "corner",  "fall", "touch",  "part",
+                                    "strike",  "impulse", "slack",   "taut", "yield",  "unload"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -27,7 +28,7 @@ std::string name(Consistency consistency) {
 }
 
 EventKind named_event(std::string_view text) {
-  return named<EventKind>(text, static_cast<int>(EventKind::impulse) + 1);
+  return named<EventKind>(text, static_cast<int>(EventKind::unload) + 1);
 }
 
 Consistency named_consistency(std::string_view text) {

@@ -31,6 +31,11 @@ enum class EventKind {
   // Of all laws:
   impulse,  ///< an impulse of a push, or a step of the ground's velocity; the lowest interface that it
             ///< changes
+  // Of restraints, by the block that they hold:
+  slack,   ///< a tendon goes slack
+  taut,    ///< and pulls again
+  yield,   ///< it yields
+  unload,  ///< it no longer does
 };
 
 std::string name(EventKind kind);

@@ -118,7 +118,7 @@ struct CornerSprings {
 
 /// A point of a block.
 struct BlockPoint {
-  int block = 1;        ///< from 1, bottom to top
+  int block = 1;  ///< from 1, bottom to top; of restraints also 0, the ground where the lowest one stands
   double x = 0, y = 0;  ///< from the middle of its lower face, in its frame, to the right and up, m
 };
 
@@ -129,6 +129,25 @@ struct Push {
   double direction = 0;  ///< rad; 0 to the right, π/2 up
   GroundMotion force;    ///< N; steps are impulses, N·s
 };
+
+/// What a restraint is.
+enum class RestraintKind {
+  tendon,  ///< elastic, pulls alone, and yields at a force where it has one
+  damper,  ///< a force in proportion to the rate of its length, either way
+};
+
+/// A restraint between points of two blocks, or of a block and the ground.
+struct Restraint {
+  RestraintKind kind = RestraintKind::tendon;
+  BlockPoint from, to{0, 0, 0};
+  double stiffness = 0;                                    ///< N/m, > 0 of a tendon
+  double prestress = 0;                                    ///< where the stack stands upright, N
+  double yield = std::numeric_limits<double>::infinity();  ///< N
+  double damping = 0;                                      ///< N·s/m, > 0 of a damper
+};
+
+/// The most restraints of a scene.
+inline constexpr std::size_t max_restraints = 8;
 
 /// The most pushes of a scene.
 inline constexpr std::size_t max_pushes = 8;
@@ -167,15 +186,17 @@ struct Scene {
   CornerSprings springs;
   Wall wall;
   InitialState initial;
-  GroundMotion horizontal;        ///< ẍg, positive to the right
-  GroundMotion vertical;          ///< ÿg, positive up
-  std::vector<Push> pushes = {};  ///< at most max_pushes
-  double depth = 1;               ///< size of blocks out of the plane, which engines need, m, > 0
+  GroundMotion horizontal;                 ///< ẍg, positive to the right
+  GroundMotion vertical;                   ///< ÿg, positive up
+  std::vector<Push> pushes = {};           ///< at most max_pushes
+  std::vector<Restraint> restraints = {};  ///< at most max_restraints
+  double depth = 1;                        ///< size of blocks out of the plane, which engines need, m, > 0
 };
 
-/// Whether more acts over time than the acceleration of the ground.
-inline bool has_pushes_or_steps(const Scene& scene) {
-  return !scene.pushes.empty() || !scene.horizontal.steps.empty() || !scene.vertical.steps.empty();
+/// Whether more acts than weight, contact and the acceleration of the ground.
+inline bool has_applied_forces(const Scene& scene) {
+  return !scene.pushes.empty() || !scene.restraints.empty() || !scene.horizontal.steps.empty() ||
+         !scene.vertical.steps.empty();
 }
 
 /// More friction than this is not told from it.

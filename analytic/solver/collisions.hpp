@@ -17,7 +17,7 @@ class Collisions {
         end_of_chatter_(model, resolution_of(options)),
         zeno_(model, resolution_of(options)),
         sums_chatter_(options.events == EventsKept::summed && zeno_.worthwhile() && !upright_ &&
-                      scene.wall.side == 0 && model.pushes.empty()) {}
+                      scene.wall.side == 0 && model.pushes.empty() && model.restraints.empty()) {}
 
   /// As EndOfChatter tells.
   bool negligibly_open(const State<Real, N>& state, int k) const {

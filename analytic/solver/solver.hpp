@@ -45,6 +45,7 @@ class Solver {
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
     // For the IllConditioned that it may throw: steps do not look.
+    if (!model_.restraints.empty()) follow_restraints(model_, state_);
     accelerations(model_, state_, directions(), loading());
     make_admissible(state_.pattern);
   }
@@ -86,14 +87,25 @@ class Solver {
     ties_.keep_fresh_open(output);
     if (scene_.wall.side != 0)  // never opens there
       (scene_.wall.side < 0 ? output.margins[0].left : output.margins[0].right) = {Real(1)};
-    const FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
+    FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
+    RestraintChange<Real> change;
+    if (!model_.restraints.empty()) change = rockstack::first_change(model_.restraints, output.lengths);
+    if (change.restraint >= 0 && (change.s < event.s || !event.happens())) {
+      event = {};
+      event.s = change.s;
+    } else {
+      change.restraint = -1;
+    }
     state_ = output.at(event.s);
     require_numbers();
     recorder_.note_step(output, pieces_.current(), pieces_.offset(), event, cleared);
     directed_ = false;
     ties_.note_step(event, time());
     go(event.s, output.length);
+    if (event.s > 0)
+      for (RestraintLaw<Real>& restraint : model_.restraints) restraint.at_end = false;
     if (event.happens()) handle(event);
+    if (change.restraint >= 0) change_restraint(change, output);
   }
 
   /// Goes along a whole step in which nothing happens, and nothing is to be recorded but peaks. Where such
@@ -171,7 +183,7 @@ class Solver {
   /// kept. False where there is none. At the instant of an event steps tell.
   bool skip_rest() {
     if (!is_closed(state_.pattern) || !ties_.all_clear() || ties_.at_instant() ||
-        pieces_.has_pushes_or_steps())
+        pieces_.has_applied_forces())
       return false;
     const auto stands = [&] {
       const SupportDemand<Real> bears = support_demand(model_.gravity, pieces_.current(), pieces_.offset());
@@ -242,6 +254,14 @@ class Solver {
   /// Whether what would open to a side cannot, as there is a wall.
   bool leans_on_wall(Contact opens) const {
     return scene_.wall.side != 0 && opens == static_cast<Contact>(scene_.wall.side);
+  }
+
+  /// A tendon goes on in another stretch. Its force does not jump.
+  void change_restraint(const RestraintChange<Real>& change, const DenseOutput<Real, N>& output) {
+    const auto i = static_cast<std::size_t>(change.restraint);
+    RestraintLaw<Real>& law = model_.restraints[i];
+    const EventKind kind = take(change, value(output.lengths[i], change.s), law);
+    recorder_.note_event(time(), kind, law.from + 1, state_.pattern, state_.velocities, state_);
   }
 
   /// Impulses and steps of the ground's velocity, after the impacts that rounding puts behind them.

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "analytic/mechanics/pattern_solution.hpp"
+#include "analytic/steps/applied_series.hpp"
 #include "analytic/steps/block_series.hpp"
 #include "analytic/steps/body_force.hpp"
-#include "analytic/steps/push_series.hpp"
 
 namespace rockstack {
 
@@ -43,9 +43,13 @@ class ChainSeries {
 
   std::size_t size() const { return linkage_.size(); }
 
-  /// Lets the pushes of a model act, whose sizes body forces have. `sides`: signs of contacts.
-  void take_pushes(const Model<Real, N>& model, const PerBlock<Real, N>& sides) {
-    pushes_ = push_arms(model, sides);
+  /// Lets pushes and restraints of a model act. `sides`: signs of contacts; `step` in s.
+  void apply_forces(const Model<Real, N>& model, const PerBlock<Real, N>& sides, const Real& step) {
+    applied_ = {model, sides, step};
+  }
+  /// Lengths of restraints over so many orders.
+  std::vector<Polynomial<Real>> lengths(std::size_t orders_known) {
+    return applied_.lengths(orders_known, linkage_, blocks_);
   }
 
   /// Makes the step `ratio` times as long, where order 0 is known, which goes with the length squared.
@@ -63,6 +67,7 @@ class ChainSeries {
       block.force[0] = square * block.force[0];
       if (margins_) block.reaction[0] *= square;
     }
+    if (!applied_.empty()) applied_.shorten(ratio, linkage_, blocks_);
   }
 
   /// Computes (φ'')ₙ of all interfaces from all lower orders, 0 first.
@@ -149,8 +154,7 @@ class ChainSeries {
         size() > 1 ? n : std::min<std::size_t>(n, std::max(body_force.x.terms, body_force.y.terms));
     PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, base_acceleration);
     if (small_angles_) add_levers(n, body_force.y, known);
-    for (std::size_t i = 0; i < pushes_.size(); ++i)
-      add_push_moments(pushes_[i], body_force.pushes[i], linkage_, blocks_, n, known);
+    if (!applied_.empty()) applied_.extend(n, body_force.pushes, linkage_, blocks_, known);
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
@@ -170,8 +174,7 @@ class ChainSeries {
       block.direction[n + 2] = linear_ ? none() : twice * second_derivatives[k];
     }
     couple(n, second_derivatives, base_acceleration);
-    for (std::size_t i = 0; forces_ && i < pushes_.size(); ++i)
-      add_push_forces(pushes_[i], body_force.pushes[i], n, blocks_);
+    if (forces_ && !applied_.empty()) applied_.add_forces(n, body_force.pushes, blocks_);
   }
 
   template <std::size_t n>
@@ -270,7 +273,7 @@ class ChainSeries {
   bool small_angles_;  ///< of the linear equations, those of small angles
   bool forces_;
   bool margins_;
-  std::vector<PushArm<Real>> pushes_;
+  AppliedSeries<Real, N> applied_;
   PerBlock<Real, N> angles_;  ///< at the start, of small angles alone, rad
   std::array<BlockSeries<Real>, capacity(N)> blocks_;
   ChainMass<Real, N> mass_;  ///< at the start of the step

@@ -30,6 +30,7 @@ struct DenseOutput {
   std::array<Polynomial<Real>, capacity(N)> angles{};  ///< of open interfaces; without terms where closed
   std::array<MarginPolynomials<Real>, capacity(N)> margins{};  ///< of closed interfaces
   std::array<ForcePolynomials<Real>, capacity(N)> forces{};    ///< of all interfaces
+  std::vector<Polynomial<Real>> lengths{};                     ///< of restraints, m
 
   State<Real, N> at(const Real& s) const {
     State<Real, N> state = start;

@@ -56,12 +56,12 @@ class GroundPieces {
     piece_.horizontal.value = 0 - downhill_;
     piece_.pushes.resize(scene.pushes.size());
     push_samples_.resize(scene.pushes.size(), 0);
-    has_pushes_or_steps_ = rockstack::has_pushes_or_steps(scene);
+    has_applied_forces_ = rockstack::has_applied_forces(scene);
     find_piece();
   }
 
   /// Whether more acts than the acceleration of the ground.
-  bool has_pushes_or_steps() const { return has_pushes_or_steps_; }
+  bool has_applied_forces() const { return has_applied_forces_; }
 
   /// Whether velocities change at once where the piece starts, and nobody has taken that yet.
   bool steps_now() const { return steps_now_; }
@@ -130,7 +130,7 @@ class GroundPieces {
     follow(scene_.horizontal, 0 - downhill_, horizontal_sample_, piece_.horizontal);
     follow(scene_.vertical, 0, vertical_sample_, piece_.vertical);
     end_ = std::min({piece_.horizontal.end, piece_.vertical.end, duration_});
-    if (has_pushes_or_steps_) follow_pushes_and_steps();
+    if (has_applied_forces_) follow_pushes_and_steps();
     piece_.length = end_ - piece_.start;
   }
 
@@ -210,7 +210,7 @@ class GroundPieces {
   std::ptrdiff_t horizontal_sample_ = 0;
   std::ptrdiff_t vertical_sample_ = 0;
   std::vector<std::ptrdiff_t> push_samples_;
-  bool has_pushes_or_steps_ = false, steps_now_ = false;
+  bool has_applied_forces_ = false, steps_now_ = false;
 };
 
 }  // namespace rockstack

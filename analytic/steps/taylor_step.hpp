@@ -89,7 +89,8 @@ class TaylorSteps {
     const Real step = length(piece, remaining);
     ScaledBodyForce<Real> body_force = scaled_body_force(model_.gravity, piece, offset, step);
     const std::size_t body_force_terms = body_force.terms();
-    if (is_closed(state.pattern) && body_force.pushes.empty()) {
+    const bool applied = !body_force.pushes.empty() || !model_.restraints.empty();
+    if (is_closed(state.pattern) && !applied) {
       DenseOutput<Real, N> output{step, state, {}, {}};
       margins_at_rest(linkage, body_force, watched, output);
       lengthen(output.length, body_force_terms);
@@ -105,7 +106,7 @@ class TaylorSteps {
     }
     ChainSeries<Real, N> series(linkage, model_.equations, {forces_, watched.any()}, block_directions,
                                 start.advances);
-    if (!body_force.pushes.empty()) series.take_pushes(model_, start.sides);
+    if (applied) series.apply_forces(model_, start.sides, step);
     series.extend(0, body_force);
     const Real ratio = start.landing(series);
     if (ratio < 1) {
@@ -123,6 +124,7 @@ class TaylorSteps {
     DenseOutput<Real, N> output{start.length, state, {}, {}};
     read(start, series, orders, watched, output);
     if (forces_) read_forces(series, orders, output);
+    if (applied) output.lengths = series.lengths(orders);
     fit(reached ? Real(0) : convergence.excess(), orders, output);
     return output;
   }
@@ -143,6 +145,7 @@ class TaylorSteps {
       output.length *= ratio;
       longest_ = output.length;
       for (auto& angle : output.angles) rescale(angle, ratio);
+      for (auto& restraint_length : output.lengths) rescale(restraint_length, ratio);
       for (auto& margin : output.margins) {
         rescale(margin.right, ratio);
         rescale(margin.left, ratio);

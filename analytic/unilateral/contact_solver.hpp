@@ -37,6 +37,7 @@ class ContactSolver {
           "block masses or sizes are too far apart: rounding would leave contact forces fewer than six digits");
     across_ = Real(scene.gravity) * cos(Real(scene.inclination));
     for (int k = 0; k < stack_.size(); ++k) toppling_angles_.push_back(Real(toppling_angle(scene, k)));
+    for (RestraintLaw<Real>& law : stack_.restraints) law.follow(length_of(law));
   }
 
   /// @throws std::runtime_error where the motion cannot go on.
@@ -79,6 +80,13 @@ class ContactSolver {
         return handle(change);
       }
     }
+    if (!stack_.restraints.empty()) {
+      const RestraintChange<Real> change = rockstack::first_change(stack_.restraints, step.series.lengths);
+      if (change.restraint >= 0 && (found.guards.empty() || change.s < found.s)) {
+        advance_to(step.series, springs, change.s);
+        return handle(change, step.series);
+      }
+    }
     const bool whole = found.s == 1 && step.series.length >= remaining;
     advance_to(step.series, springs, found.s);
     if (!found.guards.empty()) {
@@ -111,6 +119,16 @@ class ContactSolver {
     if (!springs_.empty()) springs_.go(springs, s, before, state_.bodies);
     pieces_.go(s * series.length);
     if (s > 0) decided_ = false;
+    if (s > 0)
+      for (RestraintLaw<Real>& restraint : stack_.restraints) restraint.at_end = false;
+  }
+
+  /// A tendon goes on in another stretch. Its force does not jump.
+  void handle(const RestraintChange<Real>& change, const ModeSeries<Real>& series) {
+    note_burst();
+    const auto i = static_cast<std::size_t>(change.restraint);
+    const EventKind kind = take(change, value(series.lengths[i], change.s), stack_.restraints[i]);
+    note(kind, stack_.restraints[i].from + 1, springs_.shown(state_.joints), state_.bodies.velocity);
   }
 
   /// What springs change. Forces may change at once, so that rigid joints are decided anew.
@@ -283,12 +301,21 @@ class ContactSolver {
     return state_.joints;
   }
 
+  Real length_of(const RestraintLaw<Real>& law) const {
+    const auto place = [&](int k, const Point<Real>& arm) -> Point<Real> {
+      const Pose<Real> at = pose_of(state_.bodies.pose, k);
+      return Point<Real>(at.x, at.y) + turned<Real>(arm, at.angle);
+    };
+    return Point<Real>(place(law.to, law.to_arm) - place(law.from, law.from_arm)).norm();
+  }
+
   /// Without rigid contacts; springs have bodies where they are at that time.
   FreeVector<Real> free_acceleration(const Real& time_ahead, const Bodies<Real>& bodies) const {
     const Loading<Real> loading = pieces_.current().at(pieces_.offset() + time_ahead);
     const Point<Real>& ground = loading.ground;
     FreeVector<Real> result = uniform<Real>(stack_.size(), -ground.x(), -(across_ + ground.y()));
     add_pushes(stack_, bodies, loading, result);
+    if (!stack_.restraints.empty()) add_restraints(stack_, bodies, result);
     if (!springs_.empty()) result += springs_.accelerations(bodies);
     return result;
   }

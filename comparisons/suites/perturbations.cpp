@@ -92,6 +92,11 @@ Scene perturbed(const Scene& scene, const Perturbations& perturbations, int run)
     vary_motion(*motion, next_factor());
   }
   for (Push& push : result.pushes) vary_motion(push.force, next_factor());
+  for (Restraint& restraint : result.restraints) {
+    const double factor = next_factor();
+    restraint.stiffness *= factor;
+    restraint.damping *= factor;
+  }
   vary_flight(result, [&] { return next_factor() - 1; });
   return result;
 }

@@ -188,6 +188,9 @@ Json player_scene(const Scene& scene, const History& history) {
   stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(scene, history)}};
   if (leaves_pivots(scene.law)) stage["friction"] = friction_of(scene);
   if (scene.wall.side != 0) stage["wall"] = scene.wall.side;
+  const auto end = [](const BlockPoint& point) -> Json { return {point.block, point.x, point.y}; };
+  for (const Restraint& restraint : scene.restraints)
+    stage["restraints"].push_back({end(restraint.from), end(restraint.to)});
   return stage;
 }
 

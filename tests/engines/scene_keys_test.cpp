@@ -33,7 +33,8 @@ std::string outcome(const Scene& scene) {
   numbers.insert(numbers.end(), history.angles.begin(), history.angles.end());
   numbers.insert(numbers.end(), history.centres.begin(), history.centres.end());
   // Engines take no others.
-  const bool for_engines = scene.blocks.front().offset_x == 0 && scene.pushes.empty();
+  const bool for_engines =
+      scene.blocks.front().offset_x == 0 && scene.pushes.empty() && scene.restraints.empty();
   if (for_engines) add(set_up(scene, 0.01, {}), numbers);
   std::string text = scene.title;
   for (const double number : numbers) text += " " + number_text(number);
@@ -127,6 +128,20 @@ const std::vector<KeyCase> cases{
     {&push_keys, "from", "0.1"},
     {&push_keys, "to", "0.5"},
     {&push_keys, "impulse", "200.0"},
+    {&tendon_keys, "kind", ""},
+    {&tendon_keys, "block", ""},
+    {&tendon_keys, "point", "[0.0, 2.0]"},
+    {&tendon_keys, "to_block", ""},
+    {&tendon_keys, "to_point", "[1.0, -1.0]"},
+    {&tendon_keys, "stiffness", "2e5"},
+    {&tendon_keys, "prestress", "2e4"},
+    {&tendon_keys, "yield", "2e4"},
+    {&damper_keys, "kind", ""},
+    {&damper_keys, "block", ""},
+    {&damper_keys, "point", "[0.0, 2.0]"},
+    {&damper_keys, "to_block", ""},
+    {&damper_keys, "to_point", "[1.0, -1.0]"},
+    {&damper_keys, "damping", "3e4"},
     {&surface_keys, "friction", "2.0"},
     {&surface_keys, "depth", "2.0"},
 };
@@ -140,7 +155,8 @@ std::string outcome_with(const std::vector<KeyCase::Setting>& settings) {
   const KeyTable& motion = is_motion(*settings.back().table) ? *settings.back().table : pulse_keys;
   std::vector<const KeyTable*> tables{&scene_keys,  &block_keys, &initial_keys, &contact_keys,
                                       &ground_keys, &motion,     &surface_keys};
-  for (const KeyTable* alone : {&push_keys, static_cast<const KeyTable*>(&wall_keys)})
+  for (const KeyTable* alone :
+       std::initializer_list<const KeyTable*>{&push_keys, &tendon_keys, &damper_keys, &wall_keys})
     if (settings.back().table == alone) tables.push_back(alone);
   KeyFile file(tables);
   file.set(initial_keys, "angles", "[0.1]");

@@ -66,4 +66,16 @@ void read_pushes(const Node& root, const std::function<GroundMotion(const Node&)
   }
 }
 
+void read_restraints(const Node& root, Scene& scene) {
+  const Node* array = find(root, "restraint");
+  if (array == nullptr) return;
+  if (array->kind != Node::Kind::array) throw wrong_value(*array, "an array of tables, [[restraint]]");
+  for (const Node& table : array->children) {
+    Restraint& restraint = scene.restraints.emplace_back();
+    restraint.kind =
+        choice<RestraintKind>(required(table, "kind", "\"tendon\" or \"damper\""), {"tendon", "damper"});
+    read_members(table, keys_of(restraint.kind), restraint);
+  }
+}
+
 }  // namespace rockstack

@@ -11,4 +11,7 @@ namespace rockstack {
 /// it tells the ground's acceleration. @throws InputError.
 void read_pushes(const Node& root, const std::function<GroundMotion(const Node&)>& read_motion, Scene& scene);
 
+/// Reads the tables [[restraint]]. @throws InputError.
+void read_restraints(const Node& root, Scene& scene);
+
 }  // namespace rockstack

@@ -150,7 +150,7 @@ void validate_wall(const Scene& scene) {
     refuse("where a stack has " + std::to_string(scene.blocks.size()) + " blocks: a wall is beside one");
   if (leaves_pivots(scene.law))
     refuse(std::string("under law ") + name(scene.law) + ": walls are for laws of pivots");
-  if (has_pushes_or_steps(scene)) refuse("beside pushes and steps of the ground's velocity");
+  if (has_applied_forces(scene)) refuse("beside pushes, restraints and steps of the ground's velocity");
   if (!scene.restitution.empty()) refuse("beside restitution: wall.restitution is the ratio of its strikes");
   const Block& block = scene.blocks.front();
   if (block.offset_x != 0 || block.offset_y != 0) refuse("beside blocks.1.center_of_mass");
@@ -213,6 +213,58 @@ void validate_pushes(const Scene& scene) {
     validate_push(scene, scene.pushes[i], entry_key("push", i));
 }
 
+void require_left_out(const std::string& key, double value, const char* kind) {
+  if (value != 0) throw FieldError(key, value, std::string("left out beside kind = \"") + kind + "\"");
+}
+
+double upright_height(const Scene& scene, const BlockPoint& point) {
+  double height = point.y;
+  for (int k = 0; k + 1 < point.block; ++k)
+    height += 2 * scene.blocks[static_cast<std::size_t>(k)].half_height;
+  return height;
+}
+
+void require_block(const Scene& scene, const std::string& key, int block, int least) {
+  const auto most = static_cast<int>(scene.blocks.size());
+  if (block < least || block > most)
+    throw FieldError(key, std::to_string(block),
+                     "one of the blocks, " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+/// Checks a restraint; keys are those of a file.
+void validate_restraint(const Scene& scene, const Restraint& restraint, const std::string& key) {
+  if (scene.equations != Equations::nonlinear)
+    throw FieldError("equations", name(scene.equations),
+                     "nonlinear beside restraint, whose length they would not know");
+  require_block(scene, key + ".block", restraint.from.block, 1);
+  require_block(scene, key + ".to_block", restraint.to.block, 0);
+  if (restraint.from.block == restraint.to.block)
+    throw FieldError(key + ".to_block", std::to_string(restraint.to.block), "another block");
+  require_ranges(key + ".", keys_of(restraint.kind), restraint);
+  if (restraint.kind == RestraintKind::tendon) {
+    require_left_out(key + ".damping", restraint.damping, "tendon");
+  } else {
+    require_left_out(key + ".stiffness", restraint.stiffness, "damper");
+    require_left_out(key + ".prestress", restraint.prestress, "damper");
+  }
+  if (!(restraint.yield > restraint.prestress))
+    throw FieldError(key + ".yield", restraint.yield, "> prestress, or inf");
+  const double x = restraint.to.x - restraint.from.x;
+  const double y = upright_height(scene, restraint.to) - upright_height(scene, restraint.from);
+  if (!(std::hypot(x, y) > 1e-6 * stack_height(scene)))
+    throw FieldError(key + ".to_point",
+                     "[" + number_text(restraint.to.x) + ", " + number_text(restraint.to.y) + "]",
+                     "elsewhere: it has no length where the stack stands upright");
+}
+
+void validate_restraints(const Scene& scene) {
+  if (scene.restraints.size() > max_restraints)
+    throw FieldError("restraint", std::to_string(scene.restraints.size()) + " tables",
+                     "up to " + std::to_string(max_restraints));
+  for (std::size_t i = 0; i < scene.restraints.size(); ++i)
+    validate_restraint(scene, scene.restraints[i], entry_key("restraint", i));
+}
+
 void validate_duration(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   double turning = 0;  // m/s², towards the centre of what turns
@@ -264,6 +316,7 @@ void validate(const Scene& scene) {
   validate(scene.horizontal, "ground.horizontal");
   validate(scene.vertical, "ground.vertical");
   validate_pushes(scene);
+  validate_restraints(scene);
   validate_duration(scene);
   require_ranges("engine.", surface_keys, scene);
 }

@@ -193,6 +193,7 @@ Scene scene_from(const SceneDocument& document, MotionLibrary& library) {
   read_pushes(
       root, [&](const Node& table) { return read_ground_motion(table, document.folder, library); }, scene);
   if (const Node* wall = find(root, "wall")) read_members(*wall, wall_keys, scene.wall);
+  read_restraints(root, scene);
   read_engine(root, scene);
   return scene;
 }

@@ -59,6 +59,7 @@ inline const KeysOf<Scene> scene_keys{
      {"contact", "", "", "a table [contact]", no_default, "how blocks touch"},
      {"push", "", "", "up to 8 tables [[push]]", no_default, "forces on blocks"},
      {"wall", "", "", "a table [wall]", no_default, "what one block rocks away from"},
+     {"restraint", "", "", "up to 8 tables [[restraint]]", no_default, "tendons and dampers"},
      {"engine", "", "", "a table [engine]", no_default, "what engines need besides"},
      {"restitution", "[0.9]", "", KeyRange{"a number from 0 to 1 for each block", 0, 1}, "that of the law",
       "of the interface under each block, where all above it rocks as one body: relative angular velocity "
@@ -269,6 +270,55 @@ inline const KeysOf<Push> push_keys{
      {"to", "1.0", "s", "later, beside a number", "the end of the scene", "when the force ends"},
      {"impulse", "100.0", "N·s", "any number", "instead of force", "at an instant"}}};
 
+/// A point in a file: two numbers.
+inline void read_point(const Node& node, BlockPoint& point) {
+  const std::vector<double> place = numbers(node);
+  if (place.size() != 2) throw wrong_value(node, "[x, y] in m");
+  point.x = place[0];
+  point.y = place[1];
+}
+
+inline const std::vector<NamedChoice> tendons{{"tendon"}}, dampers{{"damper"}};
+
+/// Keys of a kind of restraints: where it is, and its own.
+inline KeysOf<Restraint> restraint_table(const char* meaning, const char* example,
+                                         const std::vector<NamedChoice>& kinds,
+                                         const std::vector<Key<Restraint>>& own) {
+  std::vector<Key<Restraint>> rows{
+      {"kind", example, kinds, "what it is"},
+      {"block", "1", "", whole_numbers(1, max_blocks), required_key, "that it holds, from the bottom up",
+       part(&Restraint::from, &BlockPoint::block)},
+      {{"point", "[0.0, 1.0]", "m", "[x, y]", required_key,
+        "of that block, from the middle of its lower face, to the right and up"},
+       [](const Node& node, Restraint& restraint) { read_point(node, restraint.from); }},
+      {"to_block", "0", "", whole_numbers(0, max_blocks), "the other block; 0: the ground",
+       part(&Restraint::to, &BlockPoint::block)},
+      {{"to_point", "[0.0, -1.0]", "m", "[x, y], elsewhere where the stack stands upright", required_key,
+        "of the other block; of the ground from the middle of the lowest block's place"},
+       [](const Node& node, Restraint& restraint) { read_point(node, restraint.to); }}};
+  rows[2].needed = rows[4].needed = "[x, y] in m";
+  rows.insert(rows.end(), own.begin(), own.end());
+  return {"[[restraint]]", meaning, rows};
+}
+
+inline const KeysOf<Restraint> tendon_keys = restraint_table(
+    "a tendon between points of two blocks, or of a block and the ground; nonlinear equations alone",
+    "\"tendon\"", tendons,
+    {{"stiffness", "1e5", "N/m", above_zero, required_key, "of its force over its length",
+      &Restraint::stiffness, UsualNumbers{1e4, 1e9, true}},
+     {"prestress", "0.0", "N", from_zero, "its force where the stack stands upright", &Restraint::prestress,
+      UsualNumbers{0, 1e6}},
+     {"yield", "inf", "N", by_itself("> prestress, or inf"), "force at which it yields", &Restraint::yield}});
+
+inline const KeysOf<Restraint> damper_keys = restraint_table(
+    "a damper between such points, whose restraint is viscous", "\"damper\"", dampers,
+    {{"damping", "1e4", "N·s/m", above_zero, required_key, "of its force over the rate of its length",
+      &Restraint::damping, UsualNumbers{1, 1e6, true}}});
+
+inline const KeysOf<Restraint>& keys_of(RestraintKind kind) {
+  return kind == RestraintKind::tendon ? tendon_keys : damper_keys;
+}
+
 inline const KeysOf<Scene> surface_keys{
     "[engine]",
     "what engines need and the exact solver does not",
@@ -281,8 +331,8 @@ inline const KeysOf<Scene> surface_keys{
 
 /// All tables of a scene file, in the order of a file; those of [ground.horizontal] are alternatives.
 inline constexpr std::initializer_list<const KeyTable*> scene_tables{
-    &scene_keys,    &block_keys,      &initial_keys,   &contact_keys, &wall_keys,
-    &ground_keys,   &record_keys,     &samples_keys,   &steps_keys,   &pulse_keys,
-    &harmonic_keys, &near_fault_keys, &synthetic_keys, &push_keys,    &surface_keys};
+    &scene_keys,     &block_keys,   &initial_keys, &contact_keys, &wall_keys,     &ground_keys,
+    &record_keys,    &samples_keys, &steps_keys,   &pulse_keys,   &harmonic_keys, &near_fault_keys,
+    &synthetic_keys, &push_keys,    &tendon_keys,  &damper_keys,  &surface_keys};
 
 }  // namespace rockstack

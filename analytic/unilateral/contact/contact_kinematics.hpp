@@ -24,12 +24,27 @@ template <class Real>
 void add_pushes(const ContactModel<Real>& stack, const Bodies<Real>& bodies, const Loading<Real>& loading,
                 FreeVector<Real>& free) {
   const auto turn = [&](int k, const Point<Real>& arm) { return turned<Real>(arm, bodies.pose[k].angle); };
-  each_push(stack.pushes, loading, turn,
-            [&](const PushPoint<Real>& point, const Point<Real>& force, const Real& moment) {
-              const Eigen::Index at = Eigen::Index{3} * point.block;
-              const Eigen::Matrix<Real, 3, 1> effect(force.x(), force.y(), moment);
-              free.template segment<3>(at) += stack.inverse_mass.template segment<3>(at).cwiseProduct(effect);
-            });
+  each_push(stack.pushes, loading, turn, [&](int k, const Point<Real>& force, const Real& moment) {
+    const Eigen::Index at = Eigen::Index{3} * k;
+    const Eigen::Matrix<Real, 3, 1> effect(force.x(), force.y(), moment);
+    free.template segment<3>(at) += stack.inverse_mass.template segment<3>(at).cwiseProduct(effect);
+  });
+}
+
+/// Adds what restraints alone make of free blocks.
+template <class Real>
+void add_restraints(const ContactModel<Real>& stack, const Bodies<Real>& bodies, FreeVector<Real>& free) {
+  const auto motion_of = [&](int k, const Point<Real>& own) -> PointMotion<Real> {
+    const Pose<Real> at = pose_of(bodies.pose, k), rate = pose_of(bodies.velocity, k);
+    const Point<Real> arm = turned<Real>(own, at.angle);
+    return {Point<Real>(at.x, at.y) + arm, Point<Real>(rate.x, rate.y) + rate.angle * quarter_turned(arm),
+            arm};
+  };
+  each_restraint(stack.restraints, motion_of, [&](int k, const Point<Real>& force, const Real& moment) {
+    const Eigen::Index at = Eigen::Index{3} * k;
+    const Eigen::Matrix<Real, 3, 1> effect(force.x(), force.y(), moment);
+    free.template segment<3>(at) += stack.inverse_mass.template segment<3>(at).cwiseProduct(effect);
+  });
 }
 
 template <class Real>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/scene/applied_forces.hpp"
+#include "analytic/scene/restraint_law.hpp"
 #include "analytic/unilateral/contact/short_vector.hpp"
 
 namespace rockstack {
@@ -151,7 +152,8 @@ struct ContactModel {
   RestitutionLaw restitution_law = RestitutionLaw::newton;
   std::vector<SpringLaw<Real>> springs;  ///< of each interface; empty where all are rigid
   std::vector<PushPoint<Real>> pushes;
-  FreeVector<Real> inverse_mass;  ///< three a block
+  std::vector<RestraintLaw<Real>> restraints;  ///< as they are now
+  FreeVector<Real> inverse_mass;               ///< three a block
 
   ContactModel(std::vector<Block> stacked, const std::vector<double>& coefficients)
       : blocks(std::move(stacked)),
@@ -216,6 +218,7 @@ ContactModel<Real> contact_model_of(const Scene& scene) {
   stack.restitution = Real(scene.point_restitution);
   stack.restitution_law = scene.restitution_law;
   stack.pushes = push_points<Real>(scene);
+  stack.restraints = restraint_laws<Real>(scene);
   const CornerSprings& springs = scene.springs;
   if (springs.stiffness.empty() && springs.bed_stiffness.empty()) return stack;
   const auto of = [](const std::vector<double>& values, std::size_t k, double default_value) {

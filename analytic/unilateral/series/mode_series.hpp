@@ -120,7 +120,8 @@ struct ModeSeries {
   Real force_unit = 0;  ///< of the series of forces, N; that of moments is N·m
   ShortVector<BodySeries<Real>> bodies;
   ShortVector<ForceSeries<Real>> forces;
-  ShortVector<Polynomial<Real>> along;  ///< the faces: of held points, m
+  ShortVector<Polynomial<Real>> along;         ///< the faces: of held points, m
+  std::vector<Polynomial<Real>> lengths = {};  ///< of restraints, m
 
   const BodySeries<Real>* body(int k) const { return k < 0 ? &ground_series<Real> : &bodies[k]; }
 

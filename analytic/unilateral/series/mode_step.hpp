@@ -2,6 +2,7 @@
 
 #include "analytic/steps/body_force.hpp"
 #include "analytic/steps/landing.hpp"
+#include "analytic/steps/restraint_series.hpp"
 #include "analytic/unilateral/series/held_joint.hpp"
 
 namespace rockstack {
@@ -51,6 +52,8 @@ class SeriesMaker {
     }
     for (HeldJoint<Real>& joint : held_) joint.begin();
     known_.begin(series_);
+    restraints_.clear();
+    for (const RestraintLaw<Real>& law : stack_.restraints) restraints_.push_back({law, length});
   }
 
   /// The share of the step by whose end the first pivot has come back, from order 0. `rate`: see landing().
@@ -77,6 +80,7 @@ class SeriesMaker {
     for (HeldJoint<Real>& joint : held_) joint.begin(series_.forces[joint.interface()], m);
     if (!known_.springs().empty()) known_.extend_forces(n, series_.forces);
     ChainVector<Real> motion;
+    for (GrowingRestraint<Real>& restraint : restraints_) restraint.extend(n, apart_of(restraint));
     accelerate(n, body_force, motion);
     constrain(n, factor, motion);
     const Real* own = &motion[3];
@@ -121,8 +125,13 @@ class SeriesMaker {
       series_.along[joint.interface()] =
           joint.point().place_from_middle(joint.sticks() ? 1 : orders + 2).along;
     }
+    for (GrowingRestraint<Real>& restraint : restraints_) {
+      restraint.extend_length(orders + 1, apart_of(restraint));
+      series_.lengths.push_back(restraint.length);
+    }
     if (!(ratio < 1)) return;
     known_.rescale_by(ratio);
+    for (Polynomial<Real>& length : series_.lengths) rescale(length, ratio);
     series_.length *= ratio;
     for (BodySeries<Real>& body : series_.bodies) {
       rescale(body.angle, ratio);
@@ -149,6 +158,10 @@ class SeriesMaker {
     known_.add_forces(n, motion);
     for (std::size_t i = 0; i < body_force.pushes.size(); ++i)
       add_push(stack_.pushes[i], body_force.pushes[i], n, motion);
+    for (const GrowingRestraint<Real>& restraint : restraints_) {
+      add_pull(restraint, restraint.law.from, restraint.law.from_arm, 1, n, motion);
+      add_pull(restraint, restraint.law.to, restraint.law.to_arm, -1, n, motion);
+    }
     const Real* lightness = stack_.inverse_mass.data();
     for (std::size_t k = 0; k < joints_.size(); ++k, lightness += 3) {
       Real* own = &motion[3 * (k + 1)];
@@ -156,6 +169,33 @@ class SeriesMaker {
       own[1] *= lightness[1];
       own[2] *= lightness[2];
     }
+  }
+
+  /// Coefficient m of the way from one end of a restraint to the other.
+  auto apart_of(const GrowingRestraint<Real>& restraint) const {
+    return [this, &restraint](std::size_t m) {
+      const auto place = [&](int body, const Point<Real>& arm) -> Point<Real> {
+        const BodySeries<Real>& series = *series_.body(body);
+        return series.centre[m] + turned(series, arm, m);
+      };
+      const Point<Real> apart =
+          place(restraint.law.to, restraint.law.to_arm) - place(restraint.law.from, restraint.law.from_arm);
+      return PlaneVector<Real>{apart.x(), apart.y()};
+    };
+  }
+
+  /// Adds coefficient n of the force of a restraint at one end, and of its moment.
+  void add_pull(const GrowingRestraint<Real>& restraint, int body, const Point<Real>& arm, int way,
+                std::size_t n, ChainVector<Real>& motion) const {
+    if (body < 0) return;
+    const auto force = [&](std::size_t m) -> Point<Real> {
+      return Real(way) * Point<Real>(restraint.force_x[m], restraint.force_y[m]);
+    };
+    Real* own = &motion[3 * (static_cast<std::size_t>(body) + 1)];
+    own[0] += force(n).x();
+    own[1] += force(n).y();
+    for (std::size_t m = 0; m <= n; ++m)
+      own[2] += quarter_turned<Real>(turned(*series_.body(body), arm, n - m)).dot(force(m));
   }
 
   /// Adds coefficient n of a push, and of its moment.
@@ -195,6 +235,7 @@ class SeriesMaker {
   std::size_t size_ = 0;
   std::array<const typename HeldJoint<Real>::Row*, std::size_t{3} * max_blocks> rows_;  ///< of what is held
   LinearSystem<Real> system_;
+  std::vector<GrowingRestraint<Real>> restraints_;
 };
 
 /// A step's series, of the length planned or of less. `lengthens`: they reached the length early.

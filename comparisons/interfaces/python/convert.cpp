@@ -121,7 +121,7 @@ bool is_known(const bool& value) {
 }
 
 bool is_known(EventKind kind) {
-  return kind >= EventKind::opening && kind <= EventKind::impulse;
+  return kind >= EventKind::opening && kind <= EventKind::unload;
 }
 
 bool is_known(Consistency consistency) {

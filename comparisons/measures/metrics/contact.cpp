@@ -161,12 +161,20 @@ std::vector<std::string> validity_warnings(const Scene& scene, const History& hi
 
 std::vector<Reaction> reactions_of(const Scene& scene, const History& history) {
   if (!history.reactions.empty()) return history.reactions;
-  const Model<double> model = make_model<double>(scene);
+  Model<double> model = make_model<double>(scene);
   std::vector<Reaction> rows;
   rows.reserve(history.size() * static_cast<std::size_t>(history.blocks));
+  auto event = history.events.begin();
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const PatternSolution<double> solution =
-        accelerate(model, state_at(history, i), loading_at(scene, history.times[i]));
+    // What yields is longest at events.
+    for (; !model.restraints.empty() && event != history.events.end() && event->time <= history.times[i];
+         ++event) {
+      const Vector<double> still = Vector<double>::Zero(history.blocks);
+      follow_restraints(model, State<double>{event->to, relative(vector_of(event->angles)), still});
+    }
+    const State<double> state = state_at(history, i);
+    if (!model.restraints.empty()) follow_restraints(model, state);
+    const PatternSolution<double> solution = accelerate(model, state, loading_at(scene, history.times[i]));
     const auto& [normal, tangential, moment] = solution.reactions;
     for (int k = 0; k < history.blocks; ++k) {
       const bool carried = solution.pattern[k] == Contact::closed && normal[k] > solution.rounding[k];

@@ -34,10 +34,20 @@ Json motion_fields(const GroundMotion& motion) {
   return fields;
 }
 
+Json point_fields(const BlockPoint& point) {
+  const auto& [block, x, y] = point;
+  return std::tuple(block, x, y);
+}
+
 Json push_fields(const Push& push) {
   const auto& [point, direction, force] = push;
-  const auto& [block, x, y] = point;
-  return std::tuple(block, x, y, direction, motion_fields(force));
+  return std::tuple(point_fields(point), direction, motion_fields(force));
+}
+
+Json restraint_fields(const Restraint& restraint) {
+  const auto& [kind, from, to, stiffness, prestress, yield, damping] = restraint;
+  return std::tuple(kind, point_fields(from), point_fields(to), stiffness, prestress, number_text(yield),
+                    damping);
 }
 
 }  // namespace
@@ -58,7 +68,7 @@ std::map<std::string, std::string> environment(const std::vector<const WorkerEng
 Json scene_fields(const Scene& scene) {
   const auto& [title, duration, gravity, inclination, law, equations, restitution, blocks, friction,
                kinetic_friction, point_restitution, restitution_law, springs, wall, initial, horizontal,
-               vertical, pushes, depth] = scene;
+               vertical, pushes, restraints, depth] = scene;
   const Json each = mapped(blocks, [](const Block& block) -> Json {
     const auto& [half_width, half_height, mass, inertia, offset_x, offset_y] = block;
     return std::tuple(half_width, half_height, mass, inertia, offset_x, offset_y);
@@ -86,6 +96,7 @@ Json scene_fields(const Scene& scene) {
       {"depth", depth}};
   // Identities of scenes without them stay as they were.
   if (!pushes.empty()) fields["pushes"] = mapped(pushes, push_fields);
+  if (!restraints.empty()) fields["restraints"] = mapped(restraints, restraint_fields);
   return fields;
 }
 

@@ -27,7 +27,10 @@ const kinds = { opening: ["Opening", ", which starts to rock"], impact: ["Impact
   slip: ["Slip", ", which starts to slide"], stick: ["Stick", ", which stops sliding that way"],
   corner: ["Corner", ", where the contact passes to another corner"], fall: ["Fall", ", where a block is beside the face below"],
   strike: ["Strike", ", where a block meets the ground or one further down"],
-  touch: ["Touch", ", where a corner starts to push"], part: ["Part", ", where a corner stops pushing"] };
+  touch: ["Touch", ", where a corner starts to push"], part: ["Part", ", where a corner stops pushing"],
+  impulse: ["Impulse", ", of a push or a step of the ground's velocity"],
+  slack: ["Slack", ", where a tendon no longer pulls"], taut: ["Taut", ", where a tendon pulls again"],
+  yield: ["Yield", ", where a tendon yields"], unload: ["Unloading", ", where a tendon no longer yields"] };
 
 const subscript = (number) => String(number).replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
 const signed = (value, digits) => (Number(value.toFixed(digits)) < 0 ? "−" : "") + Math.abs(value).toFixed(digits);
@@ -65,6 +68,7 @@ class Player {
     this.weight = data.weight;
     this.friction = data.friction;
     this.wall = data.wall;
+    this.restraints = data.restraints ?? [];
     this.horizon = data.horizon;
     this.title = data.title;
     this.end = Math.max(...this.tracks.map((track) => track.end));
@@ -430,6 +434,15 @@ class Player {
     pen.fillText(line, x + 24, y, room - 30);
   }
 
+  // Each end is a block, from 1, 0 the ground, with a point from the middle of its lower face.
+  drawRestraint({ pen, x, y }, parts, ends) {
+    const [from, to] = ends.map(([block, a, c]) => block ? parts[block - 1].at(a, c) : [a, c]);
+    pen.beginPath();
+    pen.moveTo(x(from[0]), y(from[1]));
+    pen.lineTo(x(to[0]), y(to[1]));
+    pen.stroke();
+  }
+
   // As far as there is room, and twice as high as the block that stands against it.
   drawWall({ pen, x, y }, middle, room) {
     const [half, high] = this.stack.half[0], face = x(this.wall * half), end = middle + this.wall * (room / 2 - 4);
@@ -495,6 +508,7 @@ class Player {
       pen.setLineDash([]);
     }
     parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, contacts[k].side, track.colour));
+    for (const ends of this.restraints) this.drawRestraint({ pen, x, y }, parts, ends);
     if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale, left }, track, parts, contacts);
   }
 

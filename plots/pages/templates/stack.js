@@ -59,7 +59,10 @@ class Part {
     this.corners = [[-b, 0], [b, 0], [b, 2 * h], [-b, 2 * h]].map(([a, c]) => plus(base, turned(a, c, angle)));
   }
 
-  under(x) { return plus(this.base, turned(x, 0, this.angle)); }
+  under(x) { return this.at(x, 0); }
+
+  // A point from the middle of the base, along it and up.
+  at(x, y) { return plus(this.base, turned(x, y, this.angle)); }
 
   // A point as seen from the middle of the base: along it, and up.
   local(point) { return seenFrom(this.base, this.angle, point); }

@@ -261,7 +261,7 @@ TEST(SceneErrors, UnknownKeysListTheKnownOnes) {
   expect_errors({
       {1, "durration = 5",
        "scene.toml:1: durration: unknown key, must be one of title, duration, gravity, law, equations, blocks, "
-       "initial, ground, contact, push, engine, restitution; did you mean duration?"},
+       "initial, ground, contact, push, wall, restraint, engine, restitution; did you mean duration?"},
       {7, "widht = 1.0",
        "scene.toml:7: blocks.2.widht: unknown key, must be one of width, height, density, mass, inertia, "
        "center_of_mass; did you mean width?"},
@@ -298,6 +298,25 @@ TEST(SceneErrors, PushesActOnBlocksAndInOneWay) {
        "scene.toml:14: ground.horizontal.times.2 = 1: must be later than the one before"},
       {12, "[ground.horizontal]\nvelocity_steps = [1, 2]\ntimes = [1]",
        "scene.toml:14: ground.horizontal.times = an array of 1: must be as long as velocity_steps, 2"},
+  });
+}
+
+TEST(SceneErrors, RestraintsJoinTwoPointsApart) {
+  const std::string tendon = "[[restraint]]\nkind = \"tendon\"\nblock = 1\nstiffness = 1e6\npoint = [0, 1]\n";
+  const std::string below = tendon + "to_point = [0, -1]\n";
+  expect_errors({
+      {12, "[[restraint]]\nblock = 1",
+       "scene.toml:12: restraint.1.kind: missing, must be \"tendon\" or \"damper\""},
+      {12, tendon, "scene.toml:12: restraint.1.to_point: missing, must be [x, y] in m"},
+      {12, tendon + "to_point = [0, 1]",
+       "scene.toml:17: restraint.1.to_point = [0, 1]: must be elsewhere: it has no length where the stack "
+       "stands upright"},
+      {12, below + "to_block = 1", "scene.toml:18: restraint.1.to_block = 1: must be another block"},
+      {12, below + "prestress = 2\nyield = 1",
+       "scene.toml:19: restraint.1.yield = 1: must be > prestress, or inf"},
+      {12, below + "damping = 1",
+       "scene.toml:18: restraint.1.damping: unknown key, must be one of kind, block, point, to_block, "
+       "to_point, stiffness, prestress, yield"},
   });
 }
 

@@ -16,13 +16,13 @@ const std::vector<const KeyTable*> motions{&record_keys,   &samples_keys,    &st
 
 /// Tables of a scene with a motion of that kind.
 std::vector<const KeyTable*> tables_with(const KeyTable* motion) {
-  return {&scene_keys,   &block_keys, &initial_keys, &ground_keys,
-          &contact_keys, motion,      &push_keys,    &surface_keys};
+  return {&scene_keys, &block_keys, &initial_keys, &ground_keys, &contact_keys,
+          motion,      &push_keys,  &tendon_keys,  &damper_keys, &surface_keys};
 }
 
 KeyFile scene_file(const KeyTable& motion) {
   return KeyFile({&scene_keys, &block_keys, &initial_keys, &contact_keys, &ground_keys, &motion, &push_keys,
-                  &surface_keys});
+                  &tendon_keys, &damper_keys, &surface_keys});
 }
 
 /// Reads a scene beside a record; fills `scene` where it is given.
