@@ -23,8 +23,8 @@ std::vector<std::string> headline_of(const Json& json) {
 
 /// What the page has nowhere else.
 Facts other_facts(Json json) {
-  for (const char* shown :
-       {"title", "headline", "tables", "command", "trials", "cases", "disagreements", "rows", "sets"})
+  for (const char* shown : {"title", "headline", "tables", "command", "trials", "cases", "disagreements",
+                            "rows", "sets", "indices"})
     json.erase(shown);
   return facts_of(json);
 }

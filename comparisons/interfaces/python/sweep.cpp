@@ -20,6 +20,8 @@ class SweepTable {
  public:
   explicit SweepTable(const Ensemble& ensemble) : runs_(static_cast<py::ssize_t>(run_count(ensemble))) {
     for (std::size_t v = 0; v < ensemble.variations.size(); ++v) add_variation(ensemble.variations[v], v);
+    const bool is_design = !ensemble.summary.indices.empty();
+    if (is_design) add_matrices(ensemble);
     std::vector<OutcomeColumn> columns = outcome_columns(block_count(ensemble));
     std::ranges::stable_sort(columns, {}, [](const OutcomeColumn& column) { return column.value.index(); });
     for (const OutcomeColumn& column : columns) add_outcome(column);
@@ -28,6 +30,7 @@ class SweepTable {
           mapped(axis.variations, [&](std::size_t v) { return ensemble.variations[v].name(); }),
           axis.length));
     axes_.append(py::make_tuple(py::list(), ensemble.samples));
+    if (is_design) axes_.append(py::make_tuple(std::vector{matrix_column}, sample_size(ensemble)));
   }
 
   /// From any thread.
@@ -68,6 +71,15 @@ class SweepTable {
       return result.outcome ? static_cast<int>(result.outcome->*of) : -1;
     });
     words_[py::str(column.name)] = mapped(motion_modes, [](MotionMode one) { return name(one); });
+  }
+
+  /// What each run is in its sample.
+  void add_matrices(const Ensemble& ensemble) {
+    const std::size_t size = sample_size(ensemble);
+    py::list matrices;
+    for (std::size_t run = 0; run < size; ++run) matrices.append(matrix_of(ensemble, run));
+    words_[py::str(matrix_column)] = matrices;
+    add<std::int32_t>(matrix_column, [size](const RunResult& result) { return result.run % size; });
   }
 
   /// The values that runs have of one variation: numbers, or texts by their number in a list.
@@ -159,6 +171,25 @@ std::optional<std::pair<double, double>> fit(const std::vector<double>& intensit
   return std::pair(curve->median, curve->beta);
 }
 
+/// Indices of outcomes of shape (samples, 2 + inputs): a row an input, each index with its bounds, the first
+/// one first.
+py::array_t<double> indices_of(
+    const py::array_t<double, py::array::c_style | py::array::forcecast>& outcomes) {
+  const auto values = outcomes.unchecked<2>();
+  std::vector<SobolSample> samples;
+  for (py::ssize_t row = 0; row < values.shape(0); ++row) {
+    const double* first = values.data(row, 0);
+    samples.push_back({first[0], first[1], {first + 2, first + values.shape(1)}});
+  }
+  const auto indices = sobol_indices(samples, static_cast<std::size_t>(values.shape(1) - 2));
+  py::array_t<double> table({static_cast<py::ssize_t>(indices.size()), py::ssize_t{6}});
+  double* cell = table.mutable_data();
+  for (const SobolIndices& one : indices)
+    for (const VarianceShare& share : {one.first, one.total})
+      for (const double value : {share.value, share.lower, share.upper}) *cell++ = value;
+  return table;
+}
+
 }  // namespace
 
 void add_sweep(py::module_& core) {
@@ -166,6 +197,7 @@ void add_sweep(py::module_& core) {
   core.def("sweep_made", &sweep_made);
   core.def("threshold", &threshold_made);
   core.def("fit_fragility", &fit);
+  core.def("sobol_indices", &indices_of);
   core.def("wilson_bounds", [](std::size_t toppled, std::size_t runs) {
     const Bounds wilson = wilson_bounds(toppled, runs);
     return std::pair(wilson.lower, wilson.upper);

@@ -22,12 +22,15 @@ struct EvenValues {
 
 /// What one table [[vary]] changes, and the values it takes.
 struct Variation {
-  std::vector<std::string> keys;             ///< of the scene, all given the same value; the first names it
-  std::vector<Value> values;                 ///< in order; empty where they are drawn
-  std::optional<Distribution> distribution;  ///< where they are drawn
-  std::string place;                         ///< file:line of the table
+  std::vector<std::string> keys;  ///< of the scene, all given the same value; the first names it
+  std::vector<Value> values;      ///< in order, or those of which one is drawn
+  std::optional<Distribution>
+      distribution;        ///< where they are drawn; of the place in `values` where there are some
+  std::string group = {};  ///< empty: a direction of its own
+  std::string place;       ///< file:line of the table
 
   const std::string& name() const { return keys.front(); }
+  bool is_drawn() const { return distribution.has_value(); }
   bool has(const std::string& key) const { return std::ranges::find(keys, key) != keys.end(); }
 };
 
@@ -43,10 +46,18 @@ struct SummaryKeys {
   std::string intensity;  ///< fragility and incremental dynamic analysis
   std::string period;     ///< with `intensity`: overturning spectrum of a pulse
   std::string friction;   ///< with `intensity`: map of the modes of motion
+  std::vector<std::string>
+      indices;  ///< columns of outcomes, whose Sobol indices tell which drawn values decide
 };
 
+/// How values are drawn.
+enum class Sampling { random, latin_hypercube };
+inline constexpr std::array<const char*, 2> sampling_names{"random", "latin hypercube"};
+
 /// Many runs of one scene with some values changed: a grid of fixed values, and at each of its points
-/// `samples` runs with values drawn anew. Runs are numbered from 0; samples go fastest, then the last axis.
+/// `samples` with values drawn anew. A sample is a run, or for Sobol indices a row of Saltelli's design of
+/// inputs A and B drawn independently: the runs of A, of B, and for each drawn input of A with that input
+/// from B. Runs are numbered from 0; those of a sample go fastest, then samples, then the last axis.
 struct Ensemble {
   std::string title;
   SceneDocument base;
@@ -54,12 +65,22 @@ struct Ensemble {
   std::vector<Axis> axes;
   std::size_t samples = 1;
   std::uint64_t seed = 0;
+  Sampling sampling = Sampling::random;
   double tolerance = 0;  ///< of each run: the solver's tolerance and resolution; 0: rounding
   bool demands = true;   ///< whether runs tell what their interfaces demand
   SummaryKeys summary;
 };
 
 std::size_t run_count(const Ensemble& ensemble);
+
+/// The number of runs of each sample.
+std::size_t sample_size(const Ensemble& ensemble);
+
+/// The column of what a run is in its sample, where there are Sobol indices.
+inline const std::string matrix_column = "matrix";
+
+/// "A", "B", or the name of the input from B.
+std::string matrix_of(const Ensemble& ensemble, std::size_t run);
 
 /// How many blocks its scenes have.
 std::size_t block_count(const Ensemble& ensemble);
@@ -92,7 +113,13 @@ std::string identity(const Ensemble& ensemble, MotionLibrary& library);
 /// and range.
 Variation read_variation(const Node& table, const std::filesystem::path& folder);
 
-/// The first value of a variation, or the median where values are drawn.
+/// The value of a variation at a draw of its distribution.
+Value drawn_value(const Variation& variation, double draw);
+
+/// Whether a value is a record's path, by any of the keys.
+bool is_record(const Variation& variation, const Value& value);
+
+/// The first value of a variation, or the median where numbers are drawn.
 Value typical_value(const Variation& variation);
 
 /// The base scene with the typical value of each variation.
@@ -102,10 +129,10 @@ SceneDocument typical_document(const Ensemble& ensemble);
 // is defined, beside what reads the others.
 
 extern const KeysOf<Ensemble> ensemble_keys;
-extern const KeyTable vary_keys;
+extern const KeysOf<Variation> vary_keys;
 extern const KeysOf<EvenValues> range_keys;
 extern const KeysOf<Distribution> normal_keys, lognormal_keys;
-extern const KeyTable summary_keys;
+extern const KeysOf<Ensemble> summary_keys;
 
 /// All tables of an ensemble file, in the order of a file.
 inline constexpr std::initializer_list<const KeyTable*> ensemble_tables{

@@ -28,7 +28,8 @@ Run run_in(const CsvLine& line, const SummaryKeys& keys) {
   const std::size_t first_outcome = line.index("peak_1");
   for (std::size_t c = 1; c < first_outcome; ++c) {
     const std::string& name = line.names()[c];
-    if (name == keys.intensity || name == keys.period || name == keys.friction) continue;
+    if (name == keys.intensity || name == keys.period || name == keys.friction || name == matrix_column)
+      continue;
     run.others += (run.others.empty() ? "" : ", ") + name + "=" + line.text(c);
   }
   run.failed = line.text("status") == "failed";
@@ -39,6 +40,11 @@ Run run_in(const CsvLine& line, const SummaryKeys& keys) {
   run.with_impact = line.value("impacts") > 0;
   run.peak_ratio = line.value("peak_ratio");
   return run;
+}
+
+/// Runs of Saltelli's design share inputs, all but A and B.
+bool is_independent(const CsvLine& line) {
+  return !line.has(matrix_column) || line.text(matrix_column) == "A" || line.text(matrix_column) == "B";
 }
 
 /// The level that an intensity belongs to: its own; or where there are many, as values are drawn, the middle
@@ -178,11 +184,12 @@ void write_modes(const std::vector<Run>& runs, const std::filesystem::path& fold
 
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys) {
   for (const char* name : {"fragility.csv", "fragility-fit.csv", "incremental.csv",
-                           "incremental-fractiles.csv", "overturning.csv", "modes.csv"})
+                           "incremental-fractiles.csv", "overturning.csv", "modes.csv", "indices.csv"})
     std::filesystem::remove(folder / name);
   if (keys.intensity.empty()) return;
   std::vector<Run> runs;
-  for (CsvLine line(folder / "runs.csv"); line.next();) runs.push_back(run_in(line, keys));
+  for (CsvLine line(folder / "runs.csv"); line.next();)
+    if (is_independent(line)) runs.push_back(run_in(line, keys));
   if (!keys.period.empty()) return write_overturning(runs, folder);
   if (!keys.friction.empty()) return write_modes(runs, folder);
   constexpr std::size_t most_lines = 100;

@@ -8,6 +8,7 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 #include "comparisons/measures/results/provenance.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {
 namespace {
@@ -42,6 +43,9 @@ std::size_t length_of(std::size_t block, std::size_t runs) {
   return std::min(block_size(runs), runs - block * block_size(runs));
 }
 
+constexpr auto matrix_meaning =
+    "a sample's inputs are those of A, of B, drawn independently, or of A with that key's value from B";
+
 /// All columns of runs.csv and what they mean: the run's number, a column a variation, then what came out.
 std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble) {
   std::vector<std::pair<std::string, std::string>> columns{{"run", "number of the run, from 0"}};
@@ -50,28 +54,36 @@ std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ens
     for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
     columns.emplace_back(variation.name(), meaning);
   }
+  if (!ensemble.summary.indices.empty()) columns.emplace_back(matrix_column, matrix_meaning);
   for (const OutcomeColumn& column : outcome_columns(block_count(ensemble)))
     columns.emplace_back(column.name, column.meaning);
   return columns;
 }
 
 /// All that is needed to make the runs again, and what the columns mean.
-Json description(const Ensemble& ensemble, const std::vector<std::string>& headline, const CutShort& cut) {
+Json description(const Ensemble& ensemble, const std::filesystem::path& folder,
+                 const std::vector<std::string>& headline, const std::vector<InputIndices>& indices) {
+  const CutShort cut = cut_short(folder);
   Json json{{"title", ensemble.title},
             {"headline", headline},
-            {"tables", {"fragility-fit.csv", "fragility.csv", "incremental-fractiles.csv"}},
+            {"tables", {"fragility-fit.csv", "fragility.csv", "indices.csv", "incremental-fractiles.csv"}},
             {"cut_short", cut.runs},
             {"runs", run_count(ensemble)},
             {"tolerance", ensemble.tolerance},
             {"demands", ensemble.demands},
             {"samples", ensemble.samples},
             {"seed", ensemble.seed},
+            {"sampling", sampling_names.at(static_cast<std::size_t>(ensemble.sampling))},
             {"scene", page_scene(ensemble.base.root)},
-            {"vary", mapped(ensemble.variations, json_of)}};
+            {"vary", mapped(ensemble.variations, [](const Variation& one) { return json_of(one); })}};
   for (const Axis& axis : ensemble.axes) json["axes"].push_back(axis.variations);
   json["summary"] = {{"intensity", ensemble.summary.intensity},
                      {"period", ensemble.summary.period},
-                     {"friction", ensemble.summary.friction}};
+                     {"friction", ensemble.summary.friction},
+                     {"indices", ensemble.summary.indices}};
+  if (!indices.empty())
+    json["indices"] = {{"headline", index_sentences(indices, axis_title(ensemble.summary.intensity))},
+                       {"inputs", mapped(indices, [](const InputIndices& one) { return json_of(one); })}};
   for (const auto& [name, meaning] : run_columns(ensemble)) json["columns"][name] = meaning;
   json["environment"] = environment({});
   return json;
@@ -89,7 +101,14 @@ std::vector<std::string> write_results(const Ensemble& ensemble, const Journal& 
   });
   write_summaries(folder, ensemble.summary);
   std::vector<std::string> headline = sweep_headline(folder, ensemble.summary);
-  write_file(folder / "sweep.json", description(ensemble, headline, cut_short(folder)).dump(2) + "\n");
+  std::vector<InputIndices> indices;
+  if (!ensemble.summary.indices.empty()) {
+    indices = input_indices(folder, ensemble.summary);
+    write_indices(folder, indices);
+    for (const std::string& sentence : index_sentences(indices, axis_title(ensemble.summary.intensity)))
+      headline.push_back(sentence);
+  }
+  write_file(folder / "sweep.json", description(ensemble, folder, headline, indices).dump(2) + "\n");
   return headline;
 }
 
@@ -145,6 +164,7 @@ std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibra
     CsvWriter& line = lines[result.run - first];
     line.add(result.run);
     for (const Value& value : result.values) line.add(value.text);
+    if (!ensemble.summary.indices.empty()) line.add(matrix_of(ensemble, result.run));
     for (const OutcomeColumn& column : columns) add_cell(line, column, result);
     line.end_line();
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "comparisons/measures/results/outcome_columns.hpp"
+#include "comparisons/measures/statistics/sobol.hpp"
 #include "comparisons/runs/execution/executor.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
 
@@ -24,6 +25,9 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
 /// Writes the summaries that an ensemble asks for, from DIR/runs.csv alone. Runs that failed are counted and
 /// left out.
 ///
+/// Where a sample is a row of Saltelli's design, its runs A and B alone are counted, which are independent of
+/// each other.
+///
 /// By intensity:
 /// - fragility.csv: the share of runs that topple at each intensity, its confidence bounds, and the fitted
 ///   lognormal curve, whose parameters are in fragility-fit.csv (no row where there is no fit);
@@ -36,9 +40,36 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
 /// - modes.csv: how many runs begin in each mode of motion, as columns onset_*, and how many are all in all
 ///   of each.
 ///
+/// By indices:
+/// - indices.csv: of each outcome, at each intensity of a grid, the Sobol indices of the inputs that are
+/// drawn.
+///
 /// Files of summaries that are not asked for are removed. @throws std::runtime_error where a file cannot be
 /// written.
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys);
+
+/// What an input that is drawn has to do with an outcome, at one intensity of a grid.
+struct InputIndices {
+  std::optional<double> intensity;  ///< none: over all runs
+  std::string outcome, key;         ///< a column of runs.csv; the input
+  SobolIndices indices;
+  double deviation = 0;      ///< of the outcome
+  std::size_t samples = 0;   ///< that they are of
+  std::size_t left_out = 0;  ///< samples with a run that failed or has no such outcome
+};
+
+/// From a folder's runs.csv, in its order. Outcomes that are a block's number, toppled and falling, count as
+/// whether there is one.
+std::vector<InputIndices> input_indices(const std::filesystem::path& folder, const SummaryKeys& keys);
+
+/// Writes indices.csv. @throws as write_summaries().
+void write_indices(const std::filesystem::path& folder, const std::vector<InputIndices>& list);
+
+/// As results have them; what is not a number is null.
+Json json_of(const InputIndices& one);
+
+/// Which input decides over an outcome, where that varies most; nothing of an outcome that never varies.
+std::vector<std::string> index_sentences(const std::vector<InputIndices>& list, const std::string& axis);
 
 /// The runs of a folder's runs.csv that stand as they end and whose ground moves on.
 struct CutShort {

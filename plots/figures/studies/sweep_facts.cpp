@@ -102,6 +102,9 @@ SweepFacts sweep_facts(const fs::path& results) {
     if (intensity.ends_with(".peak") || intensity.ends_with(".amplitude"))
       add_scales(facts, json.value("scene", Json::object()));
     facts.cut_short = json.value("cut_short", std::size_t{0});
+    const Json sentences = json.value("indices", Json::object()).value("headline", Json::array());
+    if (!sentences.empty()) facts.decisive = sentences[0].get<std::string>();
+    facts.decisive.resize(std::min(facts.decisive.find(':'), facts.decisive.size()));
     if (intensity == "ground.horizontal.amplitude" && summary.value("friction", "") == "contact.friction")
       facts.struck = struck_block(json);
     return facts;

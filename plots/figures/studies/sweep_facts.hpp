@@ -36,6 +36,7 @@ struct SweepFacts {
   /// Facts of a scene of one block, whose intensity is an acceleration: g tan α, m/s², and p, rad/s; else 0.
   double least_acceleration = 0, frequency_parameter = 0;
   std::optional<StruckBlock> struck = {};  ///< where a map over friction is of one under such pulses
+  std::string decisive = {};               ///< which input decides most over the first outcome
   std::size_t cut_short = 0;               ///< runs that count as standing and whose ground moves on
 
   /// What that means, or nothing.

@@ -253,6 +253,7 @@ TEST(KeyEffects, OfEnsembles) {
       {&ensemble_keys, "scene", "\"other.toml\""},
       {&ensemble_keys, "samples", "3", {drawn, seed}},
       {&ensemble_keys, "seed", "2", {drawn, many}},
+      {&ensemble_keys, "sampling", "\"latin hypercube\"", {drawn, many, seed}},
       {&ensemble_keys, "tolerance", "1e-3"},
       {&ensemble_keys, "demands", "\"kept\""},
       {&vary_keys, "key", "\"gravity\""},
@@ -262,6 +263,7 @@ TEST(KeyEffects, OfEnsembles) {
        {other("key", "\"gravity\""), other("values", "[9.0, 10.0]"), other("group", "\"a\"")}},
       {&vary_keys, "values", "[0.4]"},
       {&vary_keys, "range", "{ from = 0.5, to = 1.0, count = 2 }"},
+      {&vary_keys, "one_of", "[0.4, 0.5]", {many, seed}},
       {&vary_keys, "uniform", "[0.1, 0.2]", {many, seed}},
       {&vary_keys, "normal", "{ mean = 0.5, deviation = 0.01 }", {many, seed}},
       {&vary_keys, "lognormal", "{ median = 0.5, beta = 0.1 }", {many, seed}},
@@ -276,6 +278,7 @@ TEST(KeyEffects, OfEnsembles) {
       {&summary_keys, "intensity", "\"gravity\"", directions},
       {&summary_keys, "period", "\"ground.horizontal.period\"", with_intensity},
       {&summary_keys, "friction", "\"ground.horizontal.period\"", with_intensity},
+      {&summary_keys, "indices", "[\"peak_1\"]", {drawn, many, seed}},
   };
   expect_keys_have_effects(ensemble_tables, cases, outcome);
 }

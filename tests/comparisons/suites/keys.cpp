@@ -67,9 +67,10 @@ void read_ensemble_file(const std::filesystem::path& file) {
 
 /// Where values are drawn, how many and from which seed must be said too.
 std::string read_ensemble_text(const std::string& text) {
-  const bool replicates =
-      text.find("uniform") != std::string::npos || text.find("normal") != std::string::npos;
-  return key_error((replicates ? "samples = 2\nseed = 1\n" : "") + text, read_ensemble_file);
+  const bool draws = std::ranges::any_of(std::array{"uniform", "normal", "one_of"}, [&](const char* way) {
+    return text.find(way) != std::string::npos;
+  });
+  return key_error((draws ? "samples = 2\nseed = 1\n" : "") + text, read_ensemble_file);
 }
 
 TEST(Keys, OfSuitesAreThoseThatAreRead) {
@@ -144,9 +145,12 @@ TEST(Keys, OfSuitesHaveTheDefaultsOfTheReader) {
 TEST(Keys, OfStudiesAndEnsemblesHaveTheDefaultsOfTheReader) {
   const KeyFile study({&stability_keys, &axis_keys, &engine_keys});
   EXPECT_EQ(expect_defaults_are_those_read(study, stability_keys, study_of), 2);
+  KeyFile drawn({&ensemble_keys, &vary_keys});
+  drawn.set(ensemble_keys, "samples", "2").set(ensemble_keys, "seed", "1");
+  drawn.set(vary_keys, "uniform", "[0.5, 1.0]");
+  EXPECT_EQ(expect_defaults_are_those_read(drawn, ensemble_keys, ensemble_of), 3);
   KeyFile ensemble({&ensemble_keys, &vary_keys, &range_keys});
   ensemble.leave_out(vary_keys, "values");
-  EXPECT_EQ(expect_defaults_are_those_read(ensemble, ensemble_keys, ensemble_of), 2);
   EXPECT_EQ(expect_defaults_are_those_read(ensemble, range_keys, ensemble_of), 1);
 }
 
@@ -160,11 +164,11 @@ TEST(Keys, OfStudiesAreThoseThatAreRead) {
 
 TEST(Keys, OfEnsemblesAreThoseThatAreRead) {
   expect_keys_are_those_read(KeyFile({&ensemble_keys, &vary_keys}), vary_keys, read_ensemble_text);
-  // Intensity and period of a summary are of two directions.
+  // Intensity and period of a summary are of two keys, the second one drawn as indices need it.
   const KeyTable second = vary_keys;
   KeyFile both({&ensemble_keys, &vary_keys, &second, &summary_keys});
   both.set(second, "key", "\"gravity\"").set(second, "values", "[9.0, 10.0]");
-  both.leave_out(vary_keys, "values").set(vary_keys, "values", "[0.1, 0.2]");
+  both.set(vary_keys, "uniform", "[0.1, 0.2]");
   expect_keys_are_those_read(both.set(summary_keys, "intensity", "\"gravity\""), summary_keys,
                              read_ensemble_text);
   KeyFile ranges({&ensemble_keys, &vary_keys, &range_keys});

@@ -43,6 +43,30 @@ TEST(SweepFigures, AFragilityCurveIsDrawnWithAndWithoutAFit) {
   EXPECT_EQ(bytes_of(folder / "figures/fragility.svg").find("median"), std::string::npos);
 }
 
+TEST(SweepFigures, IndicesAreBarsAtEachIntensityOrOverAllRuns) {
+  const std::string header =
+      "intensity,outcome,key,first,first_lower,first_upper,total,total_lower,total_upper,deviation,samples,left_out\n";
+  const std::string width = ",toppled,blocks.1.width,0.3,0.2,0.4,0.5,0.4,0.6,0.4,99,0\n",
+                    seed = ",toppled,ground.horizontal.synthetic,0.4,0.3,0.5,0.6,0.5,0.7,0.4,99,0\n",
+                    constant = ",toppled,blocks.1.width,,,,,,,0,99,0\n";
+  const auto folder =
+      folder_with("indices.csv", header + "2" + constant + "3" + width + "3" + seed + "4.5" + width);
+  std::ofstream(folder / "sweep.json")
+      << R"({"title": "t", "summary": {"intensity": "ground.horizontal.peak", "period": ""},
+             "indices": {"headline": ["At a peak the seed decides most over toppled: its total Sobol index is 0.6."]}})";
+  draw_figures(folder);
+  EXPECT_TRUE(drawn(folder, "indices"));
+  EXPECT_TRUE(drawn(folder, "indices.narrow"));
+  const std::string svg = bytes_of(folder / "figures/indices.svg");
+  for (const char* words : {"ground.horizontal.synthetic", "share of the variance of toppled", ">4.5<",
+                            "the seed decides most over toppled"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  std::ofstream(folder / "indices.csv") << header + width + seed;
+  draw_figures(folder);
+  EXPECT_FALSE(drawn(folder, "indices")) << "no intensity, and none along an axis";
+  EXPECT_NE(bytes_of(folder / "figures/indices.svg").find("blocks.1.width"), std::string::npos);
+}
+
 TEST(SweepFigures, IncrementalCurvesMayToppleAndRockAgain) {
   const auto folder = folder_with(
       "incremental.csv",

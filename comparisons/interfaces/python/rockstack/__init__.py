@@ -11,12 +11,12 @@ from rockstack.keys import keys, shipped
 from rockstack.notebook import Player, player
 from rockstack.scene import Block, Scene
 from rockstack.solution import Motion, Solution, solve, solve_many
-from rockstack.sweep import Fragility, SweepTable, Threshold, fragility, sweep, threshold
+from rockstack.sweep import Fragility, SobolIndices, SweepTable, Threshold, fragility, sobol_indices, sweep, threshold
 from rockstack.worker import Setting, Setup, Worker
 
 __all__ = [
     "Block", "Canon", "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Player", "Scene",
-    "Setting", "Setup", "Simulation", "Solution", "SweepTable", "Threshold", "Unfinished", "Worker", "__version__", "canon", "compare",
-    "engines", "fragility", "keys", "player", "shipped", "simulate", "solve", "solve_many", "sweep",
-    "threshold",
+    "Setting", "Setup", "Simulation", "SobolIndices", "Solution", "SweepTable", "Threshold", "Unfinished", "Worker", "__version__",
+    "canon", "compare", "engines", "fragility", "keys", "player", "shipped", "simulate", "sobol_indices", "solve", "solve_many",
+    "sweep", "threshold",
 ]

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from rockstack.compare import Comparison
     from rockstack.engines import Canon, Simulation
     from rockstack.solution import Solution
-    from rockstack.sweep import Fragility, SweepTable
+    from rockstack.sweep import Fragility, SobolIndices, SweepTable
 
 
 def _axes(axes: Any, count: int = 1) -> Any:
@@ -94,6 +94,26 @@ def draw_fragility(curve: Fragility, axes: Any) -> Any:
         x = np.linspace(curve.intensities[0], curve.intensities[-1], 200)
         axes.plot(x, curve.probability(x), label=f"median {curve.median:.3g}, β {curve.beta:.2g}")
     axes.set(xlabel="intensity", ylabel="probability of toppling", ylim=(-0.02, 1.02))
+    _legend(axes)
+    return axes
+
+
+def draw_indices(indices: SobolIndices, intensities: Any, axes: Any) -> Any:
+    axes = _axes(axes)
+    at = np.arange(len(indices.keys))
+    if indices.first.ndim == 1:
+        for shift, label in ((-0.2, "first"), (0.2, "total")):
+            value, lower, upper = (getattr(indices, label + end) for end in ("", "_lower", "_upper"))
+            axes.bar(at + shift, value, 0.4, yerr=[value - lower, upper - value], capsize=3, label=f"{label}-order" if shift < 0 else label)
+        axes.set_xticks(at, indices.keys)
+    else:
+        flat = [getattr(indices, "total" + end).reshape(-1, len(at)) for end in ("", "_lower", "_upper")]
+        x = np.arange(len(flat[0])) if intensities is None else np.asarray(intensities)
+        for i, key in enumerate(indices.keys):
+            value, lower, upper = (share[:, i] for share in flat)
+            axes.errorbar(x, value, [value - lower, upper - value], fmt="o-", capsize=3, label=key)
+        axes.set(xlabel="intensity")
+    axes.set(ylabel="share of the variance")
     _legend(axes)
     return axes
 

@@ -22,7 +22,8 @@ from rockstack.tables import Table
 class SweepTable(Table):
     """The runs of a sweep, one row a run in the order of the grid: samples go fastest, then the last axis.
 
-    A column for each varied key, then peak_1, … (largest |angle| of each block, rad), peak_ratio (over slenderness, of the
+    A column for each varied key, where summary has indices matrix (which inputs a run of a sample has: A, B, or A with
+    that key's value from B), then peak_1, … (largest |angle| of each block, rad), peak_ratio (over slenderness, of the
     block where that is largest), toppled (number of the block, 0: none), topple_time (s), falling (at the end), impacts,
     events, last_event_time (s), least_normal_force (N), force_friction, least_normal_impulse (N·s), impulse_friction,
     slip and lift (m), onset and motion (rest, slide, rock, slide-rock, free flight, topple or fall). What a run does
@@ -74,6 +75,17 @@ class SweepTable(Table):
 
         return draw_sweep(self, column, kind, axes)
 
+    @checked
+    def indices(self, outcome: str) -> SobolIndices:
+        """Which drawn input decides over a column of numbers, at each point of the grid; of a sweep whose summary has
+        indices. toppled and falling, a block's number, count as whether there is one."""
+        if "matrix" not in self:
+            raise _core.InputError("indices: must be of a sweep whose summary has indices")
+        values = self.grid(outcome).astype(float)
+        if outcome in ("toppled", "falling"):
+            values = np.where(values > 0, 1.0, values)
+        return sobol_indices(values, self._words["matrix"][2:])
+
     def __getitem__(self, name: str) -> np.ndarray:
         """A column, shape (runs,). Texts are made when asked for; codes() has the numbers that are kept of them."""
         column = super().__getitem__(name)
@@ -105,6 +117,7 @@ def sweep(ensemble: str | os.PathLike[str] | Mapping[str, Any] | None = None, /,
                              {"key": "ground.horizontal.synthetic", "values": range(20)}])
 
     `scene` is a Scene or its table. Each table of `vary` is a direction of the grid, or is drawn with `samples` and `seed`.
+    summary={"indices": ["toppled"]} makes the runs that SweepTable.indices() needs.
     All cores work, or as many `threads`; the interpreter is free, and Ctrl-C ends the sweep. Each row is written once, where
     the table's arrays have it: a million runs take what their columns do, some 150 bytes each. progress: as of
     solve_many().
@@ -122,6 +135,52 @@ def sweep(ensemble: str | os.PathLike[str] | Mapping[str, Any] | None = None, /,
         table["scene"] = scene.to_dict()
     with progress_bar(progress, "sweep") as tell:
         return SweepTable(*_core.sweep_made(table, os.path.abspath(folder), list(overrides), thread_count(threads), tell))
+
+
+@dataclass(frozen=True, eq=False)
+class SobolIndices:
+    """Shares of an outcome's variance by the inputs that are drawn, with bounds of 95 %.
+
+    keys: the inputs. first: the share that goes when an input alone is known; total: the share that remains while all
+    others are known; first_lower, …, total_upper: their bounds. All have shape (…, inputs), nan where the outcome never
+    varies. samples: of which they are, shape (…).
+    """
+
+    keys: list[str]
+    first: np.ndarray
+    first_lower: np.ndarray
+    first_upper: np.ndarray
+    total: np.ndarray
+    total_lower: np.ndarray
+    total_upper: np.ndarray
+    samples: np.ndarray
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, SobolIndices) and same(vars(self), vars(other))
+
+    def plot(self, intensities: ArrayLike | None = None, axes: Any = None) -> Any:
+        """Draws both indices by matplotlib: a bar each, or, of several points of a grid, the total ones over its
+        intensities. Gives the axes, which may be given."""
+        from rockstack.figures import draw_indices
+
+        return draw_indices(self, intensities, axes)
+
+
+@checked
+def sobol_indices(outcomes: ArrayLike, keys: Sequence[str]) -> SobolIndices:
+    """First-order (Saltelli et al. 2010) and total (Jansen 1999) Sobol indices with bounds of the delta method.
+
+    outcomes: shape (…, samples, 2 + inputs), of Saltelli's design: of inputs A, of inputs B drawn independently, and of A
+    with each input in turn from B. Samples with an outcome that is not finite are left out. Raises InputError for
+    another shape.
+    """
+    values = np.asarray(outcomes, dtype=float)
+    if values.ndim < 2 or values.shape[-1] != 2 + len(keys) or not keys:
+        raise _core.InputError(f"outcomes: shape {values.shape}: must be (samples, {2 + len(keys)}), of A, B and {len(keys)} inputs")
+    points = values.reshape(-1, *values.shape[-2:])
+    kept = np.isfinite(points).all(axis=-1)
+    shares = np.array([_core.sobol_indices(point[of]) for point, of in zip(points, kept)]).reshape(*values.shape[:-2], len(keys), 6)
+    return SobolIndices(list(keys), *np.moveaxis(shares, -1, 0).copy(), samples=kept.sum(axis=-1).reshape(values.shape[:-2]))
 
 
 @dataclass(frozen=True)

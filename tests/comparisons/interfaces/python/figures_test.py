@@ -65,6 +65,15 @@ class FigureTest(unittest.TestCase):
         label, drawn = next((label, line) for label, line in self.lines(curve.plot()).items() if label.startswith("median"))
         np.testing.assert_array_equal(drawn[:, 1], curve.probability(drawn[:, 0]))
 
+    def test_indices(self):
+        outcomes = np.random.default_rng(2).standard_normal((3, 50, 4))
+        indices = rockstack.sobol_indices(outcomes[0], ["x", "y"])
+        bars = [bar.get_height() for bar in indices.plot().patches]
+        np.testing.assert_array_equal(bars, [*indices.first, *indices.total])
+        indices = rockstack.sobol_indices(outcomes, ["x", "y"])
+        drawn = indices.plot([2.0, 4.0, 8.0]).get_lines()[0]
+        np.testing.assert_array_equal(drawn.get_xydata(), np.column_stack([[2.0, 4.0, 8.0], indices.total[:, 0]]))
+
     def test_comparisons(self):
         rows = rockstack.compare(rocking(duration=0.4), engines=[free_fall()], dt=[2e-2, 1e-2], quick=True, draws=2)
         drawn = self.lines(rows.plot())

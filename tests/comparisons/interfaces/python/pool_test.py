@@ -79,7 +79,8 @@ class PoolTest(unittest.TestCase):
         pulse = rockstack.GroundMotion(pulse="sine", amplitude=3.0, period=1.0)
         table = rockstack.sweep(scene=scene, vary=[{"key": "gravity", "values": [9.0, 10.0]}])
         kept = [scene, scene.blocks, rockstack.solve(scene), motion, pulse, rocking(ground={"horizontal": motion}).horizontal, table,
-                rockstack.fragility([1.0, 1.0, 2.0, 2.0, 3.0, 3.0], [0, 0, 0, 1, 1, 1])]
+                rockstack.fragility([1.0, 1.0, 2.0, 2.0, 3.0, 3.0], [0, 0, 0, 1, 1, 1]),
+                rockstack.sobol_indices([[1.0, 2.0, 2.0], [3.0, 1.0, 2.0]], ["x"])]
         if rockstack.engines():
             engine = rockstack.engines()[0]["name"]
             kept += [rockstack.simulate(scene, engine, 0.01, bodies=True), rockstack.canon(engine, scenes=["throw"], draws=1),

@@ -169,6 +169,48 @@ class FragilityTest(unittest.TestCase):
                 rockstack.fragility(intensities, toppled)
 
 
+class SobolTest(unittest.TestCase):
+    def test_shares_of_a_sum(self):
+        """Of 2 x + y with independent inputs of one variance: 4/5 and 1/5, either index."""
+        random = np.random.default_rng(3)
+        a, b = random.standard_normal((2, 4000, 2))
+        x = np.stack([a, b, np.column_stack([b[:, 0], a[:, 1]]), np.column_stack([a[:, 0], b[:, 1]])])
+        indices = rockstack.sobol_indices((2 * x[..., 0] + x[..., 1]).T, ["x", "y"])
+        self.assertEqual((indices.keys, indices.samples.item()), (["x", "y"], 4000))
+        for found, lower, upper in ((indices.first, indices.first_lower, indices.first_upper),
+                                    (indices.total, indices.total_lower, indices.total_upper)):
+            np.testing.assert_allclose(found, [0.8, 0.2], atol=0.08)
+            self.assertTrue(np.all((lower < [0.8, 0.2]) & ([0.8, 0.2] < upper)))
+
+    def test_a_sweep_has_the_indices_of_the_program(self):
+        text = ENSEMBLE.replace("values = [1.0, 4.0, 9.0]", "one_of = [1.0, 4.0, 9.0]").replace(
+            "values = [\"paper\", \"consistent\"]", "one_of = [\"paper\", \"consistent\"]").replace(
+            "samples = 3", "samples = 40\nsampling = \"latin hypercube\"").replace("deviation = 0.2", "deviation = 0.05")
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "ensemble.toml"
+            file.write_text(text + "[summary]\nindices = [\"toppled\", \"peak_1\"]\n")
+            subprocess.run([PROGRAM, "sweep", file, "--out", folder + "/out", "--quiet"], check=True)
+            with open(folder + "/out/indices.csv") as stream:
+                rows = list(csv.DictReader(stream))
+            table = rockstack.sweep(file)
+        self.assertEqual((table.dimensions, table.shape), (("sample", "matrix"), (40, 5)))
+        self.assertEqual(table["matrix"][:5].tolist(), ["A", "B", "ground.horizontal.amplitude", "law", "blocks.1.width"])
+        for outcome in ("toppled", "peak_1"):
+            indices = table.indices(outcome)
+            told = [row for row in rows if row["outcome"] == outcome]
+            self.assertEqual([row["key"] for row in told], indices.keys)
+            for name in ("first", "first_lower", "first_upper", "total", "total_lower", "total_upper"):
+                np.testing.assert_array_equal([float(row[name]) for row in told], getattr(indices, name))
+        self.assertEqual(indices, table.indices("peak_1"))
+
+    def test_what_is_wrong_is_named(self):
+        table = rockstack.sweep(scene=rocking(), vary=[{"key": "gravity", "values": [9.0]}])
+        with self.assertRaisesRegex(rockstack.InputError, "whose summary has indices"):
+            table.indices("peak_1")
+        with self.assertRaisesRegex(rockstack.InputError, r"shape \(3, 3\): must be \(samples, 4\)"):
+            rockstack.sobol_indices(np.ones((3, 3)), ["x", "y"])
+
+
 class ThresholdTest(unittest.TestCase):
     def test_a_speed_topples_from_p_times_the_slenderness(self):
         # θ'' = p² (θ − α), Housner 1963: what starts at θ = 0 with more than p α does not come back.

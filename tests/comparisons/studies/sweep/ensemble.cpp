@@ -127,8 +127,8 @@ TEST(Ensemble, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
   EXPECT_EQ(error("[[vary]]\nvalues = [1]\n"),
             "ensemble.toml:12: vary.1.key: missing, must be a key of the scene");
   EXPECT_EQ(error(table),
-            "ensemble.toml:12: vary.1.values: missing, must be given, or range, uniform, normal or "
-            "lognormal in its place");
+            "ensemble.toml:12: vary.1.values: missing, must be given, or range, one_of, uniform, normal "
+            "or lognormal in its place");
   EXPECT_EQ(error(table + "values = [1, -2]\n"),
             "ensemble.toml:14: blocks.1.height = -2: must be a number from 1e-20 to 1e+20");
   EXPECT_EQ(error("[[vary]]\nkey = \"blocks.1.colour\"\nvalues = [1]\n"),

@@ -81,7 +81,7 @@ TEST(Summaries, FractilesCountToppledBlocksAsInfinitelyFar) {
   folder.write("runs.csv", rows({"1,2,0.1,0.3,0,1,1,done", "1,4,0.2,0.6,0,1,1,done", "2,2,0.1,0.2,0,1,1,done",
                                  "2,4,2,5,1,1,1,done", "3,2,0.1,0.4,0,1,1,done", "3,4,0.1,0.5,0,1,1,done",
                                  "4,2,,,,,,failed", "4,4,0.1,0.7,0,1,1,done"}));
-  write_summaries(folder.path(), {.intensity = "level", .period = "", .friction = ""});
+  write_summaries(folder.path(), {.intensity = "level", .period = "", .friction = "", .indices = {}});
   const auto fractiles = read_columns(folder.path() / "incremental-fractiles.csv",
                                       {"intensity", "runs", "fractile_16", "fractile_50", "fractile_84"});
   EXPECT_EQ(fractiles[0], (std::vector<double>{2, 4}));
@@ -101,7 +101,7 @@ TEST(Summaries, FractilesCountToppledBlocksAsInfinitelyFar) {
 TEST(Summaries, FailedRunsAreCountedAndLeftOutOfShares) {
   const TemporaryFolder folder;
   folder.write("runs.csv", rows({"1,2,0.1,0.3,0,1,1,done", "2,2,,,,,,failed", "3,2,2,5,1,1,1,done"}));
-  write_summaries(folder.path(), {.intensity = "level", .period = "", .friction = ""});
+  write_summaries(folder.path(), {.intensity = "level", .period = "", .friction = "", .indices = {}});
   const auto levels =
       read_columns(folder.path() / "fragility.csv", {"runs", "toppled", "failed", "fraction"});
   EXPECT_EQ(levels[0], std::vector<double>{2});
@@ -123,7 +123,7 @@ TEST(Summaries, ManyIntensitiesAreCountedInBinsAndFittedAsTheyAre) {
     own.push_back({level, 1, topples ? 1u : 0u});
   }
   folder.write("runs.csv", rows(lines));
-  write_summaries(folder.path(), {.intensity = "level", .period = "", .friction = ""});
+  write_summaries(folder.path(), {.intensity = "level", .period = "", .friction = "", .indices = {}});
   const auto levels = read_columns(folder.path() / "fragility.csv", {"intensity", "runs", "toppled"});
   ASSERT_EQ(levels[0].size(), 20u);
   std::size_t first = 0;
