@@ -148,15 +148,15 @@ std::optional<QuantityChange> cost_change(const RowPair& pair, const ChangeOptio
 /// Changes of median and both quartiles by less than a hundredth, or 1e-12, are not reported.
 void judge(double level, QuantityChange& change);
 
-/// Whether a number is worse in every new replicate than in any old one, or its median is five times worse
-/// and either worse than any old value or so at the level before any correction, where its own test could not
-/// show that. Where a test of its set judges it, only what is five times worse, and in the median or
+/// Whether a number is worse in every new replicate than in any old one, or, where its own test could not
+/// show that, its median is five times worse and either worse than any old value or so at the level before
+/// any correction. Where a test of its set judges it, only what is five times worse, and in the median or
 /// throughout than any old value, looks so.
 bool looks_worse(const QuantityChange& change, bool judged_by_set, double level);
 
-/// Whether more replicates fail, or more topple otherwise and their test could not show that; and the test
-/// has not said so.
-bool fails_more_often(const QuantityChange& change);
+/// Whether more replicates fail, or more topple otherwise and their test could not show that, where none did
+/// before or by more than chance has it at the level before any correction; and the test has not said so.
+bool fails_more_often(const QuantityChange& change, double level);
 
 /// One row in both results; or all rows of a set, whose scene, step and bits are empty.
 struct RowChange {

@@ -137,10 +137,19 @@ const QuantityChange* number_of_set(const ResultsChange& result, const RowChange
   return nullptr;
 }
 
-/// Whether a number looks worse, and no test has said so.
+/// Whether not all replicates of a row have a number, such as a second peak.
+bool some_lack(const RowChange& row, const QuantityChange& change) {
+  const QuantityChange& failed = row.quantities.front();  // which all have
+  return change.old_values.values < failed.old_values.values ||
+         change.new_values.values < failed.new_values.values;
+}
+
+/// Whether a number looks worse, and no test has said so. Of the few values that some replicates have, all
+/// new ones may be worse by chance.
 bool is_in_doubt(const ResultsChange& result, const RowChange& row, const QuantityChange& change) {
   const QuantityChange* const set = number_of_set(result, row, change);
   if (change.trend != Trend::none || (set != nullptr && set->trend == Trend::worse)) return false;
+  if (change.test && change.test->p_value > result.level && some_lack(row, change)) return false;
   return looks_worse(change, set != nullptr && set->could_show, result.level);
 }
 
@@ -196,7 +205,7 @@ void find_undecided(const ChangeOptions& options, ResultsChange& result) {
       result.undecided.push_back(row.old_row.run);
     for (const QuantityChange& change : row.quantities) {
       const std::string name = change.quantity + " of " + row.new_row.run;
-      if (fails_more_often(change)) {
+      if (fails_more_often(change, result.level)) {
         result.more_failures.push_back(name);
       } else if (is_in_doubt(result, row, change)) {
         result.in_doubt.push_back(name);

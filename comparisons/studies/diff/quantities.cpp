@@ -211,16 +211,18 @@ bool looks_worse(const QuantityChange& change, bool judged_by_set, double level)
   const double superiority = change.test->superiority;
   if (trend_of(change.better, superiority > 0.5) != Trend::worse) return false;
   const bool in_all = superiority == 0 || superiority == 1;
-  const bool mostly = change.better == Better::more ? change.new_values.median < change.old_values.least
-                                                    : change.new_values.median > change.old_values.greatest;
+  const bool mostly = !change.could_show &&
+                      (change.better == Better::more ? change.new_values.median < change.old_values.least
+                                                     : change.new_values.median > change.old_values.greatest);
   const bool several_times =
       trend_by(grave, change.better, change.old_values.median, change.new_values.median) == Trend::worse;
   if (judged_by_set) return (in_all || mostly) && several_times;
   return in_all || (several_times && (mostly || (!change.could_show && change.test->p_value <= level)));
 }
 
-bool fails_more_often(const QuantityChange& change) {
+bool fails_more_often(const QuantityChange& change, double level) {
   if (!change.test || change.trend != Trend::none || change.test->superiority <= 0.5) return false;
+  if (change.old_values.greatest > 0 && change.test->p_value > level) return false;
   return change.quantity == "failed" || (change.quantity == "other_verdict" && !change.could_show);
 }
 
