@@ -10,31 +10,15 @@
 namespace rockstack {
 namespace {
 
-std::vector<double> read_steps(const Node& table) {
-  const Node* node = find(table, "dt");
-  if (node == nullptr) return default_steps;
-  for (const Node& child : entries(*node, "an array of at least one step > 0, s")) number_above_zero(child);
-  return numbers(*node);
+std::vector<double> read_steps(const Node& node) {
+  for (const Node& child : entries(node, "an array of at least one step > 0, s")) number_above_zero(child);
+  return numbers(node);
 }
 
-std::vector<std::string> read_settings(const Node& table) {
-  const Node* node = find(table, "settings");
-  if (node == nullptr) return {"default", "tuned"};
-  return mapped(entries(*node, "an array of \"default\" and \"tuned\""), [](const Node& child) {
+std::vector<std::string> read_settings(const Node& node) {
+  return mapped(entries(node, "an array of \"default\" and \"tuned\""), [](const Node& child) {
     return choice<std::string>(child, {{"default", "default"}, {"tuned", "tuned"}});
   });
-}
-
-const WorkerEngine& read_engine(const Node& table, const std::filesystem::path& folder) {
-  const Node* worker = find(table, "worker");
-  const Node* name = find(table, "name");
-  const Node& given = worker != nullptr ? *worker : required(table, "name", "an engine, e.g. \"bullet\"");
-  try {
-    if (worker == nullptr) return find_engine(text(given));
-    return find_engine_at(folder / text(*worker), name != nullptr ? text(*name) : "");
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", given.place, error.what()));
-  }
 }
 
 /// A parameter's value, which may be given by its name.
@@ -53,9 +37,8 @@ double read_value(const Node& node, const std::string& name, const WorkerEngine&
 }
 
 /// Every combination of the values of [engines.parameters], each one value or an array.
-std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engine) {
+std::vector<Parameters> read_changes(const Node* node, const WorkerEngine& engine) {
   std::vector<Parameters> list{{}};
-  const Node* node = find(table, "parameters");
   if (node == nullptr) return list;
   if (node->kind != Node::Kind::table) throw wrong_value(*node, "a table of the engine's parameters");
   for (const Node& child : node->children) {
@@ -77,38 +60,124 @@ std::vector<Parameters> read_changes(const Node& table, const WorkerEngine& engi
   return list;
 }
 
-/// The engine that a table names and this build leaves out.
-std::optional<std::string> left_out_engine(const Node& table) {
-  const Node* name = find(table, "name");
-  if (name == nullptr || find(table, "worker") != nullptr) return {};
-  const std::string engine = text(*name).substr(0, text(*name).find(':'));
-  const std::vector<std::string> left_out = engines_left_out();
-  return std::ranges::find(left_out, engine) == left_out.end() ? std::nullopt : std::optional(engine);
+/// What a name stands for, as an error of the place that it has. @throws InputError.
+template <class Find>
+const WorkerEngine& found_at(const Node& given, const Find& find) {
+  try {
+    return find();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", given.place, error.what()));
+  }
 }
 
-std::vector<EngineSeries> read_series(const Node& table, const std::filesystem::path& folder) {
-  const WorkerEngine& engine = read_engine(table, folder);
-  std::vector<EngineSeries> list;
-  for (const std::string& settings : read_settings(table))
-    for (const Parameters& changes : read_changes(table, engine))
-      list.push_back(make_series(engine, settings, read_steps(table), changes));
+/// The one engine of a table that does not stand for all.
+const WorkerEngine& engine_of(const EngineTable& asked, const std::filesystem::path& folder) {
+  const std::string name = asked.name != nullptr ? text(*asked.name) : "";
+  if (asked.worker == nullptr)
+    return found_at(
+        *asked.name, [&]() -> auto& { return find_engine(name); });
+  return found_at(
+      *asked.worker, [&]() -> auto& { return find_engine_at(folder / text(*asked.worker), name); });
+}
+
+bool is_all(const EngineTable& asked) {
+  return asked.name != nullptr && asked.name->text == all_engines;
+}
+
+/// Whether a name is that of an engine, with or without its solver.
+bool is_named(const std::string& name, const std::string& engine, const std::string& solver) {
+  return name == engine || name == engine + ":" + solver;
+}
+
+bool is_excepted(const EngineTable& asked, const std::string& engine, const std::string& solver) {
+  return std::ranges::any_of(asked.except,
+                             [&](const std::string& name) { return is_named(name, engine, solver); });
+}
+
+/// Engines of this build that a table stands for.
+EngineList engines_asked(const EngineTable& asked, const std::filesystem::path& folder) {
+  if (!is_all(asked)) return {engine_of(asked, folder)};
+  EngineList list;
+  for (const WorkerEngine& engine : engines())
+    if (!is_excepted(asked, engine.name, engine.solver)) list.emplace_back(engine);
   return list;
+}
+
+/// Names of engines that a table stands for and this build leaves out.
+std::vector<std::string> left_out_of(const EngineTable& asked) {
+  if (asked.worker != nullptr) return {};
+  std::vector<std::string> list = engines_left_out();
+  const std::string name = asked.name->text.substr(0, asked.name->text.find(':'));
+  std::erase_if(list, [&](const std::string& one) {
+    return is_all(asked) ? is_excepted(asked, one, "") : one != name;
+  });
+  return list;
+}
+
+std::vector<EngineSeries> series_asked(const EngineTable& asked, const std::filesystem::path& folder) {
+  std::vector<EngineSeries> list;
+  for (const WorkerEngine& engine : engines_asked(asked, folder))
+    for (const std::string& settings : asked.settings)
+      for (const Parameters& changes : read_changes(asked.parameters, engine))
+        list.push_back(make_series(engine, settings, asked.steps, changes));
+  return list;
+}
+
+/// Refuses names of no engine, be it left out of this build.
+void require_known(const Node& except) {
+  const std::vector<std::string> left_out = engines_left_out();
+  for (const Node& child : except.children) {
+    const auto names = [&](const WorkerEngine& one) { return is_named(child.text, one.name, one.solver); };
+    const std::string engine = child.text.substr(0, child.text.find(':'));
+    if (std::ranges::none_of(engines(), names) && std::ranges::find(left_out, engine) == left_out.end())
+      throw wrong_value(child, "an engine, with or without its solver, of `rockstack list engines`");
+  }
+}
+
+EngineTable read_engine_table(const Node& table) {
+  EngineTable asked;
+  read_members(table, engine_keys, asked);
+  if (asked.name == nullptr && asked.worker == nullptr) required(table, "name", "an engine, e.g. \"bullet\"");
+  for (const char* key : {"worker", "parameters"})
+    if (const Node* node = find(table, key); node != nullptr && is_all(asked))
+      throw wrong_value(*node, "left out beside `name` = \"*\": it is of one engine");
+  const Node* except = find(table, "except");
+  if (except == nullptr) return asked;
+  if (!is_all(asked)) throw wrong_value(*except, "left out where `name` is not \"*\"");
+  require_known(*except);
+  return asked;
 }
 
 }  // namespace
 
-const KeyTable engine_keys{
+const KeysOf<EngineTable> engine_keys{
     "[[engines]]",
     "an engine and how it runs: one series for each parameter set and value",
-    {{"name", "\"ode\"", "", "ENGINE or ENGINE:SOLVER, see `rockstack list engines`", required_key,
-      "of the engine; beside `worker`, one of its engines, its first if left out"},
-     {"worker", "\"./my_engine.py\"", "", "a program, seen from the file's folder",
-      "instead of `name`, or beside it", "an engine's own worker, see engines/README.md"},
-     {"settings", "[\"tuned\"]", "", "of \"default\", \"tuned\"", "[\"default\", \"tuned\"]",
-      "its parameter sets"},
-     {"dt", "[1e-3]", "s", "at least one number > 0", "[1e-2, 1e-3, 1e-4]", "time steps"},
-     {"parameters", "{ erp = [0.1, 0.2] }", "", "names of the engine's parameters, each a value or an array",
-      "{}", "changes of its parameter set, in every combination"}}};
+    {{{"name", "\"ode\"", "",
+       "ENGINE or ENGINE:SOLVER, see `rockstack list engines`; \"*\": all that there are", required_key,
+       "of the engine; beside `worker`, one of its engines, its first if left out"},
+      [](const Node& node, EngineTable& asked) {
+        text(node);
+        asked.name = &node;
+      }},
+     {{"except", "[\"simbody\"]", "", "names as in `name`", "[]", "engines that \"*\" does not stand for"},
+      [](const Node& node, EngineTable& asked) {
+        asked.except = mapped(entries(node, "an array of engines, e.g. [\"bullet\"]"), text);
+      }},
+     {{"worker", "\"./my_engine.py\"", "", "a program, seen from the file's folder",
+       "instead of `name`, or beside it", "an engine's own worker, see engines/README.md"},
+      [](const Node& node, EngineTable& asked) {
+        text(node);
+        asked.worker = &node;
+      }},
+     {{"settings", "[\"tuned\"]", "", "of \"default\", \"tuned\"", "[\"default\", \"tuned\"]",
+       "its parameter sets"},
+      [](const Node& node, EngineTable& asked) { asked.settings = read_settings(node); }},
+     {{"dt", "[1e-3]", "s", "at least one number > 0", "[1e-2, 1e-3, 1e-4]", "time steps"},
+      [](const Node& node, EngineTable& asked) { asked.steps = read_steps(node); }},
+     {{"parameters", "{ erp = [0.1, 0.2] }", "", "names of the engine's parameters, each a value or an array",
+       "{}", "changes of its parameter set, in every combination"},
+      [](const Node& node, EngineTable& asked) { asked.parameters = &node; }}}};
 
 EngineSeries make_series(const WorkerEngine& engine, const std::string& settings, std::vector<double> steps,
                          const Parameters& changes) {
@@ -151,13 +220,13 @@ AskedEngines read_engines(const Node& root, const std::filesystem::path& folder)
   if (engines == nullptr) return asked;
   std::set<std::tuple<std::string, std::string, std::string, double>> runs;
   for (const Node& table : entries(*engines, "an array of tables")) {
-    require_table(table, engine_keys);
-    if (const auto name = left_out_engine(table)) {
+    const EngineTable wanted = read_engine_table(table);
+    const std::vector<std::string> left_out = left_out_of(wanted);
+    for (const std::string& name : left_out)
       found_or_added(
-          asked.left_out, [&](const std::string& known) { return known == *name; }, *name);
-      continue;
-    }
-    for (EngineSeries& series : read_series(table, folder)) {
+          asked.left_out, [&](const std::string& known) { return known == name; }, name);
+    if (!left_out.empty() && !is_all(wanted)) continue;
+    for (EngineSeries& series : series_asked(wanted, folder)) {
       for (const double dt : series.steps)
         if (!runs.emplace(series.engine->name, series.engine->solver, series.settings, dt).second)
           throw InputError(fmt::format("{}: {}: must not name a run twice: {}:{}, {}, dt = {} s", table.place,

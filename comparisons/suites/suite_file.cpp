@@ -118,14 +118,17 @@ PaperScenes read_statements(const Node& table, const Suite& suite) {
   return {scene("free"), scene("shaken")};
 }
 
+constexpr const char* trajectory_files = "an array of at least one CSV file";
+
 /// The series that the tables [[trajectories]] ask for.
 std::vector<EngineSeries> read_trajectories(const Node& array, const Suite& suite,
                                             const std::filesystem::path& folder) {
   std::vector<EngineSeries> list;
   for (const Node& table : entries(array, "an array of tables")) {
-    require_table(table, trajectory_keys);
+    TrajectoryTable asked;
+    read_members(table, trajectory_keys, asked);
     const Node& name = required(table, "name", "a text");
-    const Node* scene = find(table, "scene");
+    const Node* scene = asked.scene;
     const auto of = std::ranges::find_if(suite.scenes, [&](const NamedScene& one) {
       return scene == nullptr ? suite.scenes.size() == 1 : one.name == text(*scene);
     });
@@ -133,10 +136,9 @@ std::vector<EngineSeries> read_trajectories(const Node& array, const Suite& suit
       if (scene == nullptr) required(table, "scene", "the name of a scene of the suite, which has several");
       throw wrong_value(*scene, "the name of a scene of the suite");
     }
-    const char* range = "an array of at least one CSV file";
-    const auto files = mapped(entries(required(table, "files", range), range),
-                              [&](const Node& file) { return folder / text(file); });
-    list.push_back(trajectory_series({text(name), files}, *of, name.place));
+    required(table, "files", trajectory_files);
+    for (std::filesystem::path& file : asked.named.files) file = folder / file;
+    list.push_back(trajectory_series(asked.named, *of, name.place));
     for (std::size_t i = 0; i + 1 < list.size(); ++i)
       if (list[i].engine->name == text(name) && list[i].files->scene == of->name)
         throw wrong_value(name, "one that no other trajectory of the scene has");
@@ -193,14 +195,18 @@ const KeysOf<Suite> suite_keys{
       [](const Node& table, Suite& suite) { suite.perturbations = read_perturbations(table); }},
      {"statements", "", "", "a table [statements]", no_default, "scenes held against the paper"}}};
 
-const KeyTable trajectory_keys{
+const KeysOf<TrajectoryTable> trajectory_keys{
     "[[trajectories]]",
     "a motion of a scene that another program has written, beside the engines",
     {{"name", "\"isaac\"", "", "letters, digits, - and _, no engine's name", required_key,
-      "that its rows go by"},
-     {"files", "[\"isaac.csv\"]", "", "at least one CSV file, seen from the suite's folder", required_key,
-      "a run each, see comparisons/README.md; several are replicates"},
-     {"scene", "\"scene\"", "", "the name of a scene of the suite", "its only scene", "of which it is"}}};
+      "that its rows go by", part(&TrajectoryTable::named, &NamedTrajectory::name)},
+     {{"files", "[\"isaac.csv\"]", "", "at least one CSV file, seen from the suite's folder", required_key,
+       "a run each, see comparisons/README.md; several are replicates"},
+      [](const Node& node, TrajectoryTable& asked) {
+        for (const Node& file : entries(node, trajectory_files)) asked.named.files.emplace_back(text(file));
+      }},
+     {{"scene", "\"scene\"", "", "the name of a scene of the suite", "its only scene", "of which it is"},
+      [](const Node& node, TrajectoryTable& asked) { asked.scene = &node; }}}};
 
 const KeyTable statements_keys{
     "[statements]",

@@ -8,8 +8,26 @@ namespace rockstack {
 // Every key of a suite file. A new one that is a number or a text is a member and a line where its table is
 // defined: in suite_file.cpp, engine_series.cpp or perturbations.cpp, beside what reads the others.
 
+/// A table [[engines]]; nodes are those of its file.
+struct EngineTable {
+  const Node *name = nullptr, *worker = nullptr, *parameters = nullptr;
+  std::vector<std::string> except;
+  std::vector<std::string> settings{"default", "tuned"};
+  std::vector<double> steps = default_steps;  ///< s
+};
+
+/// Its name that stands for all engines, but for those of `except`.
+inline constexpr const char* all_engines = "*";
+
+/// A table [[trajectories]].
+struct TrajectoryTable {
+  NamedTrajectory named;
+  const Node* scene = nullptr;
+};
+
 extern const KeysOf<Suite> suite_keys;
-extern const KeyTable engine_keys, trajectory_keys;
+extern const KeysOf<EngineTable> engine_keys;
+extern const KeysOf<TrajectoryTable> trajectory_keys;
 extern const KeysOf<Replicates> replicates_keys;
 extern const KeysOf<Perturbations> perturbations_keys;
 extern const KeyTable statements_keys;

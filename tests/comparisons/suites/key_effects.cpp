@@ -130,6 +130,7 @@ const std::vector<KeyCase> suite_cases{
      {{&engine_keys, "worker", "\"./my_engine.py\""}, {&engine_keys, "name", "\"faulty:half-a-second\""}}},
     {&suite_keys, "memory_limit", ""},  // Workers.HungerMeetsTheMemoryLimit: sanitized ones have none
     {&engine_keys, "name", "\"bullet\""},
+    {&engine_keys, "except", ""},  // Suites.AStarStandsFor*: it is of all engines
     {&engine_keys, "worker", "\"./other.py\""},
     {&engine_keys, "settings", "[\"default\"]"},
     {&engine_keys, "dt", "[2e-3]"},

@@ -113,6 +113,51 @@ TEST(Suites, NameTheEnginesTheyAskForThatThisBuildLeavesOut) {
   EXPECT_EQ(engines_left_out({asked, other, asked}), sorted);
 }
 
+std::vector<std::string> names_of(const std::vector<EngineSeries>& series) {
+  return mapped(series, [](const EngineSeries& one) { return one.engine->full_name() + one.settings; });
+}
+
+TEST(Suites, AStarStandsForAllEnginesButThoseThatAreExcepted) {
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const WorkerEngine& some = native_engines().front();
+  const TemporaryFolder folder;
+  folder.write("block.toml", block_text);
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n";
+  const auto named = [&](const std::string& tables) {
+    return names_of(read_suite(folder.write("suite.toml", head + tables), {}).series);
+  };
+  std::string each, most;
+  for (const WorkerEngine& engine : engines()) {
+    const std::string table = "[[engines]]\nname = \"" + engine.full_name() + "\"\n";
+    each += table;
+    if (engine.name != some.name) most += table;
+  }
+  EXPECT_EQ(named("[[engines]]\nname = \"*\"\n"), named(each));
+  EXPECT_EQ(named("[[engines]]\nname = \"*\"\nexcept = [\"" + some.name + "\"]\n"),
+            most.empty() ? std::vector<std::string>{} : named(most));
+  const std::vector<std::string> but_one =
+      named("[[engines]]\nname = \"*\"\nexcept = [\"" + some.full_name() + "\"]\n");
+  EXPECT_EQ(but_one.size() + 2, 2 * engines().size());
+  EXPECT_EQ(std::ranges::find(but_one, some.full_name() + "tuned"), but_one.end());
+}
+
+TEST(Suites, WhatIsOfOneEngineIsRefusedBesideAStar) {
+  const std::string head = "title = \"a\"\nscenes = [\"block.toml\"]\n[[engines]]\n";
+  EXPECT_EQ(
+      suite_error(head + "name = \"*\"\nexcept = [\"newton\"]\n"),
+      "suite.toml:5: engines.1.except.1 = \"newton\": must be an engine, with or without its solver, of `rockstack "
+      "list engines`");
+  EXPECT_TRUE(suite_error(head + "name = \"*\"\nparameters = { erp = 0.1 }\n")
+                  .starts_with("suite.toml:5: engines.1.parameters"));
+  EXPECT_TRUE(suite_error(head + "name = \"*\"\nworker = \"./a.py\"\n")
+                  .starts_with(
+                      "suite.toml:5: engines.1.worker = \"./a.py\": must be left out beside `name` = \"*\""));
+  if (native_engines().empty()) GTEST_SKIP() << "this build has no engine";
+  const std::string engine = native_engines().front().get().name;
+  EXPECT_TRUE(suite_error(head + "name = \"" + engine + "\"\nexcept = [\"" + engine + "\"]\n")
+                  .starts_with("suite.toml:5: engines.1.except = "));
+}
+
 TEST(Suites, OverridesReachEveryScene) {
   const TemporaryFolder folder;
   folder.write("block.toml", block_text);
