@@ -8,7 +8,7 @@ namespace {
 using testing::block;
 using testing::released;
 
-constexpr double gravity = 9.81;
+constexpr double earth_pull = 9.81;
 
 /// A tendon along a block's middle, from its top to a depth below the ground.
 Restraint tendon(const Block& own, double stiffness, double prestress, double depth = 0.5) {
@@ -35,7 +35,7 @@ double energy_of(const Scene& scene, double angle, double rate) {
   const double radius = std::hypot(own.half_width, own.half_height),
                slim = std::atan2(own.half_width, own.half_height);
   double sum = corner_inertia_of(own) * rate * rate / 2 +
-               own.mass * gravity * radius * (std::cos(slim - std::abs(angle)) - std::cos(slim));
+               own.mass * earth_pull * radius * (std::cos(slim - std::abs(angle)) - std::cos(slim));
   for (const Restraint& given : scene.restraints) {
     if (given.kind == RestraintKind::damper) continue;
     const double force = std::max(
@@ -53,7 +53,7 @@ TEST(Restraints, PrestressRaisesTheForceThatLifts) {
       Scene scene = released({own}, {0}, 0.2);
       scene.law = law;
       scene.restraints = {tendon(own, 1e6, prestress)};
-      const double critical = (own.mass * gravity + prestress) * own.half_width;
+      const double critical = (own.mass * earth_pull + prestress) * own.half_width;
       Push push{{1, 0, 1.0}, 0, {}};
       push.force.pulse = {
           .shape = PulseShape::rectangle, .amplitude = critical * (1 - 1e-10), .period = 10, .start = 0};
@@ -103,7 +103,7 @@ TEST(Restraints, MoveAColumnAsItsEquationInOneAngleSays) {
   const auto torque = [&](double angle, double rate) {
     const double radius = std::hypot(own.half_width, own.half_height),
                  slim = std::atan2(own.half_width, own.half_height);
-    double sum = -own.mass * gravity * radius * std::sin(slim - angle);
+    double sum = -own.mass * earth_pull * radius * std::sin(slim - angle);
     for (const Restraint& given : scene.restraints) {
       const double h = 1e-4;
       const auto at = [&](double by) { return length_of(own, given, angle + by); };
@@ -194,7 +194,7 @@ TEST(Restraints, LeadStacksAlikeByAllLaws) {
   for (int run = 0; run < 60; ++run) {
     const int size = 1 + run % 3;
     Scene scene = testing::random_stack(draw, size);
-    const double unit = std::sqrt(stack_height(scene) / gravity);
+    const double unit = std::sqrt(stack_height(scene) / earth_pull);
     scene.duration = 0.5 * unit;
     scene.initial.angles.assign(scene.blocks.size(), 0.1 * slenderness(scene, 0) * draw.between(-1, 1));
     scene.initial.velocities.assign(scene.blocks.size(), 0.0);
@@ -210,9 +210,9 @@ TEST(Restraints, LeadStacksAlikeByAllLaws) {
         given.damping = draw.between(0.1, 1) * mass / unit;
         continue;
       }
-      given.stiffness = draw.between(1, 50) * mass * gravity / stack_height(scene);
-      given.prestress = draw.between(0, 0.5) * mass * gravity;
-      given.yield = given.prestress + draw.between(0.001, 0.1) * mass * gravity;
+      given.stiffness = draw.between(1, 50) * mass * earth_pull / stack_height(scene);
+      given.prestress = draw.between(0, 0.5) * mass * earth_pull;
+      given.yield = given.prestress + draw.between(0.001, 0.1) * mass * earth_pull;
     }
     const auto end = [&](Law law) {
       scene.law = law;

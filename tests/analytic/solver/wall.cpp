@@ -128,7 +128,7 @@ TEST(Wall, TheOtherSideIsTheMirrorImage) {
 /// Angle and velocity at the end by classical Runge–Kutta steps of the block's own equation, I₀θ̈ = −m R (g
 /// sin(α − θ) + ẍg cos(α − θ)), cut at the wall where a chord meets it. Nothing of it is shared with the
 /// solver.
-std::pair<double, double> stepped(const Scene& scene, std::size_t steps) {
+std::pair<double, double> stepped_at_wall(const Scene& scene, std::size_t steps) {
   const Block& own = scene.blocks[0];
   const double side = -scene.wall.side, slenderness = std::atan2(own.half_width, own.half_height);
   const double square = rate_squared(scene), length = scene.duration / static_cast<double>(steps);
@@ -189,7 +189,7 @@ TEST(Wall, RandomBlocksMoveAsRungeKuttaStepsSay) {
                                    .cycles = 2};
     const History history = solve(scene, {.end = true});
     if (!history.events.empty() && ends_motion(history.events.back().kind)) continue;
-    const auto [angle, rate] = stepped(scene, 4000);
+    const auto [angle, rate] = stepped_at_wall(scene, 4000);
     EXPECT_NEAR(history.angles.back(), angle, 2e-6) << seed;
     EXPECT_NEAR(history.velocities.back(), rate, 2e-5) << seed;
     EXPECT_GE(-scene.wall.side * history.angles.back(), 0) << seed;
