@@ -236,6 +236,9 @@ void validate_restraint(const Scene& scene, const Restraint& restraint, const st
   if (scene.equations != Equations::nonlinear)
     throw FieldError("equations", name(scene.equations),
                      "nonlinear beside restraint, whose length they would not know");
+  if (scene.law == Law::compliant)
+    throw FieldError("law", name(scene.law),
+                     "another beside restraint, which springs at corners do not know");
   require_block(scene, key + ".block", restraint.from.block, 1);
   require_block(scene, key + ".to_block", restraint.to.block, 0);
   if (restraint.from.block == restraint.to.block)

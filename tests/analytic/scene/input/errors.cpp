@@ -18,7 +18,7 @@ std::string with_line(int line, const std::string& replacement) {
 
 struct Case {
   int line;
-  const char* replacement;
+  std::string replacement;
   const char* error;
 };
 
@@ -318,6 +318,9 @@ TEST(SceneErrors, RestraintsJoinTwoPointsApart) {
        "scene.toml:18: restraint.1.damping: unknown key, must be one of kind, block, point, to_block, "
        "to_point, stiffness, prestress, yield"},
   });
+  EXPECT_EQ(
+      error_of("law = \"compliant\"\n" + with_line(12, below + "[contact]\nstiffness = 1e9")),
+      "scene.toml:1: law = compliant: must be another beside restraint, which springs at corners do not know");
 }
 
 TEST(SceneErrors, MissingKeysNameTheLineOfTheirTable) {
