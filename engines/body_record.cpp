@@ -19,7 +19,7 @@ Point<double> along(const BlockPose& pose, double across, double up) {
 }
 
 Face face_of(const Block& block, const BlockPose& pose, double outward) {
-  const Point<double> middle = along(pose, 0, outward * block.half_height);
+  const Point<double> middle = along(pose, -block.offset_x, outward * block.half_height - block.offset_y);
   return {{middle.x(), middle.y(), pose.angle}, block.half_width, outward};
 }
 
@@ -117,8 +117,8 @@ class BodyAccount {
       rest_height += block.half_height;
       energy += 0.5 * block.mass * (along * along + up * up) +
                 0.5 * block.inertia * velocities[k] * velocities[k] +
-                block.mass * gravity.across * (poses_[k].y - rest_height) -
-                block.mass * gravity.along * poses_[k].x;
+                block.mass * gravity.across * (poses_[k].y - rest_height - block.offset_y) -
+                block.mass * gravity.along * (poses_[k].x - block.offset_x);
       rest_height += block.half_height;
       if (samples_ == 0 || !is_shaken(scene_)) continue;
       work += block.mass * ((pull.x - gravity.along) * (poses_[k].x - last_poses_[k].x) +

@@ -6,7 +6,7 @@
 
 namespace rockstack {
 
-/// Where a block is: its centre in m and its angle in rad, clockwise positive.
+/// Where a block is: its centre of mass in m and its angle in rad, clockwise positive.
 struct BlockPose {
   double x = 0, y = 0;
   double angle = 0;

@@ -78,7 +78,8 @@ struct Capabilities {
   bool kinetic_friction = false;  ///< it has a second coefficient, of what slides; else that which sticks
   bool wall = false;              ///< it can have one beside the blocks; else scenes with one are refused
   bool single_precision = false;
-  bool planar = false;  ///< by nature; else constraints or corrections hold its bodies in the plane
+  bool planar = false;          ///< by nature; else constraints or corrections hold its bodies in the plane
+  bool center_of_mass = false;  ///< its bodies may have it off the middle of their boxes
   /// How many steps places are ahead under a constant force: ½ for semi-implicit Euler, 0 of higher order.
   double lead = 0.5;
   double tuned_lead = lead;  ///< with the tuned set, where the number of substeps is a setting

@@ -7,11 +7,6 @@ namespace {
 
 /// Says what engines have no equivalent of, rather than leave it out.
 void require_for_engines(const Scene& scene) {
-  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-    if (scene.blocks[k].offset_x != 0 || scene.blocks[k].offset_y != 0)
-      throw std::runtime_error(
-          "blocks." + std::to_string(k + 1) +
-          ".center_of_mass: must be left out for engines, which are given uniform boxes");
   if (!scene.pushes.empty())
     throw std::runtime_error("push: must be left out for engines, which are told of no forces on blocks");
   if (!scene.restraints.empty())
@@ -123,6 +118,8 @@ std::vector<Placement> place(const Scene& scene) {
                           .width = 2 * block.half_width,
                           .height = 2 * block.half_height,
                           .depth = depth,
+                          .offset_x = block.offset_x,
+                          .offset_y = block.offset_y,
                           .mass = block.mass,
                           .inertia_about_x = rectangle_inertia(block.mass, 0.5 * depth, block.half_height),
                           .inertia_about_y = rectangle_inertia(block.mass, block.half_width, 0.5 * depth),

@@ -110,11 +110,18 @@ Parameters with_restitution(const EngineDescription& engine, const Scene& scene,
   return parameters;
 }
 
-void require_restitution(const EngineDescription& engine, const Scene& scene) {
-  if (scene.point_restitution == 0) return;
-  if (std::ranges::find(engine.settings, SettingRole::restitution, &Setting::role) == engine.settings.end())
+void require_able(const EngineDescription& engine, const Scene& scene) {
+  const bool bounces =
+      std::ranges::find(engine.settings, SettingRole::restitution, &Setting::role) != engine.settings.end();
+  if (scene.point_restitution != 0 && !bounces)
     throw std::runtime_error(
         fmt::format("contact.restitution: {} has no coefficient of restitution", engine.full_name()));
+  const auto off = std::ranges::find_if(
+      scene.blocks, [](const Block& block) { return block.offset_x != 0 || block.offset_y != 0; });
+  if (off != scene.blocks.end() && !engine.capabilities.center_of_mass)
+    throw std::runtime_error(
+        fmt::format("blocks.{}.center_of_mass: {} has centres of mass in the middle of its boxes",
+                    off - scene.blocks.begin() + 1, engine.full_name()));
 }
 
 void require_wall(const EngineDescription& engine, const Scene& scene) {

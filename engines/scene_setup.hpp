@@ -8,7 +8,6 @@
 namespace rockstack {
 
 /// Bottom to top: pivots touch where they have no gap, centres move as the initial state has them.
-/// @throws std::runtime_error for a centre of mass off a block's middle, in one line.
 std::vector<Placement> place(const Scene& scene);
 
 /// How the ground moves under a scene's accelerations, from rest at t = 0: displacements are their double
@@ -32,8 +31,9 @@ inline bool is_shaken(const Scene& scene) {
 /// engine's own where points bounce, and the least threshold below which they do not.
 Parameters with_restitution(const EngineDescription& engine, const Scene& scene, Parameters parameters);
 
-/// @throws std::runtime_error where points bounce and the engine has no coefficient for it.
-void require_restitution(const EngineDescription& engine, const Scene& scene);
+/// @throws std::runtime_error where points bounce and the engine has no coefficient for it, or where a centre
+/// of mass is off the middle and its bodies have theirs there.
+void require_able(const EngineDescription& engine, const Scene& scene);
 
 /// The wall at a side of a block as it stands, −1 left, 1 right: flush with it, twice as high and as thick.
 FixedBox place_wall(const Placement& block, int side);

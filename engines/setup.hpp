@@ -9,14 +9,20 @@ namespace rockstack {
 /// What an engine has to be told about one block at t = 0. SI units; x to the right, y up from the ground, z
 /// towards the viewer, so that a clockwise angle is a negative turn about z.
 struct Placement {
-  double x = 0, y = 0;                                           ///< centre, m
-  double velocity_x = 0, velocity_y = 0;                         ///< of the centre, m/s
-  double angle = 0;                                              ///< rad, clockwise positive
-  double angular_velocity = 0;                                   ///< rad/s, clockwise positive
-  double width = 0, height = 0, depth = 0;                       ///< full sizes, m
-  double mass = 0;                                               ///< kg
+  double x = 0, y = 0;                      ///< centre of mass, m
+  double velocity_x = 0, velocity_y = 0;    ///< of the centre of mass, m/s
+  double angle = 0;                         ///< rad, clockwise positive
+  double angular_velocity = 0;              ///< rad/s, clockwise positive
+  double width = 0, height = 0, depth = 0;  ///< full sizes, m
+  double offset_x = 0, offset_y = 0;  ///< of the centre of mass from the box's middle, to its right and up, m
+  double mass = 0;                    ///< kg
   double inertia_about_x = 0, inertia_about_y = 0, inertia = 0;  ///< `inertia` is about z, kg·m²
 };
+
+/// Whether a block's centre of mass is off the middle of its box.
+inline bool is_eccentric(const Placement& block) {
+  return block.offset_x != 0 || block.offset_y != 0;
+}
 
 /// Acceleration that every body feels in the frame in which the engine works, m/s².
 struct BodyAcceleration {

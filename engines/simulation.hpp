@@ -10,7 +10,7 @@ namespace rockstack {
 /// Where a block is and how it moves, in the frame in which the engine works: the ground's, or where the
 /// ground really moves, that of its start. SI units; z is out of the plane.
 struct BodyState {
-  double x = 0, y = 0;                    ///< of the centre, m
+  double x = 0, y = 0;                    ///< of the centre of mass, m
   double velocity_x = 0, velocity_y = 0;  ///< m/s
   double angle = 0;                       ///< rad, clockwise positive, unwrapped from the block's start
   double angular_velocity = 0;            ///< rad/s
@@ -21,11 +21,12 @@ struct BodyState {
 /// A point at which an engine lets two bodies touch, as it was used in the last step. SI units.
 struct ContactPoint {
   std::size_t interface = 0;  ///< of the upper of both bodies, from 0, bottom to top
-  double along = 0;           ///< place along the upper body's lower face, from its middle to the right, m
-  double gap_before = 0;      ///< where the step starts and the engine finds the point, m; negative: overlap
-  double gap = 0;             ///< where the step ends: the bodies' points moved on, along the same normal, m
-  double normal = 0;          ///< impulse of the step that pushes the bodies apart, N·s
-  double tangential = 0;      ///< magnitude of the impulse across that, N·s
+  double along =
+      0;  ///< place along the upper body's lower face, from below its centre of mass to the right, m
+  double gap_before = 0;  ///< where the step starts and the engine finds the point, m; negative: overlap
+  double gap = 0;         ///< where the step ends: the bodies' points moved on, along the same normal, m
+  double normal = 0;      ///< impulse of the step that pushes the bodies apart, N·s
+  double tangential = 0;  ///< magnitude of the impulse across that, N·s
   double impulse_x = 0, impulse_y = 0;  ///< both on the upper body, to the right and up, N·s
   double stiffness = std::numeric_limits<double>::infinity();  ///< N/m where it is a spring, else infinite
   double damping = 0;  ///< N s/m where a dashpot is beside the spring; without meaning where there is none

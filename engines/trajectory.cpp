@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "analytic/scene/lists.hpp"
 #include "analytic/scene/messages/input_error.hpp"
 
 namespace rockstack {
@@ -32,6 +33,7 @@ ContactWatch::ContactWatch(const Setup& setup, double largest_friction)
     : dt_(setup.dt),
       friction_(setup.friction),
       widths_(lesser(setup.blocks, &Placement::width)),
+      offsets_(mapped(setup.blocks, &Placement::offset_x)),
       masses_(lesser(setup.blocks, &Placement::mass)),
       last_ends_(setup.blocks.size()) {
   for (double& friction : friction_) friction = std::min(friction, largest_friction);
@@ -92,7 +94,7 @@ std::vector<ContactWatch::Ends> ContactWatch::ends_of(const std::vector<ContactP
   std::vector<Ends> ends(widths_.size());
   for (const ContactPoint& point : points) {
     if (point.normal <= 0) continue;
-    End& end = ends[point.interface][point.along < 0 ? 0 : 1];
+    End& end = ends[point.interface][point.along + offsets_[point.interface] < 0 ? 0 : 1];
     end.gap = end.impulse > 0 ? std::min(end.gap, point.gap_before) : point.gap_before;
     end.impulse += point.normal;
     ++end.points;
@@ -132,7 +134,8 @@ std::vector<Reaction> step_reactions(const Setup& setup, const std::vector<Conta
     moments[k] += point.normal * point.along;
   }
   for (std::size_t k = 0; k < blocks; ++k)
-    list[k].centre = pushed[k] > 0 ? moments[k] / pushed[k] : std::numeric_limits<double>::quiet_NaN();
+    list[k].centre = pushed[k] > 0 ? moments[k] / pushed[k] + setup.blocks[k].offset_x
+                                   : std::numeric_limits<double>::quiet_NaN();
   return list;
 }
 

@@ -66,8 +66,9 @@ class ContactWatch {
 
   double dt_;
   std::vector<double> friction_;
-  std::vector<double> widths_;  ///< of the faces' overlap at each interface, m
-  std::vector<double> masses_;  ///< of the lighter body at each interface, kg
+  std::vector<double> widths_;   ///< of the faces' overlap at each interface, m
+  std::vector<double> offsets_;  ///< of each block's centre of mass from its middle, to the right, m
+  std::vector<double> masses_;   ///< of the lighter body at each interface, kg
   ContactRecord record_;
   std::size_t samples_ = 0;
   double pushed_ = 0, excess_ = 0;  ///< impulses so far: normal, and outside the cone, N·s

@@ -161,7 +161,8 @@ class Box2DSimulation final : public ShakenSimulation {
     definition.angle = static_cast<float>(-placement.angle);
     definition.linearVelocity = unit_.to(placement.velocity_x, placement.velocity_y);
     definition.angularVelocity = static_cast<float>(-placement.angular_velocity);
-    b2Body& body = add(definition, placement.width, placement.height, b2Vec2_zero);
+    b2Body& body = add(definition, placement.width, placement.height,
+                       unit_.to(-placement.offset_x, -placement.offset_y));
     b2MassData mass;
     mass.mass = static_cast<float>(placement.mass);
     mass.center.SetZero();
@@ -203,7 +204,7 @@ std::vector<Engine> make_box2d() {
         .solver = "sequential-impulse",
         .version = BOX2D_VERSION ", single precision",
         .licence = "MIT",
-        .capabilities = {.wall = true, .single_precision = true, .planar = true},
+        .capabilities = {.wall = true, .single_precision = true, .planar = true, .center_of_mass = true},
         .settings =
             {count_setting("velocityIterations", 8, 50),
              {.name = "positionIterations", .default_value = 3, .most = 1e6, .whole = true},

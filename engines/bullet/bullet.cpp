@@ -78,7 +78,9 @@ Engine with(BulletSolver solver, const char* name) {
            .version = fmt::format("{}.{:02}, {} precision", btGetVersion() / 100, btGetVersion() % 100,
                                   single_precision ? "single" : "double"),
            .licence = "Zlib",
-           .capabilities = {.largest_friction = friction_clamp, .single_precision = single_precision},
+           .capabilities = {.largest_friction = friction_clamp,
+                            .single_precision = single_precision,
+                            .center_of_mass = true},
            .settings = settings_of(solver)},
           std::bind_front(start_bullet, solver)};
 }

@@ -25,29 +25,62 @@ template <class Shape>
 class Threshold : public Shape {
  public:
   template <class... Arguments>
-  explicit Threshold(double breaking_factor, const Arguments&... arguments)
-      : Shape(arguments...), breaking_factor_(breaking_factor) {}
+  explicit Threshold(double breaking_factor, btScalar reach, const Arguments&... arguments)
+      : Shape(arguments...), breaking_factor_(breaking_factor), reach_(reach, reach, reach) {}
   btScalar getContactBreakingThreshold(btScalar /*library_factor*/) const override {
     return scalar(breaking_factor_) * this->getAngularMotionDisc();
+  }
+  void getAabb(const btTransform& place, btVector3& least, btVector3& most) const override {
+    Shape::getAabb(place, least, most);
+    least -= reach_;
+    most += reach_;
   }
 
  private:
   double breaking_factor_;
+  btVector3 reach_;
 };
 
-std::unique_ptr<btCollisionShape> make_box(const btVector3& half, double breaking_factor) {
-  return std::make_unique<Threshold<btBoxShape>>(breaking_factor, half);
+/// A box; `reach`: by how much its bounds are larger, m.
+std::unique_ptr<btCollisionShape> make_box(const btVector3& half, double breaking_factor, btScalar reach) {
+  return std::make_unique<Threshold<btBoxShape>>(breaking_factor, reach, half);
 }
 
 /// Without a margin, as that would round the corners.
-std::unique_ptr<btCollisionShape> make_hull(const btVector3& half, double breaking_factor) {
-  auto hull = std::make_unique<Threshold<btConvexHullShape>>(breaking_factor);
+std::unique_ptr<btCollisionShape> make_hull(const btVector3& half, double breaking_factor, btScalar reach) {
+  auto hull = std::make_unique<Threshold<btConvexHullShape>>(breaking_factor, reach);
   hull->setMargin(0);
   for (int corner = 0; corner < 8; ++corner) {
     const btVector3 side((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
     hull->addPoint(side * half);
   }
   return hull;
+}
+
+/// A shape whose middle is off its body's origin. Inside a compound the library looks for contacts between
+/// bounds that overlap: the shape's reach as far as the contact breaking threshold.
+class Shifted : public btCompoundShape {
+ public:
+  Shifted(std::unique_ptr<btCollisionShape> shape, btScalar threshold, const btVector3& middle)
+      : btCompoundShape(false), shape_(std::move(shape)), threshold_(threshold) {
+    addChildShape(btTransform(btQuaternion::getIdentity(), middle), shape_.get());
+  }
+  btScalar getContactBreakingThreshold(btScalar /*library_factor*/) const override { return threshold_; }
+
+ private:
+  std::unique_ptr<btCollisionShape> shape_;
+  btScalar threshold_;
+};
+
+/// A block's shape by one of the functions above.
+template <class Make>
+std::unique_ptr<btCollisionShape> shape_of(const Placement& block, double breaking_factor, const Make& make) {
+  const btVector3 half = vector(0.5 * block.width, 0.5 * block.height, 0.5 * block.depth);
+  std::unique_ptr<btCollisionShape> shape = make(half, breaking_factor, 0);
+  if (!is_eccentric(block)) return shape;
+  const btScalar threshold = shape->getContactBreakingThreshold(0);
+  return std::make_unique<Shifted>(make(half, breaking_factor, threshold), threshold,
+                                   vector(-block.offset_x, -block.offset_y, 0));
 }
 
 void apply(const Parameters& parameters, btContactSolverInfo& info) {
@@ -126,12 +159,11 @@ class BulletSimulation final : public ShakenSimulation {
       add_ground(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), scalar(0)), {0, 0, 0});
     } else {
       const double reach = ground_reach(setup.blocks);
-      add_ground(make_box(vector(reach, reach, reach), breaking_factor), vector(0, -reach, 0));
+      add_ground(make_box(vector(reach, reach, reach), breaking_factor, 0), vector(0, -reach, 0));
     }
     for (std::size_t k = 0; k < setup.blocks.size(); ++k) {
       const Placement& block = setup.blocks[k];
-      const btVector3 half = vector(0.5 * block.width, 0.5 * block.height, 0.5 * block.depth);
-      add_block(block, std::min(setup.friction[k], friction_clamp), shape(half, breaking_factor));
+      add_block(block, std::min(setup.friction[k], friction_clamp), shape_of(block, breaking_factor, shape));
     }
   }
 

@@ -148,7 +148,9 @@ class ChipmunkSimulation final : public ShakenSimulation {
     cpBodySetAngle(body, -placement.angle);
     cpBodySetVelocity(body, cpv(placement.velocity_x, placement.velocity_y));
     cpBodySetAngularVelocity(body, -placement.angular_velocity);
-    add_shape(cpBoxShapeNew(body, placement.width, placement.height, 0));
+    const cpVect middle = cpv(-placement.offset_x, -placement.offset_y);
+    add_shape(
+        cpBoxShapeNew2(body, cpBBNewForExtents(middle, 0.5 * placement.width, 0.5 * placement.height), 0));
   }
 
   cpBody* add_body(cpBody* body) {
@@ -180,7 +182,7 @@ std::vector<Engine> make_chipmunk() {
             .solver = "sequential-impulse",
             .version = fmt::format("{}, double precision", cpVersionString),
             .licence = "MIT",
-            .capabilities = {.wall = true, .planar = true, .lead = -0.5},
+            .capabilities = {.wall = true, .planar = true, .center_of_mass = true, .lead = -0.5},
             .settings = {count_setting("iterations", 10, 50),
                          {.name = "collisionSlop", .unit = "m", .default_value = 0.1F, .tuned = 1e-4},
                          {.name = "collisionBias", .default_value = bias, .most = 1},

@@ -94,6 +94,10 @@ const std::vector<Check>& checks() {
       {"SlidingBlockRubsByItsFriction", sliding_block_rubs_by_its_friction},
       {"PivotBearsATurningBlock", pivot_bears_a_turning_block},
       {"ForcesAreWhatMovesTheBlocks", forces_are_what_moves_the_blocks},
+      {"EccentricBlockFallsAsItTurns", eccentric_block_falls_as_it_turns},
+      {"EccentricBlockRocksBothWays", eccentric_block_rocks_both_ways},
+      {"EccentricBlockLandsInTime", eccentric_block_lands_in_time},
+      {"EccentricBlockBearsOffItsMiddle", eccentric_block_bears_off_its_middle},
   };
   return list;
 }

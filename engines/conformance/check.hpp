@@ -9,7 +9,8 @@ namespace rockstack {
 /// An engine, wherever it runs, with the parameters that it is to be judged by.
 struct Adapter {
   bool single_precision = false;
-  double lead = 0.5;  ///< as Capabilities have it, of these parameters
+  bool center_of_mass = false;  ///< as Capabilities have it
+  double lead = 0.5;            ///< as Capabilities have it, of these parameters
   Parameters parameters;
   /// Runs a scene and tells its bodies, and what interfaces bear where it can. @throws the engine's own
   /// error.
@@ -32,6 +33,9 @@ struct Check {
 };
 
 inline constexpr double usual_step = 1e-3;  ///< of most checks, s
+
+/// Said of an engine that there is nothing to judge by.
+inline constexpr const char* tells_no_forces = "the engine tells no forces";
 
 Scene at_rest(std::vector<Block> blocks, double duration);
 
@@ -84,7 +88,8 @@ struct CheckWork {
 /// where they start.
 CheckWork work_of(const Check& check, Adapter adapter);
 
-/// All of them: promises, smooth motion, contact, planar motion of one block and of pairs, forces.
+/// All of them: promises, smooth motion, contact, planar motion of one block and of pairs, forces, a centre
+/// of mass off the middle.
 const std::vector<Check>& checks();
 
 // Under a constant acceleration the place after time t is that at t + lead × dt, less a constant of order
@@ -98,7 +103,9 @@ Judge initial_state_is_the_scenes, same_run_gives_the_same_bits, history_ends_wh
     quarter_period_error_is_of_first_order, impact_loses_housners_share, flat_landing_does_not_bounce,
     topples_from_its_slenderness, pair_keeps_its_momentum, pair_meets_the_ground_in_time,
     motion_stays_in_the_plane, resting_block_presses_with_its_weight, block_on_a_slope_presses_by_its_tilt,
-    sliding_block_rubs_by_its_friction, pivot_bears_a_turning_block, forces_are_what_moves_the_blocks;
+    sliding_block_rubs_by_its_friction, pivot_bears_a_turning_block, forces_are_what_moves_the_blocks,
+    eccentric_block_falls_as_it_turns, eccentric_block_rocks_both_ways, eccentric_block_lands_in_time,
+    eccentric_block_bears_off_its_middle;
 
 /// Why an engine with one of its solvers and a parameter set cannot pass a check, or an empty text.
 std::string known_limit(const std::string& engine, const std::string& solver, const std::string& settings,

@@ -1,48 +1,9 @@
 // Blocks that stand, are pushed, rock and hit the ground; and two, which show what one cannot: masses.
 
-#include "engines/conformance/check.hpp"
+#include "engines/conformance/rocking.hpp"
 
 namespace rockstack {
 namespace {
-
-/// The constants of Housner 1963 for slender_block().
-struct Housner {
-  double slenderness = std::atan(0.2);                                ///< rad
-  double frequency = std::sqrt(3 * 9.81 / (4 * std::hypot(0.2, 1)));  ///< p, 1/s
-
-  /// Angular velocity at which a block released at `angle` meets the ground, rad/s.
-  double speed_at_ground(double angle) const {
-    return frequency * std::sqrt(2 * (std::cos(slenderness - angle) - std::cos(slenderness)));
-  }
-};
-
-/// Time from release at `start` to the ground: the energy integral of the full equation, s.
-double quarter_period(const Housner& block, double start) {
-  // Simpson's rule with θ = start − u², which takes the root's singularity away; 200 pieces err by < 1e-9 s.
-  const auto integrand = [&](double u) {
-    const double lean = block.slenderness - start;
-    // (cos(lean) − cos(lean + u²)) / u², by the product of sines, with its limit at u = 0
-    const double half = 0.5 * u * u;
-    const double ratio = half > 0 ? std::sin(half) / half : 1;
-    return 2 / (block.frequency * std::sqrt(2 * std::sin(lean + half) * ratio));
-  };
-  const int pieces = 200;
-  const double width = std::sqrt(start) / pieces;
-  double sum = 0;
-  for (int i = 0; i < pieces; ++i)
-    sum += integrand(i * width) + 4 * integrand((i + 0.5) * width) + integrand((i + 1) * width);
-  return sum * width / 6;
-}
-
-/// Time of the lowest block's first zero crossing, linear between samples; not a number where none comes.
-double first_ground_impact(const History& history) {
-  for (std::size_t i = 1; i < history.size(); ++i) {
-    const double before = history.angles_at(i - 1)[0], after = history.angles_at(i)[0];
-    if (after > 0) continue;
-    return history.times[i - 1] + (history.times[i] - history.times[i - 1]) * before / (before - after);
-  }
-  return std::nan("");
-}
 
 /// The larger of angle and velocity over what they may be.
 Judgement quiet(const Adapter& adapter, const Scene& scene, double limit) {
@@ -112,13 +73,9 @@ Judgement strong_push_rocks(const Adapter& adapter) {
   Scene scene = at_rest({make_block(0.4, 2, 2500)}, 0.3);
   scene.horizontal = constant(share * 9.81);
   const History history = run(adapter, scene, short_step(adapter)).history;
-  // Housner's equation to first order in the angle: θ̈ = −(start − growth θ), closed form below. The next
-  // order is θ/2 of it, under 1 %; half a step ahead is dt/0.3 of it, as is the rounding at the shorter step.
-  const Housner block;
-  const double squared = block.frequency * block.frequency;
-  const double start = squared * (share * std::cos(block.slenderness) - std::sin(block.slenderness));
-  const double growth = squared * (std::cos(block.slenderness) + share * std::sin(block.slenderness));
-  const double exact = -start / growth * (std::cosh(std::sqrt(growth) * 0.3) - 1);
+  // The next order is θ/2 of it, under 1 %; half a step ahead is dt/0.3 of it, as is the rounding at the
+  // shorter step.
+  const double exact = -pushed_angle(Housner{}, share, scene.duration);
   return {std::abs(history.angles.back() / exact - 1), 0.01 + short_step(adapter) / 0.3,
           "angle's deviation from the closed form, as a share of it"};
 }

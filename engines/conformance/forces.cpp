@@ -11,7 +11,7 @@ constexpr double slope = 0.3490658503988659;  // 20°, rad
 constexpr double settled = 0.5;               // s, by when a block that is set down bears its weight
 constexpr double near = 0.01;                 // of the weight, or of an impact
 
-const Judgement untold{0, near, "the engine tells no forces"};
+const Judgement untold{0, near, tells_no_forces};
 
 Scene cube_on_slope(double friction) {
   Scene scene = at_rest({make_block(1, 1, 2500)}, 1);

@@ -87,10 +87,11 @@ class DartSimulation final : public ShakenSimulation {
     world_->setGravity({acceleration.x, acceleration.y, 0});
   }
 
-  void add_box(BodyNode* body, const Eigen::Vector3d& size, double height, double friction) const {
+  void add_box(BodyNode* body, const Eigen::Vector3d& size, const Eigen::Vector3d& middle,
+               double friction) const {
     auto* box = body->createShapeNodeWith<dart::dynamics::CollisionAspect, dart::dynamics::DynamicsAspect>(
         std::make_shared<dart::dynamics::BoxShape>(size));
-    box->setRelativeTranslation({0, height, 0});
+    box->setRelativeTranslation(middle);
     box->getDynamicsAspect()->setFrictionCoeff(friction);
     // A pair has the product of both.
     box->getDynamicsAspect()->setRestitutionCoeff(std::sqrt(parameters_.at("RestitutionCoeff")));
@@ -106,7 +107,7 @@ class DartSimulation final : public ShakenSimulation {
       ground_ = skeleton->createJointAndBodyNodePair<dart::dynamics::WeldJoint>().second;
     }
     const double reach = ground_reach(setup.blocks);
-    add_box(ground_, {2 * reach, 2, 2 * reach}, -1, setup.friction.front());
+    add_box(ground_, {2 * reach, 2, 2 * reach}, {0, -1, 0}, setup.friction.front());
     world_->addSkeleton(skeleton);
   }
 
@@ -120,8 +121,8 @@ class DartSimulation final : public ShakenSimulation {
         dart::dynamics::Inertia(mass_factor_ * block.mass, 0, 0, 0, mass_factor_ * block.inertia_about_x,
                                 mass_factor_ * block.inertia_about_y, mass_factor_ * block.inertia, 0, 0, 0));
     const Eigen::Vector3d half{block.width, 0.5 * block.height, block.depth};
-    add_box(body, half, -0.25 * block.height, friction_below);
-    add_box(body, half, 0.25 * block.height, friction_above);
+    add_box(body, half, {-block.offset_x, -0.25 * block.height - block.offset_y, 0}, friction_below);
+    add_box(body, half, {-block.offset_x, 0.25 * block.height - block.offset_y, 0}, friction_above);
     skeleton->setPositions(Eigen::Vector3d(block.x, block.y, -block.angle));
     skeleton->setVelocities(Eigen::Vector3d(block.velocity_x, block.velocity_y, -block.angular_velocity));
     world_->addSkeleton(skeleton);
@@ -208,7 +209,7 @@ Engine with(DartSolver solver) {
            .solver = solver == DartSolver::dantzig ? "dantzig" : "pgs",
            .version = DART_VERSION ", double precision",
            .licence = "BSD-2-Clause",
-           .capabilities = {.planar = true},
+           .capabilities = {.planar = true, .center_of_mass = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
             return std::make_unique<DartSimulation>(solver, setup, parameters);

@@ -18,7 +18,7 @@ SETTINGS = [
     {"name": "margin", "default": 0, "tuned": 1e-9, "least": 0, "most": 1, "unit": "m"},  # what is on a face
 ]
 ENGINE = {"name": "moreau-jean", "solver": "gauss-seidel", "version": "1", "licence": "same as rockstack",
-          "planar": True, "lead": 0, "settings": SETTINGS}
+          "planar": True, "center_of_mass": True, "lead": 0, "settings": SETTINGS}
 
 
 class Body:
@@ -30,21 +30,23 @@ class Body:
         self.rate = [block.get("velocity_x", 0.0), block.get("velocity_y", 0.0), block.get("angular_velocity", 0.0)]
         self.half_width = block.get("width", math.inf) / 2
         self.half_height = block.get("height", 0.0) / 2
+        self.offset = block.get("offset_x", 0.0), block.get("offset_y", 0.0)  # of the place from the middle
         self.inverse = [1 / block[key] for key in ("mass", "mass", "inertia")] if block else [0.0, 0.0, 0.0]
 
     def move(self, duration):
         self.place = [p + duration * v for p, v in zip(self.place, self.rate)]
 
     def point(self, x, y):
-        """A point of the body's axes in the world."""
+        """A point, from the middle in the body's axes, in the world."""
         c, s = math.cos(self.place[2]), math.sin(self.place[2])
+        x, y = x - self.offset[0], y - self.offset[1]
         return self.place[0] + x * c + y * s, self.place[1] - x * s + y * c
 
     def local(self, x, y):
-        """A point of the world in the body's axes."""
+        """A point of the world in the body's axes, from the middle."""
         c, s = math.cos(self.place[2]), math.sin(self.place[2])
         x, y = x - self.place[0], y - self.place[1]
-        return x * c - y * s, x * s + y * c
+        return x * c - y * s + self.offset[0], x * s + y * c + self.offset[1]
 
 
 class Contact:

@@ -16,15 +16,19 @@ constexpr int parts = 64;  ///< of a step
 /// A block as it is now; the ground is one without mass that never moves.
 struct Body {
   Placement shape;
-  std::array<double, 3> force{};  ///< along x and y, N, and clockwise about the centre, N m
+  std::array<double, 3> force{};  ///< along x and y, N, and clockwise about the centre of mass, N m
 
+  /// Between the world and the block's axes, from the middle of its box.
   std::pair<double, double> corner(double x, double y) const {
     const double c = std::cos(shape.angle), s = std::sin(shape.angle);
+    x -= shape.offset_x;
+    y -= shape.offset_y;
     return {shape.x + x * c + y * s, shape.y - x * s + y * c};
   }
   std::pair<double, double> seen(double x, double y) const {
     const double c = std::cos(shape.angle), s = std::sin(shape.angle);
-    return {(x - shape.x) * c - (y - shape.y) * s, (x - shape.x) * s + (y - shape.y) * c};
+    return {(x - shape.x) * c - (y - shape.y) * s + shape.offset_x,
+            (x - shape.x) * s + (y - shape.y) * c + shape.offset_y};
   }
   std::pair<double, double> velocity(double x, double y) const {
     return {shape.velocity_x + shape.angular_velocity * (y - shape.y),
@@ -124,7 +128,7 @@ int main() {
                   .solver = "euler",
                   .version = "1",
                   .licence = "same as rockstack",
-                  .capabilities = {.planar = true, .lead = 0.5 / parts},
+                  .capabilities = {.planar = true, .center_of_mass = true, .lead = 0.5 / parts},
                   .settings = {{.name = "sinking",
                                 .unit = "m",
                                 .default_value = 1e-4,

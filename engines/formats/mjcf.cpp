@@ -12,11 +12,11 @@ std::string body(const Placement& block, std::size_t number, double friction) {
       <joint name="z_{0}" type="slide" axis="0 0 1"/>
       <joint name="theta_{0}" type="hinge" axis="0 1 0"/>
       <inertial pos="0 0 0" mass="{1}" diaginertia="{2} {3} {4}"/>
-      <geom name="block_{0}" type="box" size="{5} {6} {7}" friction="{8} 0 0"/>
+      <geom name="block_{0}" type="box" size="{5} {6} {7}" pos="{8}" friction="{9} 0 0"/>
     </body>
 )",
       number, block.mass, block.inertia_about_x, block.inertia, block.inertia_about_y, block.width / 2,
-      block.depth / 2, block.height / 2, friction);
+      block.depth / 2, block.height / 2, middle_text(block), friction);
 }
 
 std::string geom_name(std::size_t body) {

@@ -51,6 +51,10 @@ std::vector<std::size_t> wrong_interfaces(const std::vector<double>& interfaces)
   return list;
 }
 
+std::string middle_text(const Placement& block) {
+  return fmt::format("{} 0 {}", 0 - block.offset_x, 0 - block.offset_y);  // 0, not -0, in the middle
+}
+
 bool starts_in_motion(const Setup& setup) {
   return std::ranges::any_of(setup.blocks, [](const Placement& block) {
     return block.velocity_x != 0 || block.velocity_y != 0 || block.angular_velocity != 0;
@@ -70,7 +74,7 @@ std::string head_comment(const ModelScene& scene, const std::string& lines,
                          const std::vector<std::string>& left_out) {
   std::string text = fmt::format(
       "<!--\n{}{}rockstack wrote this from the scene {}.\nAxes: x to the right, z up, y into the picture; a "
-      "clockwise angle is a positive turn about y. SI units.\n{}",
+      "clockwise angle is a positive turn about y. A body's origin is its centre of mass. SI units.\n{}",
       in_comment(scene.title), scene.title.empty() ? "" : "\n", in_comment(scene.name), lines);
   if (!scene.ground.empty())
     text += fmt::format(

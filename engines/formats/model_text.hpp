@@ -13,6 +13,9 @@ std::vector<double> surface_friction(const std::vector<double>& interfaces);
 /// Interfaces, from 1, that have another coefficient by those of the surfaces.
 std::vector<std::size_t> wrong_interfaces(const std::vector<double>& interfaces);
 
+/// Where the middle of a block's box is in its body, whose origin is the centre of mass: "x 0 z".
+std::string middle_text(const Placement& block);
+
 /// True where the scene has a block that moves at the start.
 bool starts_in_motion(const Setup& setup);
 

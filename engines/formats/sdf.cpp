@@ -15,8 +15,9 @@ std::string surface(double friction, double restitution) {
 }
 
 std::string model(const Placement& block, std::size_t number, double friction, double restitution) {
-  const std::string box = fmt::format("<geometry><box><size>{} {} {}</size></box></geometry>", block.width,
-                                      block.depth, block.height);
+  const std::string box =
+      fmt::format("<pose>{} 0 0 0</pose><geometry><box><size>{} {} {}</size></box></geometry>",
+                  middle_text(block), block.width, block.depth, block.height);
   return fmt::format(
       R"(    <model name="block_{}">
       <pose>{} 0 {} 0 {} 0</pose>

@@ -8,7 +8,8 @@ namespace {
 /// A link with a box of that name, and what fastens it.
 std::string link(const Placement& block, std::size_t number) {
   const std::string box =
-      fmt::format("<geometry><box size=\"{} {} {}\"/></geometry>", block.width, block.depth, block.height);
+      fmt::format("<origin xyz=\"{}\" rpy=\"0 0 0\"/><geometry><box size=\"{} {} {}\"/></geometry>",
+                  middle_text(block), block.width, block.depth, block.height);
   return fmt::format(
       R"(  <link name="block_{0}">
     <inertial>

@@ -74,13 +74,15 @@ std::string ground(const Setup& setup, const Parameters& parameters) {
       unmoved, box);
 }
 
-/// Two slides and a hinge through the centre, so that moments of inertia about x and y have no effect.
+/// Two slides and a hinge through the centre of mass, so that moments of inertia about x and y have no
+/// effect.
 std::string body(const Placement& block, std::size_t number, double masses, double depth) {
   return fmt::format(
       "<body><joint type='slide' axis='1 0 0'/><joint type='slide' axis='0 1 0'/><joint type='hinge' "
       "axis='0 0 1'/><inertial pos='0 0 0' mass='{0}' diaginertia='{1} {1} {1}'/>{2}</body>",
       masses * block.mass, masses * block.inertia,
-      geom(number, fmt::format("type='box' size='{} {} {}'", block.width / 2, block.height / 2, depth / 2)));
+      geom(number, fmt::format("type='box' size='{} {} {}' pos='{} {} 0'", block.width / 2, block.height / 2,
+                               depth / 2, -block.offset_x, -block.offset_y)));
 }
 
 /// Every two bodies may touch, with the friction of the interface under the upper one in both directions.
@@ -286,7 +288,7 @@ Engine with(MujocoSolver solver, const char* name) {
            .solver = name,
            .version = std::string(mj_versionString()) + ", double precision",
            .licence = "Apache-2.0",
-           .capabilities = {.planar = true},
+           .capabilities = {.planar = true, .center_of_mass = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
             // MuJoCo would end the process, or write a file into the working folder; its data count warnings.

@@ -225,7 +225,9 @@ class OdeSimulation final : public ShakenSimulation {
                        mass_factor_ * placement.inertia_about_x, mass_factor_ * placement.inertia_about_y,
                        mass_factor_ * placement.inertia, 0, 0, 0);
     dBodySetMass(body, &mass);
-    dGeomSetBody(dCreateBox(space_.get(), placement.width, placement.height, placement.depth), body);
+    const dGeomID box = dCreateBox(space_.get(), placement.width, placement.height, placement.depth);
+    dGeomSetBody(box, body);
+    if (is_eccentric(placement)) dGeomSetOffsetPosition(box, -placement.offset_x, -placement.offset_y, 0);
     dMatrix3 turn;
     dRFromAxisAndAngle(turn, 0, 0, 1, -placement.angle);
     dBodySetRotation(body, turn);
@@ -298,7 +300,7 @@ Engine with(OdeSolver solver) {
            .solver = solver == OdeSolver::step ? "step" : "quickstep",
            .version = dODE_VERSION ", double precision",
            .licence = "BSD-3-Clause OR LGPL-2.1-or-later",
-           .capabilities = {.wall = true},
+           .capabilities = {.wall = true, .center_of_mass = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
             initialise();

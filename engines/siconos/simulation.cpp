@@ -41,11 +41,11 @@ struct Frame {
   }
 };
 
-/// A corner of one body over a face of another, in the axes of each.
+/// A corner of one body over a face of another, in the axes of each, whose origins are centres of mass.
 struct Touch {
   unsigned corner_body = 0;  ///< 0: the upper body, 1: what is under it
   Vector corner;
-  double face = 0;        ///< height of the face
+  Vector face;            ///< middle of the face
   double normal = 1;      ///< out of the face: up, or −1, down
   double half_width = 0;  ///< of the face; a corner beyond does not touch
 };
@@ -62,10 +62,11 @@ class CornerOverFace : public LagrangianRheonomousR {
 
   double gap(const BlockVector& q) const {
     const Vector on_face = frame(q, 1 - touch_.corner_body).seen(corner(q));
-    return std::abs(on_face.x) <= touch_.half_width ? touch_.normal * (on_face.y - touch_.face) : apart;
+    const bool over = std::abs(on_face.x - touch_.face.x) <= touch_.half_width;
+    return over ? touch_.normal * (on_face.y - touch_.face.y) : apart;
   }
 
-  /// Where the corner is along the lower face of the upper body, from its middle to the right, m.
+  /// Where the corner is along the lower face of the upper body, from below its centre of mass, m.
   double along(const BlockVector& q) const { return frame(q, 0).seen(corner(q)).x; }
 
   /// On the upper body, of a force along the normal and to its right on the corner's.
@@ -119,19 +120,23 @@ class CornerOverFace : public LagrangianRheonomousR {
   const GroundStep& ground_;
 };
 
+/// A point of a block's box, from its middle in half sizes, in the block's axes.
+Vector point_of(const Placement& block, double right, double up) {
+  return {0.5 * right * block.width - block.offset_x, 0.5 * up * block.height - block.offset_y};
+}
+
 /// The corners that may touch at an interface: those of the upper block, and those of what is under it.
 std::vector<Touch> touches(const Placement& upper, const Placement* lower) {
   // Aligned corners are off by their rounding.
   constexpr double margin = 1 + 1e-9;
   const double reach =
       lower == nullptr ? std::numeric_limits<double>::infinity() : 0.5 * lower->width * margin;
-  const double face = lower == nullptr ? 0 : 0.5 * lower->height;
+  const Vector top = lower == nullptr ? Vector{} : point_of(*lower, 0, 1);
   std::vector<Touch> list;
-  for (const double side : {-0.5, 0.5}) {
-    list.push_back({0, {side * upper.width, -0.5 * upper.height}, face, 1, reach});
+  for (const double side : {-1.0, 1.0}) {
+    list.push_back({0, point_of(upper, side, -1), top, 1, reach});
     if (lower == nullptr) continue;
-    list.push_back(
-        {1, {side * lower->width, 0.5 * lower->height}, -0.5 * upper.height, -1, 0.5 * upper.width * margin});
+    list.push_back({1, point_of(*lower, side, 1), point_of(upper, 0, -1), -1, 0.5 * upper.width * margin});
   }
   return list;
 }

@@ -14,7 +14,7 @@ std::vector<Engine> make_simbody() {
         .solver = "compliant",
         .version = SIMBODY_VERSION ", double precision",
         .licence = "Apache-2.0",
-        .capabilities = {.kinetic_friction = true, .planar = true, .lead = 0},
+        .capabilities = {.kinetic_friction = true, .planar = true, .center_of_mass = true, .lead = 0},
         .settings = {{.name = "integrator",
                       .choices = {"CPodes", "RungeKuttaMerson", "RungeKutta3", "Verlet"}},
                      {.name = "accuracy", .default_value = 1e-3, .tuned = 1e-7, .least = 1e-12, .most = 0.1},

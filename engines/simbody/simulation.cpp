@@ -17,6 +17,11 @@ std::unique_ptr<SimTK::Integrator> make_integrator(double choice, const SimTK::S
   return std::make_unique<SimTK::CPodesIntegrator>(system, SimTK::CPodes::BDF);
 }
 
+/// Where the middle of a block's box is in its body, whose origin is the centre of mass.
+Vec3 middle_of(const Placement& block) {
+  return {-block.offset_x, -block.offset_y, 0};
+}
+
 /// A half space whose face is at the height y of its body, which lies below or above that.
 SimTK::Transform face_at(double y, bool body_above) {
   return {SimTK::Rotation(SimTK::UnitVec3(0, body_above ? 1 : -1, 0), SimTK::XAxis), Vec3(0, y, 0)};
@@ -97,7 +102,7 @@ class SimbodySimulation final : public ShakenSimulation {
       const Placement& above = setup.blocks[k];
       const bool narrower_below = k > 0 && setup.blocks[k - 1].width < above.width;
       const Placement& narrow = narrower_below ? setup.blocks[k - 1] : above;
-      const double face = k > 0 ? setup.blocks[k - 1].height / 2 : 0;
+      const double face = k > 0 ? setup.blocks[k - 1].height / 2 + middle_of(setup.blocks[k - 1])[1] : 0;
       const SimTK::ContactMaterial material(stiffness_, dissipation_, setup.friction[k],
                                             kinetic_friction_of(setup)[k]);
       SimTK::ContactSurface plane(SimTK::ContactGeometry::HalfSpace(), material);
@@ -107,9 +112,10 @@ class SimbodySimulation final : public ShakenSimulation {
       brick.joinClique(all);
       for (std::size_t other = 0; other < count; ++other)
         if (other != k) brick.joinClique(cliques[other]);
-      bodies[narrower_below ? k : k + 1].addContactSurface(SimTK::Transform(), brick);
+      bodies[narrower_below ? k : k + 1].addContactSurface(middle_of(narrow), brick);
       bodies[narrower_below ? k + 1 : k].addContactSurface(
-          narrower_below ? face_at(-above.height / 2, true) : face_at(face, false), plane);
+          narrower_below ? face_at(middle_of(above)[1] - above.height / 2, true) : face_at(face, false),
+          plane);
     }
   }
 

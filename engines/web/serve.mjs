@@ -6,8 +6,9 @@
 // which all runs of a process share. `start(library, question)` gives a simulation: `step(pull)` takes one step under the body
 // force `pull`, m/s²; `state(k)` is block k's [x, y, angle, velocity_x, velocity_y, angular_velocity], angles clockwise, in space
 // also z and the sine of the tilt. Optional are `warnings()`, how many there were so far, `end()`, which gives back what it
-// holds, and `contacts(states)`, the points that bore in the last step, from these states of the blocks on: `interface`, from 0; `along`, from the middle of the upper block's
-// lower face to the right, m; `push`, the impulse across the faces, and `x`, `y`, all of it on the upper block, N s.
+// holds, and `contacts(states)`, the points that bore in the last step, from these states of the blocks on: `interface`, from 0; `along`, on the
+// upper block's lower face from below its centre of mass to the right, m; `push`, the impulse across the faces, and `x`, `y`, all of it on the
+// upper block, N s.
 
 import { readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
 import { setFlagsFromString } from 'node:v8';

@@ -30,6 +30,12 @@ export function neighbourMeans(friction) {
 /** The coefficients of each interface where it slides, of libraries that have a second one. */
 export const kineticFriction = (question) => question.kinetic_friction ?? question.friction;
 
+/** Where the middle of a block's box is in its body, whose origin is the centre of mass: [right, up]. */
+export const middle = (block) => [-block.offset_x, -block.offset_y];
+
+/** Whether a block's centre of mass is off the middle of its box. */
+export const isEccentric = (block) => block.offset_x !== 0 || block.offset_y !== 0;
+
 /** What masses are multiplied by, so that the whole stack has `wanted` kg; 0 leaves them. No angle depends on it. */
 export function massFactor(question) {
   const wanted = question.parameters.unitMass;
@@ -79,7 +85,8 @@ function reactionsOf(question, points, turned) {
     sums[k].pushed += push;
     sums[k].moment += push * along;
   }
-  return sums.map(({ normal, tangential, pushed, moment }) => [normal, tangential, pushed > 0 ? moment / pushed : 'nan']);
+  return sums.map(({ normal, tangential, pushed, moment }, k) =>
+    [normal, tangential, pushed > 0 ? moment / pushed + blocks[k].offset_x : 'nan']);
 }
 
 const forces = ['normal', 'tangential', 'centre'];

@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<Named<Placement>, 13> placement_fields{
+constexpr std::array<Named<Placement>, 15> placement_fields{
     {{"x", &Placement::x},
      {"y", &Placement::y},
      {"velocity_x", &Placement::velocity_x},
@@ -17,6 +17,8 @@ constexpr std::array<Named<Placement>, 13> placement_fields{
      {"width", &Placement::width},
      {"height", &Placement::height},
      {"depth", &Placement::depth},
+     {"offset_x", &Placement::offset_x},
+     {"offset_y", &Placement::offset_y},
      {"mass", &Placement::mass},
      {"inertia", &Placement::inertia},
      {"inertia_about_x", &Placement::inertia_about_x},
@@ -137,6 +139,7 @@ json fields_of(const EngineDescription& engine) {
               {"largest_friction", to_field(engine.capabilities.largest_friction)},
               {"single_precision", engine.capabilities.single_precision},
               {"planar", engine.capabilities.planar},
+              {"center_of_mass", engine.capabilities.center_of_mass},
               {"lead", engine.capabilities.lead},
               {"tuned_lead", engine.capabilities.tuned_lead},
               {"settings", json::array()}};
@@ -182,6 +185,7 @@ EngineDescription read_engine(const json& object) {
   if (has_field(object, "kinetic_friction")) able.kinetic_friction = flag_field(object, "kinetic_friction");
   if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
   if (has_field(object, "planar")) able.planar = flag_field(object, "planar");
+  if (has_field(object, "center_of_mass")) able.center_of_mass = flag_field(object, "center_of_mass");
   if (has_field(object, "lead")) able.lead = number_field(object, "lead");
   able.tuned_lead = has_field(object, "tuned_lead") ? number_field(object, "tuned_lead") : able.lead;
   if (has_field(object, "warm_up")) engine.warm_up = count_field(object, "warm_up");

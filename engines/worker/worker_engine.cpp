@@ -177,7 +177,7 @@ RunReply ask(const WorkerEngine& engine, RunRequest& asked, Limits limits) {
 RunReply ask(const WorkerEngine& engine, const Scene& scene, double dt, const Parameters& parameters,
              const Limits& limits, RunRequest& asked) {
   try {
-    require_restitution(engine, scene);
+    require_able(engine, scene);
     require_wall(engine, scene);
     check_step(dt, scene.duration);
     const double memory = question_memory(engine, scene, dt, parameters);

@@ -17,12 +17,15 @@
 namespace rockstack {
 namespace {
 
+/// With centres of mass anywhere in blocks.
 Scene random_stack(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> size(0.3, 3), angle(-0.3, 0.3);
+  std::uniform_real_distribution<double> size(0.3, 3), angle(-0.3, 0.3), share(-0.9, 0.9);
   Scene scene;
   scene.duration = 1;
   for (int k = 0; k < 4; ++k) {
-    scene.blocks.push_back(make_block(size(random), size(random), 2500));
+    Block& block = scene.blocks.emplace_back(make_block(size(random), size(random), 2500));
+    block.offset_x = share(random) * block.half_width;
+    block.offset_y = share(random) * block.half_height;
     scene.initial.angles.push_back(angle(random));
     scene.initial.velocities.push_back(0);
   }
@@ -66,6 +69,26 @@ TEST(Interfaces, AStackThatIsPushedDownAndAlongShowsBoth) {
     const InterfaceState state = interface_of(scene, placements, 0);
     EXPECT_NEAR(state.depth, 0.002, round_off);
     EXPECT_NEAR(state.slip, 0.003, round_off);
+  }
+}
+
+// Energy is nought where blocks stand upright in the middle, on a slope too, wherever their centres of mass
+// are.
+TEST(BodyRecords, EnergyIsFromAStackThatRestsUpright) {
+  std::mt19937_64 random(8);
+  for (int round = 0; round < 20; ++round) {
+    Scene scene = random_stack(random);
+    scene.inclination = 0.1;
+    scene.initial.angles.assign(scene.blocks.size(), 0);
+    const rockstack::Setup setup = set_up(scene, 0.5, {});
+    Trajectory still;
+    still.angles = still.velocities = std::vector<double>(4);
+    for (const Placement& block : setup.blocks) still.bodies.push_back({.x = block.x, .y = block.y});
+    const EngineRun run = engine_run_of(scene, setup, std::move(still), true);
+    double weight = 0;
+    for (const Block& block : scene.blocks) weight += block.mass * scene.gravity;
+    EXPECT_NEAR(run.bodies->energy.front(), 0, round_off * weight);
+    EXPECT_NEAR(run.bodies->slip, 0, round_off);
   }
 }
 

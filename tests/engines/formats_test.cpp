@@ -22,7 +22,8 @@
 namespace rockstack {
 namespace {
 
-/// Two blocks that start turning and sliding on a slope, with a coefficient of friction for each interface.
+/// Two blocks with centres of mass off their middles that start turning and sliding on a slope, with a
+/// coefficient of friction for each interface.
 constexpr const char* moving_text = R"(title = "Two -- blocks & a slope"
 duration = 0.3
 law = "unilateral"
@@ -30,10 +31,14 @@ law = "unilateral"
 width = 1.3
 height = 0.7
 density = 2500
+inertia = 500
+center_of_mass = [-0.2, 0.05]
 [[blocks]]
 width = 0.9
 height = 1.7
 density = 1300
+inertia = 700
+center_of_mass = [0.1, -0.3]
 [contact]
 friction = [0.3, 0.7]
 [initial]
@@ -89,9 +94,12 @@ std::vector<std::vector<double>> lines_of(const std::string& text) {
   return list;
 }
 
-/// Mass, moments of inertia, size, place and turn, in the axes of the files.
+/// Middle of the box, mass, moments of inertia, size, place and turn, in the axes of the files.
 std::vector<double> numbers_of(const Placement& block) {
-  return {block.mass,
+  return {-block.offset_x,
+          0,
+          -block.offset_y,
+          block.mass,
           block.inertia_about_x,
           block.inertia,
           block.inertia_about_y,
@@ -146,7 +154,7 @@ TEST(Formats, UrdfdomReadsTheSameNumbers) {
 /// A model whose z axis is turned to y, the adapter's: MuJoCo then rounds as it does there.
 std::string with_y_up(std::string text) {
   for (const auto& [pattern, turned] :
-       {std::pair(R"re((diaginertia|box" size|gravity)="(\S+) (\S+) (\S+)")re", R"($1="$2 $4 $3")"),
+       {std::pair(R"re((diaginertia|box" size| pos|gravity)="(\S+) (\S+) (\S+)")re", R"($1="$2 $4 $3")"),
         std::pair(R"re(axis="0 1 0")re", R"(axis="0 0 -1")"),
         std::pair(R"re(axis="0 0 1")re", R"(axis="0 1 0")"),
         std::pair(R"re(size="0 0 1")re", R"(size="0 0 1" zaxis="0 1 0")")})

@@ -116,6 +116,32 @@ const std::vector<Mistake>& mistakes() {
              std::rotate(reactions.begin(), reactions.end() - 2, reactions.end());
            },
        .forces = true},
+      {.name = "CentreOfMassOnTheOtherSide",
+       .seen_by = "EccentricBlockRocksBothWays",
+       .question =
+           [](Setup& setup) {
+             for (Placement& block : setup.blocks) block.offset_x *= -1;
+           }},
+      {.name = "CentreOfMassInTheMiddle",
+       .seen_by = "EccentricBlockLandsInTime",
+       .question =
+           [](Setup& setup) {
+             for (Placement& block : setup.blocks) block.offset_x = block.offset_y = 0;
+           }},
+      {.name = "PlacesOfTheMiddle",
+       .seen_by = "EccentricBlockFallsAsItTurns",
+       .answer =
+           [](Trajectory& trajectory) {
+             for (std::size_t i = 0; i < trajectory.bodies.size(); ++i)
+               trajectory.bodies[i].x += 0.1 * std::sin(trajectory.angles[i]);
+           }},
+      {.name = "CentreFromTheCentreOfMass",
+       .seen_by = "EccentricBlockBearsOffItsMiddle",
+       .answer =
+           [](Trajectory& trajectory) {
+             for (Reaction& reaction : trajectory.reactions) reaction.centre -= 0.06;
+           },
+       .forces = true},
       {.name = "AnglesCounterClockwise",
        .seen_by = "StrongPushRocks",
        .answer =
@@ -137,7 +163,8 @@ Judgement judge(const Check& check, const Adapter& adapter) {
 
 /// The engine with its tuned set, as `mistake` has it, if any.
 Adapter adapter_of(const WorkerEngine& engine, const Mistake& mistake) {
-  return {engine.capabilities.single_precision, engine.capabilities.tuned_lead, engine.tuned_parameters(),
+  const Capabilities& able = engine.capabilities;
+  return {able.single_precision, able.center_of_mass, able.tuned_lead, engine.tuned_parameters(),
           [&](Setup setup, Parameters parameters) {
             if (mistake.question) mistake.question(setup);
             for (const auto& [name, value] : mistake.settings) {
@@ -189,7 +216,7 @@ TEST(Mutants, AreSeen) {
                                          [&](const Check& one) { return one.name == mistake.seen_by; });
       if (unbroken.count(check.name) == 0) unbroken[check.name] = check.judge(adapter_of(engine, none));
       const Judgement& before = unbroken[check.name];
-      if (mistake.forces && before.what == "the engine tells no forces") continue;
+      if (mistake.forces && before.what == tells_no_forces) continue;
       const bool limited = !known_limit(engine.name, engine.solver, "tuned", check.name).empty();
       EXPECT_NE(before.holds(), limited)
           << before.value << " against " << before.limit << ", " << before.what;

@@ -19,7 +19,7 @@ namespace {
 void add(const Setup& setup, std::vector<double>& numbers) {
   for (const Placement& block : setup.blocks)
     numbers.insert(numbers.end(), {block.x, block.y, block.angle, block.width, block.height, block.depth,
-                                   block.mass, block.inertia});
+                                   block.mass, block.inertia, block.offset_x, block.offset_y});
   numbers.insert(numbers.end(), setup.friction.begin(), setup.friction.end());
   numbers.insert(numbers.end(), {setup.gravity.x, setup.gravity.y, static_cast<double>(setup.steps)});
   if (setup.wall) numbers.push_back(setup.wall->x);
@@ -33,9 +33,7 @@ std::string outcome(const Scene& scene) {
   numbers.insert(numbers.end(), history.angles.begin(), history.angles.end());
   numbers.insert(numbers.end(), history.centres.begin(), history.centres.end());
   // Engines take no others.
-  const bool for_engines =
-      scene.blocks.front().offset_x == 0 && scene.pushes.empty() && scene.restraints.empty();
-  if (for_engines) add(set_up(scene, 0.01, {}), numbers);
+  if (scene.pushes.empty() && scene.restraints.empty()) add(set_up(scene, 0.01, {}), numbers);
   std::string text = scene.title;
   for (const double number : numbers) text += " " + number_text(number);
   return text;

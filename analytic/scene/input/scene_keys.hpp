@@ -76,7 +76,7 @@ inline const KeyTable block_keys{
      {"mass", "6250", "kg", "> 0", "instead of density", "of the block", UsualNumbers{1, 1e6, true}},
      {"inertia", "3776", "kg·m²", "> 0", "that of a uniform rectangle", "about the centre of mass"},
      {"center_of_mass", "[0.0, 0.0]", "m", "inside the block, beside inertia", "[0, 0]",
-      "from the block's middle, to the right and up; not for engines, small-angle equations or restitution"}}};
+      "from the block's middle, to the right and up; not for small-angle equations or restitution"}}};
 
 inline const KeysOf<InitialState> initial_keys{
     "[initial]",

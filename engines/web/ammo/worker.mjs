@@ -2,7 +2,7 @@
 // Bullet as WebAssembly, ammo.js, beside the exact model, set up as ../../bullet sets up the compiled library: the same settings by
 // the same names, as far as the interface has them. page.md says what it lacks, ../README.md what is set in both sets.
 
-import { groundReach, onOff, restitution, serve, setting, whole } from '../serve.mjs';
+import { groundReach, isEccentric, middle, onOff, restitution, serve, setting, whole } from '../serve.mjs';
 
 /** The library's own, m; its interface takes whole numbers alone. */
 const ownThreshold = Math.fround(-0.04);
@@ -59,7 +59,7 @@ class Simulation {
     this.makeWorld();
     const [ground, ...friction] = factors(question.friction);
     const reach = groundReach(question.blocks);
-    this.ground = this.add({ width: 2 * reach, height: 2 * reach, depth: 2 * reach, x: 0, y: -reach, angle: 0, mass: 0 }, ground);
+    this.ground = this.add({ width: 2 * reach, height: 2 * reach, depth: 2 * reach, x: 0, y: -reach, angle: 0, offset_x: 0, offset_y: 0, mass: 0 }, ground);
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, friction[k]));
   }
 
@@ -98,7 +98,8 @@ class Simulation {
 
   add(block, friction) {
     const { ammo } = this;
-    const shape = this.own(this.with(block.width / 2, block.height / 2, block.depth / 2, (half) => new ammo.btBoxShape(half)));
+    const box = this.own(this.with(block.width / 2, block.height / 2, block.depth / 2, (half) => new ammo.btBoxShape(half)));
+    const shape = isEccentric(block) ? this.shift(box, middle(block)) : box;
     const info = this.with(block.inertia_about_x ?? 0, block.inertia_about_y ?? 0, block.inertia ?? 0,
       (inertia) => new ammo.btRigidBodyConstructionInfo(block.mass, null, shape, inertia));
     const body = this.own(new ammo.btRigidBody(info));
@@ -111,6 +112,17 @@ class Simulation {
     body.setRestitution(Math.sqrt(this.given.restitution));  // the library takes the product
     this.world.addRigidBody(body);
     return body;
+  }
+
+  /** A shape whose middle is off its body's origin. */
+  shift(box, [right, up]) {
+    const { ammo } = this;
+    const shape = this.own(new ammo.btCompoundShape(false));
+    const level = new ammo.btQuaternion(0, 0, 0, 1);
+    const place = this.with(right, up, 0, (origin) => new ammo.btTransform(level, origin));
+    shape.addChildShape(place, box);
+    for (const used of [level, place]) ammo.destroy(used);
+    return shape;
   }
 
   addBlock(block, friction) {
@@ -152,7 +164,7 @@ await serve({
   module: 'ammojs3',
   note: ' of npm, Bullet 3.26, WebAssembly, single precision',
   licence: 'Zlib',
-  capabilities: { single_precision: true, largest_friction: largestFriction },
+  capabilities: { single_precision: true, center_of_mass: true, largest_friction: largestFriction },
   solvers: [{ solver: 'sequential-impulse', settings }],
   load: async () => (await import('ammojs3/dist/ammo.wasm.js')).default(),
   start: (ammo, question) => new Simulation(ammo, question),

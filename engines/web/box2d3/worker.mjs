@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Box2D 3 beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, onOff, placeAlong, restitution, serve, setting, threshold, whole } from '../serve.mjs';
+import { groundReach, middle, onOff, placeAlong, restitution, serve, setting, threshold, whole } from '../serve.mjs';
 
 const settings = [
   setting('subStepCount', 4, 50, 1, 1e4, whole),
@@ -50,7 +50,7 @@ class Simulation {
   }
 
   /** Bodies are numbered from 0, the ground. A rotation is given by cosine and sine: the library's own are off by up to 1 %. */
-  add(block, type) {
+  add(block, type, [right, up] = [0, 0]) {
     const { box2d } = this;
     const chosen = box2d.b2DefaultBodyDef();
     chosen.type = type;
@@ -61,9 +61,10 @@ class Simulation {
     const shape = box2d.b2DefaultShapeDef();
     shape.material.userMaterialId = BigInt(this.bodies.length);
     shape.material.restitution = this.given.restitution;
-    const box = box2d.b2MakeBox(block.width / 2, block.height / 2);
+    const [place, level] = [new box2d.b2Vec2(right, up), box2d.b2MakeRot(0)];
+    const box = box2d.b2MakeOffsetBox(block.width / 2, block.height / 2, place, level);
     box2d.b2CreatePolygonShape(body, shape, box);
-    for (const used of [chosen, shape, box]) used.delete();
+    for (const used of [chosen, shape, place, level, box]) used.delete();
     this.bodies.push(body);
     return body;
   }
@@ -76,7 +77,7 @@ class Simulation {
 
   addBlock(block) {
     const { box2d } = this;
-    const body = this.add(block, box2d.b2BodyType.b2_dynamicBody);
+    const body = this.add(block, box2d.b2BodyType.b2_dynamicBody, middle(block));
     const mass = new box2d.b2MassData();
     mass.mass = block.mass;
     mass.rotationalInertia = block.inertia;
@@ -143,7 +144,7 @@ await serve({
   module: 'box2d3-wasm',
   note: ' of npm, Box2D 3.2.0, WebAssembly, single precision',
   licence: 'MIT',
-  capabilities: { wall: true, single_precision: true, planar: true, lead: 0.5 / 4, tuned_lead: 0.5 / 50 },
+  capabilities: { wall: true, single_precision: true, planar: true, center_of_mass: true, lead: 0.5 / 4, tuned_lead: 0.5 / 50 },
   solvers: [{ solver: 'soft-step', settings }],
   load: async () => (await import('box2d3-wasm')).default({ pthreadCount: 0 }),
   start: (box2d, question) => new Simulation(box2d, question),

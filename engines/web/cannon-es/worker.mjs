@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // cannon-es beside the exact model. ../README.md says what is set in both sets and why.
 
-import { angles, massFactor, restitution, serve, setting, turn, whole } from '../serve.mjs';
+import { angles, massFactor, middle, restitution, serve, setting, turn, whole } from '../serve.mjs';
 
 const settings = [
   setting('iterations', 10, 500, 1, 1e6, whole),
@@ -34,10 +34,9 @@ class Simulation {
     this.world.addContactMaterial(new this.cannon.ContactMaterial(one, other, { ...surface, friction }));
   }
 
-  add(shape, given) {
-    const body = new this.cannon.Body({
-      shape, material: new this.cannon.Material(), linearDamping: 0, angularDamping: 0, ...given,
-    });
+  add(shape, given, [right, up] = [0, 0]) {
+    const body = new this.cannon.Body({ material: new this.cannon.Material(), linearDamping: 0, angularDamping: 0, ...given });
+    body.addShape(shape, new this.cannon.Vec3(right, up, 0));
     this.world.addBody(body);
     return body;
   }
@@ -57,7 +56,7 @@ class Simulation {
       angularVelocity: new Vec3(0, 0, -block.angular_velocity),
       linearFactor: new Vec3(1, 1, 0),
       angularFactor: new Vec3(0, 0, 1),
-    });
+    }, middle(block));
     const inertia = [block.inertia_about_x, block.inertia_about_y, block.inertia].map((value) => masses * value);
     body.inertia.set(...inertia);
     body.invInertia.set(...inertia.map((value) => 1 / value));
@@ -81,7 +80,7 @@ await serve({
   module: 'cannon-es',
   note: ' of npm, JavaScript, double precision',
   licence: 'MIT',
-  capabilities: {},
+  capabilities: { center_of_mass: true },
   solvers: [{ solver: 'gauss-seidel', settings }],
   load: () => import('cannon-es'),
   start: (cannon, question) => new Simulation(cannon, question),

@@ -2,7 +2,7 @@
 // Havok beside the exact model. ../README.md says what is set and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, kineticFriction, restitution, serve, setting, turn } from '../serve.mjs';
+import { angles, groundReach, kineticFriction, middle, restitution, serve, setting, turn } from '../serve.mjs';
 
 const settings = [
   setting('idealStepTime', 1 / 60, 0, 0, 10, { unit: 's' }),  // 0: as it comes
@@ -48,9 +48,9 @@ class Simulation {
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, friction[k]));
   }
 
-  add(block, friction, type) {
+  add(block, friction, type, [right, up] = [0, 0]) {
     const { havok } = this;
-    const shape = got(havok.HP_Shape_CreateBox([0, 0, 0], [0, 0, 0, 1], [block.width, block.height, block.depth]), havok);
+    const shape = got(havok.HP_Shape_CreateBox([right, up, 0], [0, 0, 0, 1], [block.width, block.height, block.depth]), havok);
     const body = got(havok.HP_Body_Create(), havok);
     this.owned.push([shape, body]);
     const { ARITHMETIC_MEAN, MULTIPLY } = havok.MaterialCombine;
@@ -66,7 +66,7 @@ class Simulation {
   /** The library's moments of inertia are those of one kilogram. */
   addBlock(block, friction) {
     const { havok } = this;
-    const body = this.add(block, friction, havok.MotionType.DYNAMIC);
+    const body = this.add(block, friction, havok.MotionType.DYNAMIC, middle(block));
     const inertia = [block.inertia_about_x, block.inertia_about_y, block.inertia].map((value) => value / block.mass);
     require(havok.HP_Body_SetMassProperties(body, [[0, 0, 0], block.mass, inertia, [0, 0, 0, 1]]), havok);
     require(havok.HP_Body_SetLinearDamping(body, 0), havok);
@@ -107,7 +107,7 @@ await serve({
   module: '@babylonjs/havok',
   note: ' of npm, WebAssembly, single precision',
   licence: 'MIT',
-  capabilities: { single_precision: true, kinetic_friction: true, lead: 0.125 },
+  capabilities: { single_precision: true, kinetic_friction: true, center_of_mass: true, lead: 0.125 },
   solvers: [{ solver: 'own', settings }],
   load: async () => {
     const wasmBinary = readFileSync(new URL('../node_modules/@babylonjs/havok/lib/esm/HavokPhysics.wasm', import.meta.url));

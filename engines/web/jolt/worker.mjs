@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Jolt Physics beside the exact model. ../README.md says what is set in both sets and why.
 
-import { angles, groundReach, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
+import { angles, groundReach, isEccentric, middle, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
 
 const metres = { unit: 'm' };
 
@@ -78,7 +78,7 @@ class Simulation {
     const size = new jolt.Vec3(block.width / 2, block.height / 2, block.depth / 2);
     const place = new jolt.RVec3(block.x, block.y, 0);
     const rotation = new jolt.Quat(0, 0, z, w);
-    const shape = new jolt.BoxShape(size, this.given.mConvexRadius);
+    const shape = this.shape(size, block);
     const chosen = new jolt.BodyCreationSettings(shape, place, rotation, type, layer);
     chosen.mRestitution = this.given.restitution;
     chosen.mLinearDamping = 0;
@@ -90,10 +90,22 @@ class Simulation {
     return body;
   }
 
+  /** A body's place is that of its shape's origin, here of its centre of mass: the box goes to one side and its own centre back. */
+  shape(size, block) {
+    const { jolt } = this;
+    const radius = this.given.mConvexRadius;
+    if (!isEccentric(block)) return new jolt.BoxShape(size, radius);
+    const [right, up] = middle(block);
+    const box = new jolt.BoxShapeSettings(size, radius);
+    const moved = using(jolt, new jolt.Vec3(right, up, 0), (to) => using(jolt, new jolt.Quat(0, 0, 0, 1),
+      (level) => new jolt.RotatedTranslatedShapeSettings(to, level, box).Create().Get()));
+    return using(jolt, new jolt.Vec3(-right, -up, 0), (back) => new jolt.OffsetCenterOfMassShape(moved, back));
+  }
+
   /** A slab is a fiftieth as thick as it is wide: on a cube of that width normals are at times wrong (jolt.md). */
   addGround(width) {
     const height = this.given.ground === 0 ? width / 50 : width;
-    return this.add({ width, height, depth: width, x: 0, y: -height / 2, angle: 0 }, resting);
+    return this.add({ width, height, depth: width, x: 0, y: -height / 2, angle: 0, offset_x: 0, offset_y: 0 }, resting);
   }
 
   setMotion(chosen, block) {
@@ -153,7 +165,7 @@ await serve({
   module: 'jolt-physics',
   note: ' of npm, WebAssembly, single precision',
   licence: 'MIT',
-  capabilities: { single_precision: true },
+  capabilities: { single_precision: true, center_of_mass: true },
   solvers: [{ solver: 'sequential-impulse', settings }],
   load: async () => (await import('jolt-physics/wasm')).default(),
   start: (jolt, question) => new Simulation(jolt, question),

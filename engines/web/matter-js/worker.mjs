@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Matter.js beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, massFactor, restitution, serve, setting, whole } from '../serve.mjs';
+import { groundReach, massFactor, middle, restitution, serve, setting, whole } from '../serve.mjs';
 
 const settings = [
   setting('lengthUnit', 0.01, 0.01, 1e-6, 1e6, { unit: 'm' }),
@@ -59,6 +59,10 @@ class Simulation {
       mass: masses * block.mass,
       inertia: masses * block.inertia * this.given.inertiaScale * this.scale ** 2,
     });
+    // A body turns about its place, which the library has put into the middle of its corners.
+    const [right, up] = middle(block).map((length) => length * this.scale);
+    const [cosine, sine] = [Math.cos(block.angle), Math.sin(block.angle)];
+    this.matter.Vertices.translate(body.vertices, { x: right * cosine + up * sine, y: up * cosine - right * sine });
     // Its velocities are those of a sixtieth of a second.
     const base = 1 / 60;
     this.matter.Body.setVelocity(body, { x: block.velocity_x * this.scale * base, y: block.velocity_y * this.scale * base });
@@ -83,7 +87,7 @@ await serve({
   module: 'matter-js',
   note: ' of npm, JavaScript, double precision',
   licence: 'MIT',
-  capabilities: { wall: true, planar: true },
+  capabilities: { wall: true, planar: true, center_of_mass: true },
   solvers: [{ solver: 'sequential-impulse', settings }],
   load: async () => {
     const { default: matter } = await import('matter-js');

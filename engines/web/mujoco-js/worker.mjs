@@ -2,7 +2,7 @@
 // MuJoCo 3 beside the exact model, set up as ../../mujoco sets up version 2.2.2: the same settings by the same names, but for one
 // more integrator and friction's own spring. ../../mujoco/README.md says what its contacts are, ../README.md what is set in both sets and why.
 
-import { massFactor, NotFinite, onOff, placeAlong, serve, setting, whole } from '../serve.mjs';
+import { massFactor, middle, NotFinite, onOff, placeAlong, serve, setting, whole } from '../serve.mjs';
 
 const stiffest = 1e18;  // of solref, where a negative number is a stiffness or a damping
 const metres = { unit: 'm' };
@@ -47,7 +47,7 @@ function geom(number, attributes) {
   return element('geom', { name: number, contype: 0, conaffinity: 0, ...attributes });
 }
 
-/** Two slides and a hinge through the centre, so that moments of inertia about x and y have no effect. */
+/** Two slides and a hinge through the centre of mass, so that moments of inertia about x and y have no effect. */
 function body(block, number, masses, depth) {
   const joint = (type, axis) => element('joint', { type, axis });
   return element('body', {},
@@ -55,7 +55,7 @@ function body(block, number, masses, depth) {
     element('inertial', {
       pos: [0, 0, 0], mass: masses * block.mass, diaginertia: Array(3).fill(masses * block.inertia),
     }),
-    geom(number, { type: 'box', size: [block.width / 2, block.height / 2, depth / 2] }));
+    geom(number, { type: 'box', size: [block.width / 2, block.height / 2, depth / 2], pos: [...middle(block), 0] }));
 }
 
 /** Every two bodies may touch, with the friction of the interface under the upper one. */
@@ -161,7 +161,7 @@ await serve({
   module: 'mujoco-js',
   note: ' of npm, MuJoCo 3.3.8, WebAssembly, double precision',
   licence: 'Apache-2.0',
-  capabilities: { planar: true },
+  capabilities: { planar: true, center_of_mass: true },
   solvers: ['newton', 'cg', 'pgs'].map((solver) => ({ solver, settings: settings(solver) })),
   load: async () => (await import('mujoco-js')).default(),
   start: (mujoco, question) => new Simulation(mujoco, question),

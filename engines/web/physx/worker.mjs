@@ -2,7 +2,7 @@
 // PhysX 5 beside the exact model. ../README.md says what is set in both sets and why.
 
 import { readFileSync } from 'node:fs';
-import { angles, groundReach, kineticFriction, neighbourMeans, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
+import { angles, groundReach, kineticFriction, middle, neighbourMeans, onOff, restitution, serve, setting, threshold, turn, whole } from '../serve.mjs';
 
 const metres = { unit: 'm' };
 
@@ -105,7 +105,9 @@ class Simulation {
   addBlock(block, friction) {
     const { px, given } = this;
     const body = this.physics.createRigidDynamic(this.pose(block.x, block.y, turn(block.angle)));
-    body.attachShape(this.shape(new px.PxBoxGeometry(block.width / 2, block.height / 2, block.depth / 2), friction));
+    const box = this.shape(new px.PxBoxGeometry(block.width / 2, block.height / 2, block.depth / 2), friction);
+    box.setLocalPose(this.pose(...middle(block), turn(0)));
+    body.attachShape(box);
     body.setMass(block.mass);
     body.setMassSpaceInertiaTensor(new px.PxVec3(block.inertia_about_x, block.inertia_about_y, block.inertia));
     body.setLinearDamping(0);
@@ -149,7 +151,7 @@ await serve({
   module: 'physx-js-webidl',
   note: ' of npm, PhysX 5.6.1, WebAssembly, single precision',
   licence: 'BSD-3-Clause, bindings MIT',
-  capabilities: { wall: true, single_precision: true, kinetic_friction: true },
+  capabilities: { wall: true, single_precision: true, kinetic_friction: true, center_of_mass: true },
   solvers: [{ solver: 'pgs', settings: settings(50) }, { solver: 'tgs', settings: settings(4) }],
   load,
   start: (library, question) => new Simulation(library, question),

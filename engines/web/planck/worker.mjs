@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Planck, a port of Box2D 2 to JavaScript, beside the exact model. ../README.md says what is set in both sets and why.
 
-import { groundReach, onOff, restitution, serve, setting, threshold, whole } from '../serve.mjs';
+import { groundReach, middle, onOff, restitution, serve, setting, threshold, whole } from '../serve.mjs';
 
 const settings = [
   setting('velocityIterations', 8, 50, 1, 1e6, whole),
@@ -63,9 +63,9 @@ class Simulation {
 
   contacts() { return [...this.touches.values()].flat(); }
 
-  /** A box of these half sizes; bodies are numbered from 0, the ground. */
-  add(definition, width, height) {
-    const box = new this.planck.Box(width, height);
+  /** A box of these half sizes and this middle; bodies are numbered from 0, the ground. */
+  add(definition, width, height, [x, y] = [0, 0]) {
+    const box = new this.planck.Box(width, height, { x, y });
     box.m_radius = this.given.polygonRadius;
     const body = this.world.createBody(definition);
     body.createFixture({ shape: box, restitution: this.given.restitution, userData: this.bodies.length });
@@ -88,7 +88,7 @@ class Simulation {
       angle: -block.angle,
       linearVelocity: { x: block.velocity_x, y: block.velocity_y },
       angularVelocity: -block.angular_velocity,
-    }, block.width / 2, block.height / 2);
+    }, block.width / 2, block.height / 2, middle(block));
     body.setMassData({ mass: block.mass, center: { x: 0, y: 0 }, I: block.inertia });
   }
 
@@ -111,7 +111,7 @@ await serve({
   module: 'planck',
   note: ' of npm, JavaScript, double precision',
   licence: 'MIT',
-  capabilities: { wall: true, planar: true },
+  capabilities: { wall: true, planar: true, center_of_mass: true },
   solvers: [{ solver: 'sequential-impulse', settings }],
   load: () => import('planck'),
   start: (planck, question) => new Simulation(planck, question),

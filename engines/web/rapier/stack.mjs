@@ -1,6 +1,6 @@
 // A stack in Rapier, whatever its dimensions: ./worker.mjs has two, ../rapier3d/worker.mjs three.
 
-import { groundReach, neighbourMeans, onOff, restitution, serve, setting, whole } from '../serve.mjs';
+import { groundReach, middle, neighbourMeans, onOff, restitution, serve, setting, whole } from '../serve.mjs';
 
 const settings = (tunedHooks) => [
   setting('lengthUnit', 1, 0.05, 1e-6, 1e6, { unit: 'm' }),
@@ -17,7 +17,7 @@ const settings = (tunedHooks) => [
 
 /**
  * Those derived from it know their dimensions: `vector(x, y)`; `cuboid(block)`, a box of its size; `turned(body, block)`, a body as it
- * starts to turn; `weighed(box, block)`, a box with its mass and inertia; and `state(k)`.
+ * starts to turn; `weighed(box, block)`, a box with its place in the body, its mass and inertia; and `state(k)`.
  */
 export class RapierStack {
   constructor(rapier, question) {
@@ -36,6 +36,7 @@ export class RapierStack {
     this.ground = this.add(rapier.RigidBodyDesc.fixed().setTranslation(...this.numbers(0, -reach)), ground, own[0]);
     if (question.wall) this.addWall(question.wall, own[0]);
     this.bodies = question.blocks.map((block, k) => this.addBlock(block, own[k + 1]));
+    this.middles = question.blocks.map(middle);
   }
 
   numbers(x, y) {
@@ -83,7 +84,7 @@ export async function serveRapier({ name, module, capabilities, tunedHooks, Stac
     module,
     note: ' of npm, WebAssembly, single precision',
     licence: 'Apache-2.0',
-    capabilities: { wall: true, single_precision: true, lead: 0.5 / 4, tuned_lead: 0.5 / 20, ...capabilities },
+    capabilities: { wall: true, single_precision: true, center_of_mass: true, lead: 0.5 / 4, tuned_lead: 0.5 / 20, ...capabilities },
     solvers: [{ solver: 'sequential-impulse', settings: settings(tunedHooks) }],
     load: async () => {
       const rapier = (await import(module)).default;

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 // Rapier in two dimensions beside the exact model. ../README.md says what is set in both sets and why.
 
+import { middle } from '../serve.mjs';
 import { RapierStack, serveRapier } from './stack.mjs';
 
 class Stack extends RapierStack {
@@ -17,7 +18,7 @@ class Stack extends RapierStack {
   }
 
   weighed(box, block) {
-    return box.setMassProperties(block.mass, this.vector(0, 0), block.inertia);
+    return box.setTranslation(...middle(block)).setMassProperties(block.mass, this.vector(block.offset_x, block.offset_y), block.inertia);
   }
 
   state(k) {
@@ -37,7 +38,7 @@ class Stack extends RapierStack {
         for (let i = 0; i < manifold.numContacts(); ++i) {
           const [push, rub] = [manifold.contactImpulse(i), manifold.contactTangentImpulse(i)];
           const on = flipped ? manifold.localContactPoint1(i) : manifold.localContactPoint2(i);
-          points.push({ interface: k, along: on.x, push, x: side * (push * x - rub * y), y: side * (push * y + rub * x) });
+          points.push({ interface: k, along: on.x + this.middles[k][0], push, x: side * (push * x - rub * y), y: side * (push * y + rub * x) });
         }
       });
     });

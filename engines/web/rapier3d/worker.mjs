@@ -2,7 +2,7 @@
 // Rapier in space beside the exact model. ../README.md says what is set in both sets and why.
 
 import { RapierStack, serveRapier } from '../rapier/stack.mjs';
-import { angles, turn } from '../serve.mjs';
+import { angles, middle, turn } from '../serve.mjs';
 
 class Stack extends RapierStack {
   vector(x, y) {
@@ -21,7 +21,8 @@ class Stack extends RapierStack {
 
   weighed(box, block) {
     const inertia = { x: block.inertia_about_x, y: block.inertia_about_y, z: block.inertia };
-    return box.setMassProperties(block.mass, this.vector(0, 0), inertia, { x: 0, y: 0, z: 0, w: 1 });
+    return box.setTranslation(...middle(block), 0)
+      .setMassProperties(block.mass, this.vector(block.offset_x, block.offset_y), inertia, { x: 0, y: 0, z: 0, w: 1 });
   }
 
   state(k) {

@@ -1,6 +1,6 @@
 // bare_sdf FILE: what libsdformat reads, as Gazebo does. The first line has gravity (m/s²) and the step (s),
-// each further one a model that moves: mass, moments of inertia about x, y and z, size, place, roll, pitch,
-// yaw, friction, and the six velocities of the state.
+// each further one a model that moves: middle of its box, mass, moments of inertia about x, y and z, size,
+// place, roll, pitch, yaw, friction, and the six velocities of the state.
 
 #include <cstdio>
 #include <sdf/sdf.hh>
@@ -33,6 +33,7 @@ void print(const sdf::World& world, const sdf::Model& model) {
   const sdf::Link& link = *model.LinkByIndex(0);
   const sdf::Collision& collision = *link.CollisionByIndex(0);
   const auto& inertia = link.Inertial().MassMatrix();
+  print(collision.RawPose().Pos());
   std::printf("%.17g ", inertia.Mass());
   print(inertia.DiagonalMoments());
   print(collision.Geom()->BoxShape()->Size());

@@ -1,5 +1,5 @@
 // bare_urdf FILE: what liburdfdom reads, as most tools for URDF do. A line has a link on a planar joint:
-// mass, moments of inertia about x, y and z, size, place, roll, pitch, yaw.
+// middle of its box, mass, moments of inertia about x, y and z, size, place, roll, pitch, yaw.
 
 #include <urdf_parser/urdf_parser.h>
 
@@ -19,6 +19,8 @@ int main(int count, char** arguments) {
     const urdf::Pose& pose = link->parent_joint->parent_to_joint_origin_transform;
     double roll = 0, pitch = 0, yaw = 0;
     pose.rotation.getRPY(roll, pitch, yaw);
+    const urdf::Vector3& middle = link->collision->origin.position;
+    std::printf("%.17g %.17g %.17g ", middle.x, middle.y, middle.z);
     std::printf("%.17g %.17g %.17g %.17g ", link->inertial->mass, link->inertial->ixx, link->inertial->iyy,
                 link->inertial->izz);
     std::printf("%.17g %.17g %.17g ", box->dim.x, box->dim.y, box->dim.z);

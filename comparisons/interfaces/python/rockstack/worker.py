@@ -52,6 +52,7 @@ class Setup:
     heights: np.ndarray  #: m, (blocks,)
     masses: np.ndarray  #: kg, (blocks,)
     inertias: np.ndarray  #: about the axis out of the plane, kg·m², (blocks,)
+    offsets: np.ndarray  #: of the centre of mass from the box's middle, to its right and up, m, (blocks, 2)
     friction: np.ndarray  #: of the interface under each block, (blocks,)
     dt: float  #: s
     parameters: Mapping[str, float]  #: by the names of the settings
@@ -72,11 +73,12 @@ class Contacts:
 
 @dataclass
 class _Body:
-    """A place and sizes; the ground is endless, its face at y = 0."""
+    """A place, that of the centre of mass, and sizes; points are from the middle. The ground is endless, its face at y = 0."""
 
     place: Sequence[float] = (0.0, 0.0, 0.0)
     half_width: float = math.inf
     half_height: float = 0.0
+    offset: Sequence[float] = (0.0, 0.0)
     sine: float = field(init=False)
     cosine: float = field(init=False)
 
@@ -84,11 +86,12 @@ class _Body:
         self.sine, self.cosine = math.sin(self.place[2]), math.cos(self.place[2])
 
     def world(self, x: float, y: float) -> tuple[float, float]:
+        x, y = x - self.offset[0], y - self.offset[1]
         return (self.place[0] + x * self.cosine + y * self.sine, self.place[1] - x * self.sine + y * self.cosine)
 
     def local(self, x: float, y: float) -> tuple[float, float]:
         x, y = x - self.place[0], y - self.place[1]
-        return x * self.cosine - y * self.sine, x * self.sine + y * self.cosine
+        return x * self.cosine - y * self.sine + self.offset[0], x * self.sine + y * self.cosine + self.offset[1]
 
 
 class _Unwanted(BaseException):
@@ -126,7 +129,7 @@ class Worker:
     an engine's name too, in a notebook as anywhere: rockstack.simulate(scene, Ice). It then answers in this process, where
     it may print, and a run that takes too long ends after its step. An engine that calls bear() in its steps tells forces.
 
-    places: x (right), y (up) in m and the clockwise angle in rad of each block's centre; shape (blocks, 3). rates: theirs,
+    places: x (right), y (up) in m and the clockwise angle in rad of each block's centre of mass; shape (blocks, 3). rates: theirs,
     m/s and rad/s; shape (blocks, 3). setup: Setup. inverse_masses: 1/kg, 1/kg and 1/(kg·m²), shape (3 × blocks,).
     """
 
@@ -136,6 +139,7 @@ class Worker:
     licence: ClassVar[str] = "not stated"
     settings: ClassVar[Sequence[Setting]] = ()
     planar: ClassVar[bool] = True  #: knows two dimensions only
+    center_of_mass: ClassVar[bool] = False  #: minds setup.offsets, as contacts() does; else such scenes are refused
     lead: ClassVar[float] = 0.5  #: steps by which places are ahead under a constant force: 0.5 of semi-implicit Euler
 
     setup: Setup
@@ -156,8 +160,8 @@ class Worker:
         """Corners no further than `margin` (m) from the face they meet: of each block's lower corners the one below, and of
         the upper corners of that, its own."""
         setup, count = self.setup, len(self.places)
-        bodies = [_Body()] + [_Body(place, width / 2, height / 2) for place, width, height in
-                              zip(self.places.tolist(), setup.widths.tolist(), setup.heights.tolist())]
+        bodies = [_Body()] + [_Body(place, width / 2, height / 2, offset) for place, width, height, offset in
+                              zip(self.places.tolist(), setup.widths.tolist(), setup.heights.tolist(), setup.offsets.tolist())]
         gaps, friction, normals, tangents, interfaces, places = [], [], [], [], [], []
         for k in range(count):
             below, above = bodies[k], bodies[k + 1]
@@ -256,7 +260,7 @@ class Worker:
 
     def _described(self) -> dict[str, Any]:
         return {"name": self.name, "solver": self.solver, "version": self.version, "licence": self.licence,
-                "planar": self.planar, "lead": self.lead,
+                "planar": self.planar, "center_of_mass": self.center_of_mass, "lead": self.lead,
                 "settings": [setting.described() for setting in self.settings]}
 
     def _answer(self, run: Mapping[str, Any]) -> dict[str, Any]:
@@ -287,8 +291,8 @@ class Worker:
             return np.array([[block[key] for key in keys] for block in blocks], dtype=float)
 
         widths, heights, masses, inertias = each("width", "height", "mass", "inertia").T
-        self.setup = Setup(widths, heights, masses, inertias, np.array(run["friction"], dtype=float), run["dt"],
-                           run["parameters"])
+        self.setup = Setup(widths, heights, masses, inertias, each("offset_x", "offset_y"),
+                           np.array(run["friction"], dtype=float), run["dt"], run["parameters"])
         self.places, self.rates = each("x", "y", "angle"), each("velocity_x", "velocity_y", "angular_velocity")
         self.inverse_masses = 1 / each("mass", "mass", "inertia").ravel()
         self.start()

@@ -236,8 +236,10 @@ class WorkerTest(unittest.TestCase):
         example = {}
         source = (SOURCE / "engines/examples/moreau_jean.py").read_text().removesuffix("main()\n")
         exec(compile(source, "moreau_jean.py", "exec"), example)
-        blocks = [{"x": 0.02, "y": 0.5, "angle": 0.1, "width": 1.2, "height": 1.0, "mass": 2.0, "inertia": 0.3},
-                  {"x": 0.05, "y": 1.45, "angle": -0.05, "width": 1.0, "height": 1.0, "mass": 1.0, "inertia": 0.2}]
+        blocks = [{"x": 0.02, "y": 0.5, "angle": 0.1, "width": 1.2, "height": 1.0, "mass": 2.0, "inertia": 0.3,
+                   "offset_x": 0.2, "offset_y": -0.1},
+                  {"x": 0.05, "y": 1.45, "angle": -0.05, "width": 1.0, "height": 1.0, "mass": 1.0, "inertia": 0.2,
+                   "offset_x": -0.1, "offset_y": 0.3}]
         worker = rockstack.Worker()
         worker._begin({"blocks": [{"velocity_x": 0, "velocity_y": 0, "angular_velocity": 0, **block} for block in blocks],
                        "friction": [0.3, 0.4], "dt": 0.01, "parameters": {}})
