@@ -36,6 +36,14 @@ unsigned freedom(const InitialState& initial) {
          (largest_magnitude(initial.gaps) > 0 ? some_part : 0);
 }
 
+/// Since when every interface has been closed and without slip; nothing where one is not in the end.
+std::optional<double> rest_time(const Scene& scene, const History& history) {
+  if (history.events.empty()) return freedom(scene.initial) == 0 ? std::optional(0.0) : std::nullopt;
+  const Event& last = history.events.back();
+  if (ends_motion(last.kind) || freedom(last.to) != 0) return std::nullopt;
+  return last.time;
+}
+
 /// Where blocks are apart, whatever others do.
 MotionMode mode_of(unsigned freedom) {
   return static_cast<MotionMode>(std::min(freedom, some_part));
@@ -56,13 +64,14 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   RunOutcome outcome;
   outcome.peaks = peak_angles(history);
   for (std::size_t k = 0; k < scene.blocks.size(); ++k)
-    outcome.peak_ratio =
-        std::max(outcome.peak_ratio, outcome.peaks[k] / slenderness(scene, static_cast<int>(k)));
+    outcome.peak_ratios.push_back(outcome.peaks[k] / slenderness(scene, static_cast<int>(k)));
+  outcome.peak_ratio = largest_magnitude(outcome.peak_ratios);
   for (const Event& event : history.events) {
     outcome.events += event.count;
     if (is_impact(event.kind)) outcome.impacts += event.count;
   }
   if (!history.events.empty()) outcome.last_event_time = history.events.back().time;
+  outcome.rest_time = rest_time(scene, history);
   if (const auto toppling = toppling_of(scene, history)) {
     outcome.toppled = toppling->block;
     outcome.topple_time = toppling->time;
@@ -76,6 +85,9 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   outcome.motion = whole_mode(scene, history);
   outcome.force = worst_of(history.forces);
   outcome.impulse = worst_of(history.impulses);
+  outcome.frictions = mapped(history.forces, &Demand::friction);
+  outcome.slips = history.slips_left;
+  outcome.lifts = history.lifts;
   if (!history.slips_left.empty()) outcome.slip = largest_magnitude(history.slips_left);
   if (!history.lifts.empty()) outcome.lift = largest_magnitude(history.lifts);
   return outcome;

@@ -33,10 +33,15 @@ MotionMode onset_mode(const Scene& scene, const History& history);
 /// flight before all others, and slide-rock where it slips at one time and rocks at another.
 MotionMode whole_mode(const Scene& scene, const History& history);
 
-/// What a motion comes to in numbers; outcome_columns.txt says what each is. SI units.
+/// What a motion comes to in numbers; outcome_columns.txt says what each is. SI units. Of each block, or of
+/// the interface under it, in lists, which are empty where nothing tells them.
 struct RunOutcome {
-  std::vector<double> peaks;          ///< largest absolute angle of each block, rad
-  double peak_ratio = 0;              ///< the largest of these over the block's slenderness
+  std::vector<double> peaks;          ///< largest absolute angle, rad
+  std::vector<double> peak_ratios;    ///< of that over the block's slenderness
+  std::vector<double> frictions;      ///< largest coefficient needed between impacts
+  std::vector<double> slips;          ///< left at the end, to the right, m
+  std::vector<double> lifts;          ///< highest, m
+  double peak_ratio = 0;              ///< the largest of these
   int toppled = 0;                    ///< number of the block that toppled or fell off first, from 1; 0: none
   std::optional<double> topple_time;  ///< s, where one has
   int falling = 0;                    ///< falling_block() at the end, from 1; 0: none
@@ -44,6 +49,7 @@ struct RunOutcome {
   std::size_t impacts = 0;            ///< with those that end chatter
   std::size_t events = 0;             ///< of any kind
   std::optional<double> last_event_time;                           ///< s, where there is an event
+  std::optional<double> rest_time;                                 ///< s, where it ends at rest
   MotionMode onset = MotionMode::rest, motion = MotionMode::rest;  ///< how it begins; all of it
   Demand force;    ///< on whichever interface bears the most, by forces
   Demand impulse;  ///< likewise, by impulses

@@ -1,5 +1,7 @@
 #include "comparisons/measures/results/outcome_columns.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "comparisons/measures/results/sentences.hpp"
@@ -15,6 +17,21 @@ OutcomeColumn::Measure demand(Demand RunOutcome::*of, double Demand::*value) {
     return demand.*value;
   };
 }
+
+/// Values of blocks, whatever their number; of a motion without them none.
+OutcomeColumn::Measure value_of(std::vector<double> RunOutcome::*of, std::size_t block) {
+  return [of, block](const RunOutcome& outcome) -> std::optional<double> {
+    const std::vector<double>& values = outcome.*of;
+    return values.empty() ? std::nullopt : std::optional(values[block]);
+  };
+}
+
+const std::map<std::string, std::vector<double> RunOutcome::*> values_of_blocks{
+    {"peak", &RunOutcome::peaks},
+    {"peak_ratio", &RunOutcome::peak_ratios},
+    {"force_friction", &RunOutcome::frictions},
+    {"slip", &RunOutcome::slips},
+    {"lift", &RunOutcome::lifts}};
 
 Json field_of(const OutcomeColumn& column, const RunOutcome& outcome) {
   if (const auto* count = std::get_if<OutcomeColumn::Count>(&column.value)) return (*count)(outcome);
@@ -37,6 +54,7 @@ std::vector<OutcomeColumn> outcome_columns(std::size_t blocks) {
       {"impacts", Count(&RunOutcome::impacts)},
       {"events", Count(&RunOutcome::events)},
       {"last_event_time", Measure(&RunOutcome::last_event_time)},
+      {"rest_time", Measure(&RunOutcome::rest_time)},
       {"least_normal_force", demand(&RunOutcome::force, &Demand::least_normal)},
       {"force_friction", demand(&RunOutcome::force, &Demand::friction)},
       {"least_normal_impulse", demand(&RunOutcome::impulse, &Demand::least_normal)},
@@ -48,13 +66,17 @@ std::vector<OutcomeColumn> outcome_columns(std::size_t blocks) {
       {"slip", Measure(&RunOutcome::slip)},
       {"lift", Measure(&RunOutcome::lift)}};
   std::vector<OutcomeColumn> columns;
-  for (std::size_t k = 0; k < blocks; ++k) {
-    const std::string number = std::to_string(k + 1);
-    columns.push_back({"peak_" + number, "largest absolute angle of block " + number + ", rad",
-                       Measure([k](const RunOutcome& outcome) { return outcome.peaks[k]; }), true});
+  for (const Paragraph& column : paragraphs(outcome_columns_txt)) {
+    const bool sampled = column.kind.find("sampled") != std::string::npos;
+    if (column.kind.find("each") == std::string::npos) {
+      columns.push_back({column.name, column.words, values.at(column.name), sampled});
+      continue;
+    }
+    for (std::size_t k = 0; k < blocks; ++k)
+      columns.push_back({fmt::format("{}_{}", column.name, k + 1),
+                         fmt::format("of block {}: {}", k + 1, column.words),
+                         value_of(values_of_blocks.at(column.name), k), sampled});
   }
-  for (const Paragraph& column : paragraphs(outcome_columns_txt))
-    columns.push_back({column.name, column.words, values.at(column.name), column.kind == "sampled"});
   return columns;
 }
 

@@ -20,7 +20,8 @@ struct OutcomeColumn {
   bool sampled = false;  ///< whether an engine's samples tell it as well
 };
 
-/// All of them for a stack of so many blocks, in the order of a sweep's runs.csv.
+/// All of them for a stack of so many blocks, in the order of a sweep's runs.csv: those of each block have
+/// its number behind their name.
 std::vector<OutcomeColumn> outcome_columns(std::size_t blocks);
 
 /// A motion's fields by the names of columns; of an engine's those that samples tell. What it does not have,
