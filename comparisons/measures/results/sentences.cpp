@@ -5,7 +5,31 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "analytic/scene/input/scene_keys.hpp"
+
 namespace rockstack {
+namespace {
+
+/// Unit of a scene's key, as ground.vertical.period or blocks.2.width; empty where it has none.
+std::string unit_of(const std::string& key) {
+  std::string header = "[", name;
+  std::istringstream parts(key);
+  for (std::string part; std::getline(parts, part, '.');) {
+    if (part.find_first_not_of("0123456789") == std::string::npos) continue;
+    if (!name.empty()) header += (header.size() > 1 ? "." : "") + name;
+    name = part == "vertical" ? "horizontal" : part;  // whose tables stand for both
+  }
+  header += "]";
+  for (const KeyTable* table : scene_tables) {
+    const std::string own = table->header;
+    if (own != header && own != "[" + header + "]" && !(own.empty() && header == "[]")) continue;
+    for (const InputKey& one : table->keys)
+      if (one.name == name) return one.unit;
+  }
+  return "";
+}
+
+}  // namespace
 
 std::string counted(std::size_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
@@ -70,7 +94,8 @@ std::string axis_title(const std::string& key) {
                                    {".amplitude", "amplitude of the pulse (m/s²)"},
                                    {".scale", "scale of the record"}})
     if (key.ends_with(end)) return title;
-  return key;
+  const std::string unit = unit_of(key);
+  return unit.empty() ? key : fmt::format("{} ({})", key, unit);
 }
 
 std::string value_on(const std::string& axis, const std::string& value) {
