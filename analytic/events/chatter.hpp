@@ -9,7 +9,8 @@ namespace rockstack {
 /// it closes instead, and in any case at u = 500 ε √(g/H), with ε the rounding of 1 in double precision or ρ,
 /// whichever is less, and H the stack's height. What is left out are excursions of at most ρ rad, or what
 /// rounding makes of speeds. As the angular momentum above the other pivots is kept, by one impact as by the
-/// many it stands for, the motion after it is off by some ρ at most; the closure comes 2u/(a(1 − η)) s early.
+/// many it stands for, the motion after it is off by some ρ at most; its closure is told at the end of that
+/// chatter (collisions.hpp).
 /// Where one interface chatters alone, the motion after it is off by less, in proportion to u³: the other
 /// angles and their momenta are continuous through its impacts, flights change their rates by terms in φ̇, φ
 /// and φ̇², φ̇ adds up to nothing over a flight, and ∫φ dt and ∫φ̇² dt go with u³ (zeno_summation.hpp makes use

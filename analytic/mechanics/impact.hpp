@@ -154,6 +154,7 @@ struct Resolution {
   PatternSolution<Real, N> solution;
   Consistency consistency;
   bool closes = false;  ///< chatter has come to its end: something closes that would have parted
+  Real chatter = 0;     ///< how long it would have gone on, s
 };
 
 template <class Real, int N>

@@ -38,13 +38,12 @@ class Collisions {
                                          ? Resolution<Real, N>{foreseen->solution, Consistency::consistent}
                                          : resolve(model, impact, before, scene_.law);
     PatternSolution<Real, N>& solution = resolution.solution;
-    if (!scene_.restitution.empty())
-      if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
-        solution = *own;
+    keep_own_ratio(impact, before, solution);
     if (scene_.wall.side != 0)  // whose impulses the ground shares as it will
       resolution = {strike(model, impact, before), Consistency::consistent};
     else
       recorder.note_impact(solution, piece.start + offset);
+    const PatternSolution<Real, N> parting = solution;
     close_slow(model, impact, before, directions, piece.at(offset), resolution);
     if (sums_chatter_ && !resolution.closes)
       if (const auto rest =
@@ -52,6 +51,9 @@ class Collisions {
         solution = rest->closure;
         resolution.closes = true;
       }
+    if (resolution.closes)
+      resolution.chatter =
+          chatter_left(parting, solution.pattern, impact.before.angles, directions, piece.at(offset));
     return resolution;
   }
 
@@ -104,6 +106,61 @@ class Collisions {
   static std::optional<Model<Real, N>> upright_model(const Scene& scene) {
     if (scene.equations != Equations::small_angle) return std::nullopt;
     return Model<Real, N>{make_stack<Real, N>(scene), make_model<Real, N>(scene).gravity, Equations::linear};
+  }
+
+  /// Replaces the law's solution by that of a scene's own ratio, where it has one for this impact.
+  void keep_own_ratio(const Impact<Real, N>& impact, const BeforeImpact<Real, N>& before,
+                      PatternSolution<Real, N>& solution) const {
+    if (scene_.restitution.empty()) return;
+    const Model<Real, N>& model = upright_ ? *upright_ : model_;
+    if (const auto own = restored(model, impact, before, solution.pattern, scene_.restitution))
+      solution = *own;
+  }
+
+  /// How long an interface goes on to chatter that parts as `parting` tells and is `closed` instead, s. With
+  /// u its speed, a what brings it back on either side and η the ratios of impacts there, 1 where it is
+  /// first, impacts come to their end after 2u (1/a₁ + η₁/a₂) / (1 − η₁ η₂), but for terms in u²: nothing but
+  /// that interface moves in so short a time. 0 where several chatter, or an impact would do more than throw
+  /// it.
+  Real chatter_left(const PatternSolution<Real, N>& parting, const Pattern& closed,
+                    const Vector<Real, N>& angles, const Directions<Real, N>& directions,
+                    const Loading<Real>& loading) const {
+    int slow = -1;
+    for (int k = 0; k < parting.size(); ++k) {
+      if (parting.pattern[k] == closed[k]) continue;
+      if (slow >= 0) return 0;
+      slow = k;
+    }
+    const bool at_wall = scene_.wall.side != 0;  // all flights are to one side
+    std::array<Real, 2> duration;                // of flights, for unit speed
+    std::array<Real, 2> ratio;
+    Pattern pattern = parting.pattern;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Real back = accelerations(model_, {pattern, angles, parting.relative}, directions, loading)[slow];
+      duration[side] = -2 * Real(sign(pattern[slow])) / back;
+      ratio[side] = at_wall ? Real(wall_restitution(scene_)) : unit_ratio(pattern, angles, directions, slow);
+      if (!at_wall) pattern[slow] = opposite(pattern[slow]);
+    }
+    const bool ends = std::min(duration[0], duration[1]) > 0 && ratio[0] * ratio[1] < 1 &&
+                      std::min(ratio[0], ratio[1]) >= 0;
+    if (!ends) return 0;
+    return abs(parting.relative[slow]) * (duration[0] + ratio[0] * duration[1]) / (1 - ratio[0] * ratio[1]);
+  }
+
+  /// What an impact of one interface alone leaves of its speed; −1 where it does more than throw that one.
+  Real unit_ratio(const Pattern& pattern, const Vector<Real, N>& angles,
+                  const Directions<Real, N>& directions, int interface) const {
+    const Model<Real, N>& model = upright_ ? *upright_ : model_;
+    Vector<Real, N> closing = Vector<Real, N>::Zero(pattern.size);
+    closing[interface] = -Real(sign(pattern[interface]));
+    const Impact<Real, N> impact{{pattern, angles, closing}, Interfaces().set(interface)};
+    const auto before =
+        upright_ ? before_impact(model, impact.before) : before_impact(model, impact.before, directions);
+    PatternSolution<Real, N> after = resolve(model, impact, before, scene_.law).solution;
+    keep_own_ratio(impact, before, after);
+    Pattern thrown = pattern;
+    thrown[interface] = opposite(pattern[interface]);
+    return after.pattern == thrown ? abs(after.relative[interface]) : Real(-1);
   }
 
   static Real resolution_of(const SolveOptions& options) {

@@ -100,6 +100,8 @@ class Recorder {
                   Consistency consistency = Consistency::consistent) {
     event_limit_.note_event(time, history_.events.size());
     ++events_;
+    if (!history_.events.empty())
+      history_.events.back().time = std::min<Real>(history_.events.back().time, time);
     const bool summed = options_.events == EventsKept::summed;
     if (summed && sums_up(time, kind, interface, from, after.pattern, consistency)) return;
     BasicEvent<Real>& event = history_.events.emplace_back();  // moving one would cost more
@@ -117,6 +119,13 @@ class Recorder {
     event.angles = list(after.angles);
     event.before = list(before);
     event.after = list(after.velocities);
+  }
+
+  /// Puts the last event, a closure, off by what chatter goes on after the last impact that is followed, s,
+  /// as far as the end of the scene or the next event.
+  void put_off_closure(const Real& chatter, const Real& end) {
+    Real& time = history_.events.back().time;
+    time = std::max<Real>(time, std::min<Real>(time + chatter, end));
   }
 
   /// The samples that are left up to the end, where the last step has led.

@@ -249,6 +249,7 @@ class Solver {
                                                        : EventKind::closure;
     recorder_.note_event(time(), kind, first + 1, impact.before.pattern, impact.before.velocities, state_,
                          outcome.consistency);
+    if (outcome.closes) recorder_.put_off_closure(outcome.chatter, Real(scene_.duration));
   }
 
   /// Whether what would open to a side cannot, as there is a wall.

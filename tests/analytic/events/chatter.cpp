@@ -158,6 +158,22 @@ TEST(Chatter, WhatIsLeftOutStaysBelowTheResolution) {
   }
 }
 
+// What is left of chatter from a speed u on is summed up as flights of constant acceleration, which changes
+// in them by the angle, a share of u²: the sum, itself in proportion to u, is off by u³. Without it the
+// ratios would grow as 1/u².
+TEST(Chatter, RestIsWhereItsImpactsAccumulateButForTheThirdPowerOfTheSpeed) {
+  const Scene scene = testing::released({testing::block(0.5, 2.5)}, {0.1}, 60);
+  const auto rest = [&](double resolution) { return solve(scene, {.resolution = resolution}).events.back(); };
+  const Event last = rest(0);
+  std::vector<double> ratios;
+  for (const double resolution : {1e-5, 1e-7, 1e-9}) {
+    const Event ended = rest(resolution);
+    ASSERT_EQ(ended.kind, EventKind::rest);
+    ratios.push_back((ended.time - last.time) / std::pow(std::abs(ended.before[0]), 3));
+  }
+  for (const double ratio : ratios) EXPECT_NEAR(ratio / ratios[0], 1, 0.02);
+}
+
 // Impulses of a uniform block that falls back on its other corner: T/N = 3bh/(b² + 4h²), from the speeds of
 // its centre of mass about either corner. A closure stands for impacts that all ask for this.
 TEST(Chatter, ItsEndAsksOfAnInterfaceWhatItsImpactsDo) {
