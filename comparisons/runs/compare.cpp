@@ -139,6 +139,8 @@ Json comparison_json(const std::vector<Suite>& suites, const CompareResult& resu
   for (const Column& column : columns()) json["definitions"][column.name] = column.definition;
   json["tolerance_rad"] = suites.front().tolerance;
   json["left_out"] = engines_left_out(suites);
+  for (const Suite& suite : suites)
+    if (!suite.print.empty() && !json.contains("figures")) json["figures"] = suite.print;
   json["environment"] = environment(engines_of(suites));
   json["command"] = command;
   json["statements"] = statements_json(suites);

@@ -146,6 +146,7 @@ struct Suite {
   double tolerance = 0.01;                ///< up to which histories agree, rad
   ResultSelection wanted;
   Perturbations perturbations;     ///< none unless asked for
+  std::string print;               ///< of figures for print, as style_text(); empty: none
   Replicates replicates;           ///< behind each number of an engine
   int repeats = 5;                 ///< timed runs after the warm-up
   bool softness = false;           ///< whether differences are split into model, softness and step

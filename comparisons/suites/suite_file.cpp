@@ -193,6 +193,11 @@ const KeysOf<Suite> suite_keys{
       [](const Node& table, Suite& suite) { suite.replicates = read_replicates(table); }},
      {{"perturbations", "", "", "a table [perturbations]", no_default, "distributions where histories part"},
       [](const Node& table, Suite& suite) { suite.perturbations = read_perturbations(table); }},
+     {{"figures", "", "", "a table [figures]", no_default, "figures for print, beside those of the report"},
+      [](const Node& table, Suite& suite) {
+        read_print_style(table);
+        suite.print = style_text(table);
+      }},
      {"statements", "", "", "a table [statements]", no_default, "scenes held against the paper"}}};
 
 const KeysOf<TrajectoryTable> trajectory_keys{

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "analytic/scene/input/key.hpp"
+#include "comparisons/measures/results/print_style.hpp"
 #include "comparisons/suites/suite.hpp"
 
 namespace rockstack {
 
 // Every key of a suite file. A new one that is a number or a text is a member and a line where its table is
-// defined: in suite_file.cpp, engine_series.cpp or perturbations.cpp, beside what reads the others.
+// defined: in suite_file.cpp, engine_series.cpp or perturbations.cpp, beside what reads the others; those of
+// [figures] are in measures/results/print_style.cpp.
 
 /// A table [[engines]]; nodes are those of its file.
 struct EngineTable {
@@ -34,6 +36,7 @@ extern const KeyTable statements_keys;
 
 /// All tables of a suite file, in the order of a file.
 inline constexpr std::initializer_list<const KeyTable*> suite_tables{
-    &suite_keys, &engine_keys, &trajectory_keys, &replicates_keys, &perturbations_keys, &statements_keys};
+    &suite_keys,         &engine_keys, &trajectory_keys, &replicates_keys,
+    &perturbations_keys, &print_keys,  &statements_keys};
 
 }  // namespace rockstack

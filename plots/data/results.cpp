@@ -75,6 +75,8 @@ Comparison comparison_of(const Json& json, const fs::path& results) {
         {one.at("source"), one.at("claim"), one.at("verdict"), one.at("criterion"), one.at("computed")});
   comparison.fits = json.at("fits").get<std::vector<SeriesFit>>();
   comparison.distances = json.at("distributions").get<std::vector<DistributionDistance>>();
+  if (const std::string print = json.value("figures", ""); !print.empty())
+    comparison.print = read_style_text(print, (results / "comparison.json").string() + ": figures");
   comparison.verdict = verdict_from(json.at("verdict"));
   if (comparison.verdict.scenes.size() != comparison.scenes.size())
     throw std::invalid_argument(fmt::format("verdict of {} scenes: must be of {}",

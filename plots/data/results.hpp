@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analytic/scene/input/json_reader.hpp"
+#include "comparisons/measures/results/print_style.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 
@@ -107,6 +108,7 @@ struct Comparison {
   std::vector<SeriesFit> fits;  ///< of errors over time steps
   std::vector<DistributionDistance> distances;
   std::vector<Run> runs;
+  std::optional<PrintStyle> print = {};  ///< of figures for print, where the suite asks for them
 };
 
 /// Reads comparison.json. @throws InputError naming what is missing or malformed.

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <numbers>
+
 #include "plots/data/run_files.hpp"
 
 namespace rockstack::plots {
@@ -55,11 +57,22 @@ std::string tics_in_units(double low, double high, double step) {
       joined_texts(tics, std::identity(), ", "), power);
 }
 
-constexpr auto shade = "#ECECEC";
-
 bool is_across(const std::string& axis) {
   return axis.front() == 'x';
 }
+
+/// Between the numbers of an axis of that many pixels: 1, 2 or 5 times a power of ten.
+double linear_step(const std::string& axis, double low, double high, double pixels) {
+  const double room = is_across(axis) ? 70 : 30;  // of a number
+  const double least = (high - low) * room / pixels;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  double step = 10 * power;
+  for (const double times : {5.0, 2.0, 1.0})
+    if (times * power >= least) step = times * power;
+  return step;
+}
+
+constexpr auto shade = "#ECECEC";
 
 /// The first time from which on no angle is further from its last than that, s.
 double end_of_motion(const History& history, double tolerance) {
@@ -101,16 +114,32 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
 }
 
 std::string linear_tics(const std::string& axis, double low, double high, double pixels) {
-  const double room = is_across(axis) ? 70 : 30;  // of a number
-  const double least = (high - low) * room / pixels;
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  double step = 10 * power;
-  for (const double times : {5.0, 2.0, 1.0})
-    if (times * power >= least) step = times * power;
+  const double step = linear_step(axis, low, high, pixels);
   constexpr double least_plain = 1e-4, most_plain = 1e6;  // beyond them gnuplot's numbers have exponents
   if (axis == "y" && (step < least_plain || std::max(std::abs(low), std::abs(high)) >= most_plain))
     return tics_in_units(low, high, step);
   return fmt::format("set {}tics {}\n", axis, plain(step));
+}
+
+AngleUnit angle_unit(double largest, PrintStyle::Unit asked) {
+  constexpr std::array units{AngleUnit{"rad", 1}, AngleUnit{"mrad", 1e3},
+                             AngleUnit{"deg", 180 / std::numbers::pi}, AngleUnit{"µrad", 1e6}};
+  constexpr double small = 0.01, tiny = 1e-5;
+  if (asked != PrintStyle::Unit::automatic) return units.at(static_cast<std::size_t>(asked) - 1);
+  return largest >= small || largest == 0 ? units[0] : largest >= tiny ? units[1] : units[3];
+}
+
+void scale(std::vector<Curve>& curves, double by) {
+  for (Curve& curve : curves)
+    for (double& value : curve.values) value *= by;
+}
+
+std::size_t longest_tic(double low, double high, double pixels) {
+  const double step = linear_step("y", low, high, pixels);
+  std::size_t longest = 0;
+  for (double k = std::ceil(low / step); k <= std::floor(high / step); ++k)
+    longest = std::max(longest, fmt::format("{:.6g}", k * step).size());
+  return longest;
 }
 
 std::string linear_range(const std::string& axis, double low, double high, double pixels) {

@@ -29,6 +29,22 @@ std::string logarithmic_tics(const std::string& axis, double low, double high, d
 /// for; upwards those that would have exponents in units of a power of ten.
 std::string linear_tics(const std::string& axis, double low, double high, double pixels);
 
+/// A unit of angles, and how many of it are 1 rad.
+struct AngleUnit {
+  const char* name;
+  double scale;
+};
+
+/// The unit of an axis up to a size, rad, that was asked for; of itself that in which small numbers need no
+/// exponents.
+AngleUnit angle_unit(double largest, PrintStyle::Unit asked = PrintStyle::Unit::automatic);
+
+/// Curves in that unit.
+void scale(std::vector<Curve>& curves, double by);
+
+/// How many letters the longest of the numbers up a linear axis has.
+std::size_t longest_tic(double low, double high, double pixels);
+
 /// The range of an axis with its numbers, of either kind.
 std::string linear_range(const std::string& axis, double low, double high, double pixels);
 std::string logarithmic_range(const std::string& axis, double low, double high, double pixels);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
 
 namespace rockstack::plots {
@@ -20,22 +21,58 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The size of a picture, and how large its words, lines and marks are in a format: as on a page, or as many
+/// times that.
+std::string terminal(const std::string& name, const std::string& size, const Paper& paper, double words,
+                     double lines) {
+  return fmt::format(
+      "set terminal {} {} background '#ffffff' font {} fontscale {:.6g} linewidth {:.6g} enhanced rounded\n",
+      name, size, in_quotes(paper.font + ",14"), words, lines);
+}
+
 /// The formats draw marks of one size differently; `mark` evens that out.
 std::string script(const Drawing& drawing) {
-  constexpr double per_inch = 125;  // pixels of the others that take an inch on paper
-  const std::string size = fmt::format("size {},{}", drawing.width, drawing.height);
+  constexpr double usual = 125, dots = 300;  // pixels of pages that take an inch on paper, and dots in print
+  const Paper& paper = drawing.paper;
+  const double finer = paper.alone ? dots / paper.per_inch : 1, smaller = usual / paper.per_inch;
   std::string text = "set encoding utf8\n" + drawing.data;
-  const auto add = [&](const std::string& terminal, const std::string& scale, double mark,
-                       const char* format) {
-    text += fmt::format(
-        "set terminal {} background '#ffffff' font 'DejaVu Sans,14' {} enhanced rounded\nmark = {}\n"
-        "set output 'picture.{}'\n{}\nunset output\nreset\n",
-        terminal, scale, mark, format, drawing.commands);
+  const auto add = [&](const std::string& terminal, double mark, const char* format) {
+    text += terminal + (paper.alone ? "set minussign\n" : "") +
+            fmt::format("mark = {:.6g}\nset output 'picture.{}'\n{}\nunset output\nreset\n", mark, format,
+                        drawing.commands);
   };
-  add("pngcairo " + size, "", 1, "png");
-  add("svg " + size + " dynamic", "fontscale 1.25", 0.55, "svg");
-  add(fmt::format("pdfcairo size {:.2f}in,{:.2f}in", drawing.width / per_inch, drawing.height / per_inch),
-      "fontscale 0.57", 0.62, "pdf");
+  const auto size = [&](double scale, const char* unit) {
+    return fmt::format("size {0:.{2}f}{3},{1:.{2}f}{3}", drawing.width * scale, drawing.height * scale,
+                       *unit == '\0' ? 0 : 2, unit);
+  };
+  add(terminal("pngcairo", size(finer, ""), paper, finer, finer), finer, "png");
+  add(terminal("svg", size(1, "") + " dynamic", paper, 1.25, 1), 0.55, "svg");
+  add(terminal("pdfcairo", size(1 / paper.per_inch, "in"), paper, 0.57 * smaller, smaller), 0.62 * smaller,
+      "pdf");
+  return text;
+}
+
+/// A picture that says how large it is on paper.
+std::string with_size(const std::string& svg, const Drawing& drawing) {
+  const double millimetres = 25.4 / drawing.paper.per_inch;
+  std::string sized = svg;
+  const std::size_t tag = std::min(svg.find("<svg"), svg.size());
+  return sized.insert(std::min(tag + 4, svg.size()),
+                      fmt::format(" width=\"{:.2f}mm\" height=\"{:.2f}mm\"", drawing.width * millimetres,
+                                  drawing.height * millimetres));
+}
+
+/// The curves of all panels, a point a line; colours without the mark that begins comments elsewhere.
+std::string curves_csv(const std::vector<DrawnPanel>& panels) {
+  std::string text = "panel,scale,curve,colour,across,x,y\n";
+  for (const DrawnPanel& panel : panels)
+    for (const DrawnCurve& one : panel.curves) {
+      CsvWriter names;
+      names.add(panel.up, panel.logarithmic ? "logarithmic" : "linear", one.words, one.colour.substr(1),
+                panel.across);
+      for (std::size_t i = 0; i < one.curve.size(); ++i)
+        text += fmt::format("{},{:.8g},{:.6g}\n", names.text(), one.curve.times[i], one.curve.values[i]);
+    }
   return text;
 }
 
@@ -72,6 +109,13 @@ void run_gnuplot(const fs::path& folder, const std::string& script, const fs::pa
 
 }  // namespace
 
+std::string in_quotes(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text)
+    result += c == '\'' ? R"('."'".')" : std::string(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
+  return result + "'";
+}
+
 Scratch::Scratch(const fs::path& within, const std::string& name) {
   std::string made = (within / (name + "-XXXXXX")).string();
   if (mkdtemp(made.data()) == nullptr) throw std::runtime_error(made + ": no such folder can be made");
@@ -103,7 +147,10 @@ void draw(const Drawing& drawing, const fs::path& stem) {
           fmt::format("gnuplot left {} unfinished: {}", stem.string(), complaint(scratch.folder)));
   }
   // Words in the unseen colour have no fill: gnuplot's SVG knows no transparent ones.
-  boost::replace_all(pictures.back().second, R"*(fill="rgb(1,2,3)")*", R"(fill="none")");
+  std::string& svg = pictures.back().second;
+  boost::replace_all(svg, R"*(fill="rgb(1,2,3)")*", R"(fill="none")");
+  if (drawing.paper.alone) svg = with_size(svg, drawing);
+  if (!drawing.panels.empty()) pictures.emplace_back(".csv", curves_csv(drawing.panels));
   fs::create_directories(stem.parent_path());
   for (const auto& [format, picture] : pictures) write_file(fs::path(stem).concat(format), picture);
 }

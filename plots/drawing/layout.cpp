@@ -5,7 +5,6 @@
 namespace rockstack::plots {
 namespace {
 
-constexpr double between = 0.03;
 constexpr double legend_gap = 14, axis_height = 80;
 
 /// The height of a row, pixels; on a slide letters are smaller beside what they stand for.
@@ -15,7 +14,8 @@ double legend_row(double width) {
 
 /// In two columns, or in one where some words are too long for half of the figure.
 std::size_t legend_rows(const Legend& legend, double width) {
-  const double letter = width == slide_width ? 10.5 : 13;  // pixels, with what stands before the words
+  // Pixels, with what stands before the words: a part of them that is larger in a narrow figure.
+  const double letter = width == slide_width ? 10.5 : width < slide_width ? 14.5 : 13;
   const bool wide = std::ranges::any_of(legend, [&](const auto& entry) {
     return letter * static_cast<double>(entry.second.size()) > width / 2;
   });
@@ -137,13 +137,6 @@ std::string words_above(const Series& one) {
 
 }  // namespace
 
-std::string in_quotes(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text)
-    result += c == '\'' ? R"('."'".')" : std::string(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
-  return result + "'";
-}
-
 std::string plain(double value) {
   return fmt::format("{:.8g}", value);
 }
@@ -165,11 +158,12 @@ Sheet::Sheet(const std::string& title, const Legend& legend, const std::string& 
 
 void Sheet::panel(double height, double gap, const std::string& settings,
                   const std::vector<std::string>& plots) {
-  row(height, gap, {{settings, plots}}, 1, left_edge * full_width / width_);
+  const double left = width_ < slide_width ? narrow_left : left_edge * full_width;
+  row(height, gap, {{settings, plots}}, 1, left / width_);
 }
 
 void Sheet::row(double height, double gap, const std::vector<SidePanel>& cells, std::size_t columns,
-                double left) {
+                double left, double between) {
   below_ += panels_.empty() ? 0 : gap;
   const double pace = (right_ - left + between) / static_cast<double>(columns);
   for (const SidePanel& cell : cells) {
@@ -186,7 +180,8 @@ Drawing Sheet::finish() const {
   const double height = std::ceil(words_top + static_cast<double>(notes_.size()) * word_row);
   std::string text = fmt::format(
       "set multiplot\nunset key\nset label 1 {} noenhanced at screen 0.5, screen {} center font ',{}'\n",
-      in_quotes(title_), plain(1 - title_height(title_) / 2 / height), words_size(title_, 17, 88));
+      in_quotes(title_), plain(1 - title_height(title_) / 2 / height),
+      words_size(title_, 17, static_cast<std::size_t>(88 * std::min(width_, full_width) / full_width)));
   const double head = title_height(title_) - 4 + question_height(question_);
   constexpr double half_row = answer_row / 2;
   for (std::size_t i = 0; i < question_.size(); ++i) {
@@ -207,7 +202,12 @@ Drawing Sheet::finish() const {
     text += fresh_panel;
     text += panel.settings + fmt::format("plot {}\nunset label\nunset arrow\n", panel.plots);
   }
-  return {static_cast<int>(width_), static_cast<int>(height), blocks_, text + "unset multiplot"};
+  return {.width = static_cast<int>(width_),
+          .height = static_cast<int>(height),
+          .data = blocks_,
+          .commands = text + "unset multiplot",
+          .panels = drawn_,
+          .paper = paper_};
 }
 
 Drawing empty_sheet(const std::string& title, const std::string& text) {
@@ -245,11 +245,15 @@ void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::v
   }
 }
 
-std::string angle_name(int block) {
+std::string subscript(int number) {
   constexpr std::array digits{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
-  std::string name = "θ";
-  for (const char c : std::to_string(block)) name += digits.at(static_cast<std::size_t>(c - '0'));
-  return name;
+  std::string text;
+  for (const char c : std::to_string(number)) text += digits.at(static_cast<std::size_t>(c - '0'));
+  return text;
+}
+
+std::string angle_name(int block) {
+  return "θ" + subscript(block);
 }
 
 }  // namespace rockstack::plots

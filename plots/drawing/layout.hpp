@@ -1,13 +1,8 @@
 #pragma once
 
 #include "plots/drawing/gnuplot.hpp"
-#include "plots/drawing/thinning.hpp"
 
 namespace rockstack::plots {
-
-/// Text as a gnuplot string, to be drawn with `noenhanced`: in single quotes, within which gnuplot runs no
-/// commands and expands no macros, joined by quotes in double ones, since it loses one doubled at the front.
-std::string in_quotes(const std::string& text);
 
 /// A number that gnuplot reads, eight digits.
 std::string plain(double value);
@@ -30,6 +25,9 @@ inline constexpr double full_width = 1200, shared_width = 960, narrow_width = 48
 
 /// Where panels begin and end, shares of the figure's width, unless a row or second axes say otherwise.
 inline constexpr double left_edge = 0.105, right_edge = 0.975;
+
+/// What panels narrower than a page's leave to their left for the words of their axis, pixels.
+inline constexpr double narrow_left = 112;
 
 /// One of the panels that stand side by side; settings and plots as of Sheet::panel().
 struct SidePanel {
@@ -54,8 +52,10 @@ class Sheet {
   /// a line of its own, `plots` the plot command's elements. An empty list of elements draws the bare frame.
   void panel(double height, double gap, const std::string& settings, const std::vector<std::string>& plots);
 
-  /// Adds panels side by side, as wide as one of `columns`, from `left` on, a share of the figure's width.
-  void row(double height, double gap, const std::vector<SidePanel>& cells, std::size_t columns, double left);
+  /// Adds panels side by side, as wide as one of `columns`, from `left` on and `between` apart, shares of the
+  /// figure's width.
+  void row(double height, double gap, const std::vector<SidePanel>& cells, std::size_t columns, double left,
+           double between = 0.03);
 
   /// Leaves room above the next panel, pixels.
   void leave_room_above(double height) { below_ += height; }
@@ -69,6 +69,12 @@ class Sheet {
   }
 
   void data(const std::string& block) { blocks_ += block; }
+
+  /// Tells the curves of a panel as numbers.
+  void tell(DrawnPanel panel) { drawn_.push_back(std::move(panel)); }
+
+  /// Has it printed so.
+  void print_on(const Paper& paper) { paper_ = paper; }
 
   /// The drawing with room for the last panel's axis label. Precondition: there is a panel.
   Drawing finish() const;
@@ -86,6 +92,8 @@ class Sheet {
   std::vector<std::string> question_;
   Legend legend_;
   std::vector<Panel> panels_;
+  std::vector<DrawnPanel> drawn_;
+  Paper paper_;
   std::vector<std::pair<std::string, std::string>> notes_;  ///< with their colours
 };
 
@@ -122,6 +130,9 @@ inline const std::string without_horizontal_labels =
 
 /// A sheet with one frame that says why there is nothing to show.
 Drawing empty_sheet(const std::string& title, const std::string& text);
+
+/// "₁" for 1.
+std::string subscript(int number);
 
 /// "θ₁" for block 1.
 std::string angle_name(int block);

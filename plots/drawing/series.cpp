@@ -67,6 +67,60 @@ std::optional<Box> free_corner(const LabelledPanel& panel, const LabelledMark& m
   return std::nullopt;
 }
 
+/// What one panel of few series is set to, but for the words along its left edge.
+std::string few_settings(const SeriesPanel& panel, double width) {
+  return "set format x '%g'\n" + panel.axes(width, panel.height) +
+         (panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across))
+                         : without_horizontal_labels);
+}
+
+/// The series of runs that have a curve, which the sheet tells.
+std::vector<Series> curve_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
+                                 const std::vector<Curve>& curves, const std::string& stem,
+                                 std::optional<double> together) {
+  std::vector<Series> series;
+  DrawnPanel drawn{panel.across, panel.up, panel.logarithmic};
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i].size() == 0) continue;
+    const std::string name = fmt::format("{}_{}", stem, i), colour = style_of(runs[i]).colour;
+    sheet.data(data_block(name, curves[i]));
+    drawn.curves.push_back({run_label(runs[i]), colour, curves[i]});
+    // Marks of neighbours are set apart by their order.
+    Series& one =
+        series.emplace_back(Series{line_label(runs[i]), colour, {plot_of(name, curve_style(runs[i], i))}});
+    if (runs[i].exact())
+      one.context = {plot_of(name, exact_context)};
+    else
+      one.alone = {
+          plot_of(name, fmt::format("with lines lw {} lc rgb '{}'", together.value_or(1.5), colour))};
+    if (together && !runs[i].exact())
+      one.context = {plot_of(name, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
+  }
+  sheet.tell(std::move(drawn));
+  return series;
+}
+
+constexpr double grid_gap = 22, words_middle = 16;  ///< pixels
+
+/// How the panels of a grid stand, pixels.
+struct Grid {
+  std::size_t columns;
+  double left;  ///< of each column, for numbers and words
+  double width, height;
+
+  Grid(const std::vector<GridPanel>& panels, double whole) : columns(panels.size() < two_columns ? 1 : 2) {
+    constexpr double lowest = 140, highest = 420;
+    const double count = static_cast<double>(columns), shape = columns == 1 && panels.size() > 1 ? 0.4 : 0.6;
+    const double no_higher = std::clamp(shape * whole / count, lowest, highest);
+    std::size_t letters = 1;
+    for (const GridPanel& panel : panels)
+      letters = std::max(letters, longest_tic(panel.up.low, panel.up.high, no_higher));
+    left = 48 + 10.5 * static_cast<double>(letters);
+    width = (whole - full_width * (1 - right_edge) - count * left) / count;
+    height = std::clamp(shape * width, lowest, highest);
+  }
+};
+
 }  // namespace
 
 bool are_many(const std::vector<Run>& runs) {
@@ -94,9 +148,7 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
     append(panel.over, plots);
     const double width = sheet.width();
     sheet.row(panel.height, panel.space,
-              {{"set format x '%g'\n" + panel.axes(sheet.panel_width(), panel.height) +
-                    (panel.numbered ? fmt::format("set xlabel {}\n", in_quotes(panel.across))
-                                    : without_horizontal_labels) +
+              {{few_settings(panel, sheet.panel_width()) +
                     fmt::format("set ylabel {} noenhanced offset 0.5\n",
                                 in_quotes(width < full_width ? panel.short_up : panel.up)) +
                     panel.few,
@@ -113,23 +165,52 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
 
 void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
                 const std::vector<Curve>& curves, const std::string& stem, std::optional<double> together) {
-  std::vector<Series> series;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (curves[i].size() == 0) continue;
-    const std::string name = fmt::format("{}_{}", stem, i), colour = style_of(runs[i]).colour;
-    sheet.data(data_block(name, curves[i]));
-    // Marks of neighbours are set apart by their order.
-    Series& one =
-        series.emplace_back(Series{line_label(runs[i]), colour, {plot_of(name, curve_style(runs[i], i))}});
-    if (runs[i].exact())
-      one.context = {plot_of(name, exact_context)};
-    else
-      one.alone = {
-          plot_of(name, fmt::format("with lines lw {} lc rgb '{}'", together.value_or(1.5), colour))};
-    if (together && !runs[i].exact())
-      one.context = {plot_of(name, fmt::format("with lines lw 1 lc rgb '{}'", context_colour))};
+  add_series(sheet, panel, curve_series(sheet, panel, runs, curves, stem, together), are_many(runs));
+}
+
+void add_grid(Sheet& sheet, std::vector<GridPanel> panels, const std::vector<Run>& runs) {
+  const Grid grid(panels, sheet.width());
+  for (std::size_t from = 0; from < panels.size(); from += grid.columns) {
+    std::vector<SidePanel> cells;
+    for (std::size_t i = from; i < std::min(from + grid.columns, panels.size()); ++i) {
+      SeriesPanel& panel = panels[i].panel;
+      panel.height = grid.height;
+      panel.numbered = i + grid.columns >= panels.size();
+      std::vector<std::string> plots = panel.under;
+      for (const Series& one : curve_series(sheet, panel, runs, panels[i].curves, panels[i].stem, {}))
+        append(one.plots, plots);
+      append(panel.over, plots);
+      // Words stand in one line, whatever the numbers beside them.
+      cells.push_back(
+          {few_settings(panel, grid.width) +
+               fmt::format(
+                   "unset ylabel\nset label 3 {} noenhanced rotate by 90 at graph {}, graph 0.5 center\n",
+                   in_quotes(panel.short_up), plain((words_middle - grid.left) / grid.width)),
+           plots});
+    }
+    sheet.row(grid.height, grid_gap, cells, grid.columns, grid.left / sheet.width(),
+              grid.left / sheet.width());
   }
-  add_series(sheet, panel, series, are_many(runs));
+}
+
+std::vector<std::string> take_out_hidden(std::vector<Run>& runs, std::vector<std::vector<Curve>*> panels) {
+  constexpr double line = 2e-3;  // how thick one is, as a share of a panel
+  std::vector<std::string> labels;
+  for (std::size_t i = runs.size(); i-- > 1;) {
+    const auto hides = [&](const std::vector<Curve>* curves) {
+      return lies_on((*curves)[i], curves->front(), line);
+    };
+    const auto shows = [&](const std::vector<Curve>* curves) {
+      return (*curves)[i].size() > 0 && curves->front().size() > 0;
+    };
+    const bool hidden = std::ranges::any_of(panels, shows) && std::ranges::all_of(panels, hides);
+    if (!runs.front().exact() || !runs[i].is_variant() || !hidden) continue;
+    labels.push_back(run_label(runs[i]));
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    runs.erase(runs.begin() + at);
+    for (std::vector<Curve>* curves : panels) curves->erase(curves->begin() + at);
+  }
+  return labels;
 }
 
 Series mark_series(const Run& run, const std::string& block, double size) {
@@ -155,6 +236,13 @@ Legend legend_of(const std::vector<Run>& runs,
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (runs[i].exact() || !are_many(runs)) legend.emplace_back(style(runs[i], i), run_label(runs[i]));
   return legend;
+}
+
+std::string marks_note(const std::vector<Run>& runs) {
+  const auto have = [&](const char* settings) {
+    return std::ranges::find(runs, settings, &Run::settings) != runs.end();
+  };
+  return have("default") && have("tuned") ? "filled marks: tuned settings; open marks: defaults" : "";
 }
 
 std::string placed_labels(const LabelledPanel& panel) {

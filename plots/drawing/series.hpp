@@ -19,6 +19,7 @@ struct SeriesPanel {
   std::vector<std::string> over = {};   ///< and after, in the one panel of few
   std::string few = {}, many = {};      ///< further settings of the one panel, and of small ones
   double left = left_edge;              ///< where panels begin, a share of the figure's width
+  bool logarithmic = false;             ///< up
 };
 
 /// Whether runs, the exact one aside, are too many for one panel.
@@ -39,6 +40,25 @@ void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& 
                 const std::vector<Curve>& curves, const std::string& stem,
                 std::optional<double> together = {});
 
+/// One of the panels of a grid, with a curve a run.
+struct GridPanel {
+  SeriesPanel panel;
+  Extent up;  ///< of its linear axis
+  std::vector<Curve> curves;
+  std::string stem;  ///< of data blocks
+};
+
+/// So many panels of a grid, and more, are in two columns.
+inline constexpr std::size_t two_columns = 4;
+
+/// Adds panels under each other, or where they are enough in two columns, those of a column with one axis
+/// across.
+void add_grid(Sheet& sheet, std::vector<GridPanel> panels, const std::vector<Run>& runs);
+
+/// Takes out variants of the exact run, the first of some runs with a curve each in all panels, that lie on
+/// its curves. Returns their labels.
+std::vector<std::string> take_out_hidden(std::vector<Run>& runs, std::vector<std::vector<Curve>*> panels);
+
 /// The marks of a run, of a size; smaller where it has a panel of its own.
 Series mark_series(const Run& run, const std::string& block, double size);
 
@@ -54,6 +74,9 @@ inline std::string exact_core(const std::string& block) {
 /// The legend of runs, by "with …" of each; of many the exact one alone.
 Legend legend_of(const std::vector<Run>& runs,
                  const std::function<std::string(const Run&, std::size_t)>& style);
+
+/// What open and filled marks mean, where runs have both; else nothing.
+std::string marks_note(const std::vector<Run>& runs);
 
 /// A mark with a word, in pixels from a panel's lower left corner.
 struct LabelledMark {

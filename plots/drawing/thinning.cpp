@@ -62,7 +62,26 @@ double distance(const Curve& points, std::size_t of, std::size_t from, std::size
   return std::hypot(x[of] - x[from] - along * dx, y[of] - y[from] - along * dy);
 }
 
+/// On a straight line between points. Precondition: there are some.
+double value_at(const Curve& curve, double time) {
+  const auto after = std::ranges::upper_bound(curve.times, time);
+  if (after == curve.times.begin()) return curve.values.front();
+  if (after == curve.times.end()) return curve.values.back();
+  const auto i = static_cast<std::size_t>(after - curve.times.begin());
+  const double part = (time - curve.times[i - 1]) / (curve.times[i] - curve.times[i - 1]);
+  return std::lerp(curve.values[i - 1], curve.values[i], part);
+}
+
 }  // namespace
+
+bool lies_on(const Curve& curve, const Curve& other, double share) {
+  if (curve.size() == 0 || other.size() == 0) return true;
+  const auto [low, high] = std::ranges::minmax_element(other.values);
+  const double room = share * (*high - *low);
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    if (!(std::abs(curve.values[i] - value_at(other, curve.times[i])) <= room)) return false;
+  return true;
+}
 
 Curve thin(const Curve& curve, double end, std::size_t bins) {
   assert(bins >= 1 && curve.times.size() == curve.values.size());

@@ -15,6 +15,10 @@ struct Curve {
   double largest() const { return largest_magnitude(values); }
 };
 
+/// Whether a curve lies on another wherever it has values: no further away than that share of the other's
+/// extent. True where one has none.
+bool lies_on(const Curve& curve, const Curve& other, double share);
+
 /// The part of a curve that an axis shows up to `end`, with the point behind it, in fewer points: its time is
 /// cut into `bins` equal bins and each keeps its smallest and its largest value at their own times, so that
 /// no peak is hidden; the first and the last point stay. A part of at most 2 × bins points stays as it is.

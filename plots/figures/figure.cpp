@@ -9,6 +9,7 @@ namespace rockstack::plots {
 using DrawScene = Drawing(const SceneSubject&);
 using DrawComparison = Drawings(const ComparisonSubject&);
 using DrawFolder = Drawings(const FolderSubject&);
+using DrawPrint = Printed(const PrintSubject&);
 #include "plots/figures/drawers.inc"
 DrawComparison solver_scores;
 
@@ -55,6 +56,10 @@ std::vector<Figure> all_figures() {
          "mark the median of all. Rows whose scenes lie among each other are not told apart.",
          ComparisonFigure{solver_scores}});
   return list;
+}
+
+Paper paper_of(const PrintStyle& style) {
+  return {style.font, pixels_per_inch(style), true};
 }
 
 void draw_all(const Figure& figure, const Drawings& drawings, const fs::path& results) {
@@ -107,7 +112,17 @@ void draw_figures(const fs::path& results) {
 
 Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
                            const std::string& answer) const {
-  return width < full_width ? Sheet("", legend, "", width) : figure.sheet(heading, legend, answer);
+  if (print == nullptr)
+    return width < full_width ? Sheet("", legend, "", width) : figure.sheet(heading, legend, answer);
+  Sheet sheet(print->titles ? heading : "", legend, "", width);
+  sheet.print_on(paper_of(*print));
+  return sheet;
+}
+
+Sheet PrintSubject::sheet(const Legend& legend) const {
+  Sheet sheet(style.titles ? scene.heading : "", legend, "", print_width(style));
+  sheet.print_on(paper_of(style));
+  return sheet;
 }
 
 Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const {
@@ -147,6 +162,12 @@ void Plots::add(const Numbers& lines, const std::vector<std::string>& styles) {
   const std::string name = fmt::format("{}_{}", stem_, list_.size());
   sheet_.data(number_block(name, lines));
   for (const std::string& style : styles) list_.push_back(fmt::format("${} {} notitle", name, style));
+}
+
+DrawnCurve drawn_curve(const std::string& words, const Numbers& lines, std::size_t column) {
+  DrawnCurve drawn{words, "#1A1A1A", {}};
+  for (const std::vector<double>& line : lines) drawn.curve.add(line[0], line[column]);
+  return drawn;
 }
 
 std::string word_tics(const std::vector<std::string>& words, int first, int step) {

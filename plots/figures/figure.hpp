@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "comparisons/measures/results/print_style.hpp"
 #include "plots/data/selection.hpp"
 #include "plots/drawing/series.hpp"
 
@@ -29,6 +30,29 @@ struct SceneSubject {
   double height(double usual, double all) const { return on_slide ? usual / all * slide_panels : usual; }
 };
 
+/// How many pixels are an inch on paper where the letters of axes have a style's size there: they are drawn
+/// in 14 pt of a screen, 96 dots an inch.
+inline double pixels_per_inch(const PrintStyle& style) {
+  return 14 * 96 / style.font_size;
+}
+
+/// How wide a figure for print is, pixels.
+inline double print_width(const PrintStyle& style) {
+  constexpr double millimetres = 25.4;
+  return style.width / millimetres * pixels_per_inch(style);
+}
+
+/// What a figure of one scene for print is drawn of.
+struct PrintSubject {
+  const Figure& figure;
+  const Comparison& comparison;
+  const ComparedScene& scene;
+  const PrintStyle& style;
+
+  /// A sheet of the style's width, with the scene's title where the style has titles.
+  Sheet sheet(const Legend& legend) const;
+};
+
 /// What a figure of all scenes of a comparison is drawn of.
 struct ComparisonSubject {
   const Figure& figure;
@@ -39,10 +63,18 @@ struct ComparisonSubject {
 struct FolderSubject {
   const Figure& figure;
   const fs::path& folder;
-  double width = full_width;  ///< pixels
+  double width = full_width;          ///< pixels
+  const PrintStyle* print = nullptr;  ///< where it is for print
 
-  /// A sheet with a title, the figure's question and the answer, or of a narrow one the legend alone.
+  /// A sheet with a title, the figure's question and the answer, or of a narrow one the legend alone; in
+  /// print without question and answer.
   Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const;
+  /// Whether its curves are told as numbers: once of a figure that a page has wide and narrow.
+  bool tells() const { return print != nullptr || width == full_width; }
+  /// How high a panel is, pixels, that is `usual` on a page.
+  double height(double usual) const {
+    return print == nullptr ? usual : std::min(usual, 0.62 * (width - narrow_left));
+  }
 };
 
 /// By what stands behind the figure's name in that of its file; a single drawing has nothing there.
@@ -63,7 +95,18 @@ struct ComparisonFigure {
 struct FolderFigure {
   Drawings (*draw)(const FolderSubject&);
   const char* needs;    ///< a file of results
-  bool narrow = false;  ///< whether it is drawn once more, as narrow as narrow_width
+  bool narrow = false;  ///< whether it is drawn once more, as narrow as narrow_width, and can be printed
+};
+
+/// A figure for print, and what is not in it, with the reason.
+struct Printed {
+  Drawing drawing;
+  std::vector<std::string> left_out = {};
+};
+
+struct PrintFigure {
+  Printed (*draw)(const PrintSubject&);
+  bool (*needs)(const ComparedScene&);
 };
 
 /// One kind of figure.
@@ -72,7 +115,7 @@ struct Figure {
   std::string title;        ///< heading on a page
   std::string question;     ///< that it answers
   std::string explanation;  ///< how to read it
-  std::variant<SceneFigure, ComparisonFigure, FolderFigure> of;
+  std::variant<SceneFigure, ComparisonFigure, FolderFigure, PrintFigure> of;
 
   /// A sheet with a title, the question and the answer.
   Sheet sheet(const std::string& heading, const Legend& legend, const std::string& answer) const {
@@ -103,6 +146,21 @@ void draw_figures(const fs::path& results, const Comparison& comparison);
 /// .pdf.
 void draw_figures(const fs::path& results);
 
+/// What has been drawn for print.
+struct PrintedFigures {
+  std::vector<fs::path> stems;        ///< without .pdf, .svg, .png or .csv
+  std::vector<std::string> left_out;  ///< with the reasons
+};
+
+/// Draws the figures of a folder that can be printed as results/paper/<figure>.pdf and the like: the motion
+/// of each scene, or those of a study.
+/// @throws InputError with what there is, where there is none, no such panel, or nothing of the time asked
+/// for.
+PrintedFigures print_figures(const fs::path& results, const PrintStyle& style);
+
+/// Draws those that the suite of some results asks for, if any.
+PrintedFigures print_figures(const fs::path& results, const Comparison& comparison);
+
 // What figures are drawn with besides the skeletons of plots/drawing.
 
 /// The exact run, where there is one, before those of the engines.
@@ -123,6 +181,9 @@ std::function<std::string(double, double)> logarithmic_axes(const Extent& across
 /// Lines of numbers as a data block that plot commands call $name.
 using Numbers = std::vector<std::vector<double>>;
 std::string number_block(const std::string& name, const Numbers& lines);
+
+/// A column of such lines over the first, as tables of figures have it.
+DrawnCurve drawn_curve(const std::string& words, const Numbers& lines, std::size_t column = 1);
 
 /// Plot elements, each of data blocks of its own.
 class Plots {

@@ -64,6 +64,7 @@ void show(const fs::path& results) {
   } else if (has_runs(results)) {
     const Comparison comparison = read_comparison(results);  // whose files are read once for all
     draw_figures(results, comparison);
+    print_figures(results, comparison);
     write_report(results, comparison);
     if (fs::exists(results / "lesson.json")) write_lesson(results, comparison);
   } else {

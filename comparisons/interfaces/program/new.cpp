@@ -93,7 +93,8 @@ std::string suite_text() {
                    {{"title", "\"Two blocks\""}, {"scenes", "[\"spanos-free-rocking\"]"}, {"repeats", "1"}}},
                   {&engine_keys, {{"settings", "[\"tuned\"]"}, {"dt", "[1e-2, 1e-3]"}}},
                   {&replicates_keys},
-                  {&perturbations_keys, {}, true}});
+                  {&perturbations_keys, {}, true},
+                  {&print_keys, {}, true}});
 }
 
 std::string ensemble_text() {

@@ -54,6 +54,6 @@ void add_solve(py::module_& core);
 void add_ground(py::module_& core);
 void add_sweep(py::module_& core);
 void add_engines(py::module_& core);  ///< and comparisons
-void add_player(py::module_& core);   ///< where figures are built
+void add_player(py::module_& core);   ///< and figures for print, where figures are built
 
 }  // namespace rockstack::python

@@ -1,10 +1,12 @@
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
-#include "comparisons/interfaces/python/module.hpp"
+#include "comparisons/interfaces/python/convert.hpp"
 
 #ifdef ROCKSTACK_WITH_PLOTS
 #include <tuple>
 
+#include "comparisons/measures/results/print_style.hpp"
 #include "plots/pages/html.hpp"
 #include "plots/pages/player_data.hpp"
 
@@ -48,15 +50,25 @@ std::string player(const std::vector<Shown>& motions) {
                 {{"id", "player"}, {"title", plots::escaped(title)}, {"data", plots::for_script(data)}}));
 }
 
+/// Without ending the files that were drawn for print, and what was left out.
+std::pair<std::vector<std::filesystem::path>, std::vector<std::string>> draw_for_print(
+    const std::filesystem::path& results, const py::dict& style) {
+  const PrintStyle asked = read_print_style(read_document(style, "draw"));
+  plots::PrintedFigures printed;
+  beside_interpreter([&](const std::function<bool()>&) { printed = plots::print_figures(results, asked); });
+  return {printed.stems, printed.left_out};
+}
+
 }  // namespace
 
 void add_player(py::module_& core) {
   core.def("player", &player);
+  core.def("draw", &draw_for_print);
 }
 
 }  // namespace rockstack::python
 #else
 void rockstack::python::add_player(py::module_& core) {
-  core.attr("player") = py::none();
+  core.attr("player") = core.attr("draw") = py::none();
 }
 #endif

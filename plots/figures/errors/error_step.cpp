@@ -116,6 +116,7 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
   for (const ErrorLine& line : lines)
     if (line.fit != nullptr) sheet.note(line.label + ": " + fit_label(*line.fit), style_of(line.run).colour);
   sheet.note(draws_note(subject.comparison, subject.scene.name));
+  sheet.note(marks_note(mapped(lines, &ErrorLine::run)));
   return sheet.finish();
 }
 

@@ -268,6 +268,7 @@ Drawing error_time(const SceneSubject& subject) {
   panel.many = guides + exact_line(exact, false);
   add_series(sheet, panel, series_of(lines, many), many);
   sheet.note(draws_note(subject.comparison, subject.scene.name));
+  if (!subject.on_slide) sheet.note(marks_note(mapped(lines, &CostLine::run)));
   if (!subject.on_slide) add_notes(sheet, lines, !slopes.empty(), many);
   return sheet.finish();
 }

@@ -96,9 +96,14 @@ Drawings branches(const FolderSubject& subject) {
   const std::size_t bins = bins_for(rows.size() * static_cast<std::size_t>(blocks));
   for (int k = 0; k < blocks; ++k) {
     Plots angles(sheet, fmt::format("angle_{}", k));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      angles.add(angle_of(rows[i], k, end, bins),
-                 {fmt::format("using 1:2 with lines lw 2 lc rgb '{}'", colour_of(i))});
+    DrawnPanel told{"time (s)", angle_name(k + 1) + " (rad)"};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Numbers angle = angle_of(rows[i], k, end, bins);
+      angles.add(angle, {fmt::format("using 1:2 with lines lw 2 lc rgb '{}'", colour_of(i))});
+      told.curves.push_back(drawn_curve(fmt::format("branch {}", i + 1), angle));
+      told.curves.back().colour = colour_of(i);
+    }
+    sheet.tell(std::move(told));
     sheet.panel(panel_height(blocks + 1), 16,
                 range + without_horizontal_labels + grid_lines +
                     fmt::format("set ylabel '{} (rad)' offset 0.5\n", angle_name(k + 1)),

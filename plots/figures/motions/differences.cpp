@@ -68,6 +68,7 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
     };
     SeriesPanel panel{"time (s)", words, words, false, axes, height, 20};
     panel.under = {fmt::format("{} with lines {} notitle", plain(tolerance), tolerance_style)};
+    panel.logarithmic = true;
     add_curves(sheet, panel, runs, sizes, fmt::format("difference_{}", k + 1), 2.5);
   }
 }
@@ -146,6 +147,9 @@ Drawing differences(const SceneSubject& subject) {
       runs.size() * (many ? runs.size() : 2 * static_cast<std::size_t>(scene.block_count()));
   Legend legend = legend_of(runs, curve_style);
   legend.emplace_back(fmt::format("with lines {}", tolerance_style), "tolerance");
+  if (!draws_note(subject.comparison, scene.name).empty())
+    legend.emplace_back("with points pt 2 ps 0.7*mark lw 1 lc rgb '#000000'",
+                        "below, where a replicate leaves it; large: their median");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   const std::vector<Departure> departures = mapped(runs, [&](const Run& run) {
     return read_departure(run, scene.block_count(), room_for_marks * axis.end, bins_for(curves), together);

@@ -96,6 +96,10 @@ Drawing energy(const SceneSubject& subject) {
     plots.push_back(plot_of(engine, many ? in_grey : curve_style(one.run, plots.size())));
     levels.push_back(one.engine);
   }
+  DrawnPanel told{"time (s)", "energy (J)", false, {{"exact", "#1A1A1A", levels.front()}}};
+  for (const Energies& one : all)
+    told.curves.push_back({run_label(one.run), style_of(one.run).colour, one.engine});
+  sheet.tell(std::move(told));
   plots.insert(plots.end(), {plot_of("exact", exact_style), exact_core("exact")});
   const std::string across = time_range(axis) + grid_lines;
   const double tall = subject.height(380, 640), low = subject.height(260, 640);

@@ -29,7 +29,9 @@ void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, const T
   const double peak = *at, reach = reach_of(std::abs(peak)),
                time = curve.times[static_cast<std::size_t>(at - curve.values.begin())];
   constexpr double height = 220;
-  sheet.data(data_block(name, thin(curve, axis.end, bins_for(2))));
+  const Curve shown = thin(curve, axis.end, bins_for(2));
+  sheet.data(data_block(name, shown));
+  sheet.tell({"time (s)", name + " (m/s²)", false, {{name, "#1A1A1A", shown}}});
   sheet.panel(height, 16,
               ground_grid + time_range(axis) + linear_range("y", -reach, reach, height) +
                   fmt::format("set ylabel '{} (m/s²)' offset 0.5\n", name) +

@@ -107,6 +107,18 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, in
   });
 }
 
+/// The unit that a block's angles are drawn in, which the curves are in from then on.
+AngleUnit put_in_unit(const std::vector<Run>& runs, std::vector<Curve>& curves) {
+  const Extent extent = extent_of(runs, curves, 0.5, 0);
+  const AngleUnit unit = angle_unit(std::max(std::abs(extent.low), std::abs(extent.high)));
+  scale(curves, unit.scale);
+  return unit;
+}
+
+std::string words_up(int block, const AngleUnit& unit) {
+  return fmt::format("{} ({})", angle_name(block + 1), unit.name);
+}
+
 std::string axes_of(const std::vector<Run>& runs, const std::vector<Curve>& curves, const TimeAxis& axis,
                     double height) {
   const Extent extent = extent_of(runs, curves, 0.5, 1e-6);
@@ -118,8 +130,9 @@ void add_angles(Sheet& sheet, const SceneSubject& subject, const std::vector<Run
                 const TimeAxis& axis, bool lowest) {
   const int blocks = subject.scene.block_count();
   const double tall = subject.height(panel_height(blocks), blocks * panel_height(blocks));
-  const std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block, axis.end);
-  const std::string words = angle_name(block + 1) + " (rad)", stem = fmt::format("angle_{}", block + 1);
+  std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block, axis.end);
+  const std::string words = words_up(block, put_in_unit(runs, curves)),
+                    stem = fmt::format("angle_{}", block + 1);
   const auto axes = [&](double, double height) { return axes_of(runs, curves, axis, height); };
   SeriesPanel panel{"time (s)", words, words, lowest, axes, tall};
   if (runs.front().exact() && curves.front().size() > 0) panel.over = {exact_core(stem + "_0")};
@@ -132,14 +145,14 @@ constexpr auto band_style = "with filledcurves fs transparent solid 0.25 noborde
 
 /// Between what the middle half of a block's angles lie over a run's replicates, rad, at times up to the end;
 /// nothing where the run has none, or its files no histories.
-Numbers band_lines(const Run& run, int block, double end) {
+Numbers band_lines(const Run& run, int block, double end, double scale = 1) {
   Numbers lines;
   const fs::path file = run.folder / "band.csv";
   if (!fs::exists(file)) return lines;
   const std::string number = std::to_string(block + 1);
   const auto band = read_columns(file, {"time", "lower_" + number, "upper_" + number});
   for (std::size_t i = 0; i < band[0].size() && band[0][i] <= end; ++i)
-    lines.push_back({band[0][i], band[1][i], band[2][i]});
+    lines.push_back({band[0][i], scale * band[1][i], scale * band[2][i]});
   return lines;
 }
 
@@ -155,8 +168,14 @@ std::string words_of(const StepLine& line) {
 }
 
 /// A panel a line over the exact curve; `runs` are the exact one, if any, and both ends of each line.
-void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Curve>& curves,
+void add_lines(Sheet& sheet, const std::vector<Run>& runs, std::vector<Curve> curves,
                const std::vector<StepLine>& lines, int block, const TimeAxis& axis) {
+  const AngleUnit unit = put_in_unit(runs, curves);
+  DrawnPanel told{"time (s)", words_up(block, unit)};
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (curves[i].size() > 0)
+      told.curves.push_back({run_label(runs[i]), style_of(runs[i]).colour, curves[i]});
+  sheet.tell(std::move(told));
   const auto plot = [&](std::size_t run, const std::string& style) {
     const std::string name = fmt::format("angle_{}_{}", block + 1, run);
     sheet.data(data_block(name, curves[run]));
@@ -170,7 +189,7 @@ void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Cur
     Series one{words_of(line), style_of(line.front()).colour};
     const std::size_t last = at + ends_of(line).size() - 1;
     for (std::size_t i = at; i <= last; ++i) {
-      const Numbers band = band_lines(runs[i], block, axis.end);
+      const Numbers band = band_lines(runs[i], block, axis.end, unit.scale);
       if (band.empty()) continue;
       const std::string name = fmt::format("band_{}_{}", block + 1, i);
       sheet.data(number_block(name, band));
@@ -185,7 +204,7 @@ void add_lines(Sheet& sheet, const std::vector<Run>& runs, const std::vector<Cur
   add_multiples(sheet, multiples, context,
                 axes_of(runs, curves, axis, multiple_height) + linear_tics("x", 0, axis.end, multiple_width) +
                     impact_ticks(runs.front(), block, axis.end, multiple_width),
-                "time (s)", angle_name(block + 1) + " (rad)");
+                "time (s)", words_up(block, unit));
 }
 
 /// All runs in one panel a block; `all`: the answer is of each, else of the first, exact where there is one.

@@ -48,18 +48,23 @@ Drawing drawn(const SceneSubject& subject, const std::vector<Run>& runs,
     if (!runs[i].tells_slips()) legend[i].second += ", where nothing slips";
   const TimeAxis axis = subject.time_axis(runs, legend);
   Sheet sheet = subject.sheet(legend, answer);
+  std::vector<GridPanel> grid;
   const double usual = panel_height(static_cast<int>(quantities.size())),
                height = subject.height(usual, usual * static_cast<double>(quantities.size()));
   for (std::size_t p = 0; p < quantities.size(); ++p) {
     const SlipPanel& quantity = quantities[p];
     const Extent extent = extent_of(runs, quantity.curves, 1, least_drawn * quantity.scale);
-    const auto axes = [&](double, double up) {
+    const auto axes = [&axis, extent](double, double up) {
       return time_range(axis) + linear_range("y", extent.low, extent.high, up) + grid_lines;
     };
     const bool last = p + 1 == quantities.size();
     const SeriesPanel panel{"time (s)", quantity.words, quantity.words, last, axes, height};
-    add_curves(sheet, panel, runs, quantity.curves, fmt::format("contact_{}", p));
+    grid.push_back({panel, extent, quantity.curves, fmt::format("contact_{}", p)});
   }
+  if (!are_many(runs) && !subject.on_slide && grid.size() >= two_columns)
+    add_grid(sheet, std::move(grid), runs);
+  else
+    for (const GridPanel& one : grid) add_curves(sheet, one.panel, runs, one.curves, one.stem);
   return sheet.finish();
 }
 
@@ -134,12 +139,24 @@ Drawing friction(const SceneSubject& subject) {
   const auto words = [](int number) { return angle_name(number) + " (rad)"; };
   const double end = time_axis(scene, runs).end;
   std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.block_count(), words, 1, end);
+  for (SlipPanel& panel : panels) {
+    const Extent extent = extent_of(runs, panel.curves, 1, 0);
+    const AngleUnit unit = angle_unit(std::max(std::abs(extent.low), std::abs(extent.high)));
+    panel.words.replace(panel.words.find("rad"), panel.words.npos, std::string(unit.name) + ")");
+    panel.scale = unit.scale;
+    plots::scale(panel.curves, unit.scale);
+  }
   const std::vector<SlipPanel> slips = read_slips(runs, scene.block_count(), end);
   panels.insert(panels.end(), slips.begin(), slips.end());
+  std::vector<std::vector<Curve>*> curves;
+  for (SlipPanel& panel : panels) curves.push_back(&panel.curves);
+  const std::vector<std::string> hidden = take_out_hidden(runs, curves);
   std::string answer = "Largest slips: ";
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (runs[i].tells_slips())
       answer += slip_phrase(runs[i], scene.block_count()) + (i + 1 < runs.size() ? "; " : "");
+  if (!hidden.empty())
+    answer += "; on the exact motion, left out: " + joined_texts(hidden, std::identity(), ", ");
   return drawn(subject, runs, panels, answer);
 }
 

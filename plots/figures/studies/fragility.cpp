@@ -138,9 +138,17 @@ Drawings fragility(const FolderSubject& subject) {
     plots.add(curve,
               {fmt::format("using 1:3:4 {}", bounds_style), fmt::format("using 1:2 {}", fitted_style)});
   plots.add(counts, {fmt::format("using 1:2:3:4 {}", counted_style)});
+  DrawnPanel told{facts.intensity, "share of runs that topple"};
+  told.curves = {drawn_curve("counted", counts), drawn_curve("counted, lower bound", counts, 2),
+                 drawn_curve("counted, upper bound", counts, 3)};
+  if (!curve.empty())
+    told.curves.insert(told.curves.end(),
+                       {drawn_curve("fit", curve), drawn_curve("fit, lower bound", curve, 2),
+                        drawn_curve("fit, upper bound", curve, 3)});
+  if (subject.tells()) sheet.tell(std::move(told));
   if (facts.least_acceleration > 0) sheet.leave_room_above(axis_above);
   sheet.panel(
-      460, 0,
+      subject.height(460), 0,
       fmt::format("set xrange [0:{}]\nset yrange [-0.02:1.02]\nset ytics 0.2\nset xlabel {} noenhanced\n"
                   "set ylabel 'share of runs that topple'\n",
                   plain(end), in_quotes(facts.intensity)) +

@@ -44,7 +44,9 @@ Drawings thresholds(const FolderSubject& subject) {
                               facts.at("headline").at(0));
   Plots plots(sheet, "tried");
   plots.add(marks, {fmt::format("using 1:2 {}", tried_style)});
-  sheet.panel(420, 0,
+  if (subject.tells())
+    sheet.tell({axis, "largest angle over slenderness", false, {drawn_curve("motions", marks)}});
+  sheet.panel(subject.height(420), 0,
               fmt::format("{}set xrange [{}:{}]\nset yrange [0:{}]\n"
                           "set ytics add ('toppled' {})\n"
                           "set xlabel {} noenhanced\nset ylabel 'largest angle over slenderness'\n",
@@ -74,7 +76,7 @@ Drawings threshold_spectrum(const FolderSubject& subject) {
   Plots plots(sheet, "first");
   plots.add(marks, {fmt::format("using 1:2 {}", first_style)});
   sheet.panel(
-      420, 0,
+      subject.height(420), 0,
       fmt::format(
           "set xrange [{}:{}]\nset yrange [0:{}]\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
           plain(over.at("low")), plain(over.at("high")), plain(top > 0 ? top : vary.at("high").get<double>()),

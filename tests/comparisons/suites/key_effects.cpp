@@ -58,7 +58,7 @@ std::string tables_of(const fs::path& folder) {
 std::string members_of(const fs::path& file, std::initializer_list<const char*> names) {
   const Json json = Json::parse(bytes_in(file));
   std::string text;
-  for (const char* name : names) text += json.at(name).dump() + "\n";
+  for (const char* name : names) text += json.value(name, Json()).dump() + "\n";
   return text;
 }
 
@@ -103,7 +103,7 @@ std::string suite_outcome(const Settings& settings) {
   const fs::path results = folder.path() / "results";
   const auto rows = compare({read_suite(input, {})}, results, *make_threads(1), {}).rows;
   return text_of(rows) + tables_of(results) +
-         members_of(results / "comparison.json", {"title", "statements", "verdict"});
+         members_of(results / "comparison.json", {"title", "statements", "verdict", "figures"});
 }
 
 /// An engine that takes half a second of processor time.
@@ -146,6 +146,15 @@ const std::vector<KeyCase> suite_cases{
     {&perturbations_keys, "runs", "10"},
     {&perturbations_keys, "size", "1e-3"},
     {&perturbations_keys, "seed", "2"},
+    {&print_keys, "style", ""},  // of which there is one
+    {&print_keys, "width", "180.0"},
+    {&print_keys, "font", "\"DejaVu Serif\""},
+    {&print_keys, "font_size", "7.0"},
+    {&print_keys, "unit", "\"mrad\""},
+    {&print_keys, "titles", "\"scene\""},
+    {&print_keys, "panels", "[\"θ1\"]"},
+    {&print_keys, "from", "0.1"},
+    {&print_keys, "to", "0.15"},
     {&statements_keys, "free", papers_free.value, {papers}},
     {&statements_keys, "shaken", "\"spanos-synthetic\"", {papers, papers_free}},
 };

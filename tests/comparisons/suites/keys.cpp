@@ -102,6 +102,10 @@ std::string suite_of(const std::filesystem::path& file) {
         << ' ' << suite.replicates.runs << ' ' << suite.replicates.steps << ' ' << suite.replicates.scene
         << ' ' << suite.replicates.seed << ' ' << suite.perturbations.runs << ' ' << suite.perturbations.size
         << ' ' << suite.perturbations.seed << ' ' << suite.variants.size();
+  const PrintStyle print = read_style_text(suite.print, "figures");
+  found << ' ' << print.width << ' ' << print.font << ' ' << print.font_size << ' '
+        << static_cast<int>(print.unit) << ' ' << print.titles << ' ' << print.panels.size() << ' '
+        << print.from << ' ' << print.to;
   for (const EngineSeries& series : suite.series) {
     found << ' ' << series.settings;
     for (const double step : series.steps) found << ' ' << step;

@@ -29,7 +29,7 @@ TEST(Questions, AFileIsOfTheFigureInItsName) {
                                    {"impact-laws.engines", "impact-laws.engines"},
                                    {"impact-laws.3-blocks", "impact-laws"}})
     EXPECT_EQ(figure_in(stem)->name, name) << stem;
-  EXPECT_EQ(figure_in("spanos.motion"), nullptr);
+  EXPECT_EQ(figure_in("spanos.motions"), nullptr);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@ from rockstack._core import version as __version__
 from rockstack.compare import Comparison, compare
 from rockstack.engines import Canon, Simulation, canon, engines, simulate
 from rockstack.errors import EngineError, InputError, Unfinished
+from rockstack.figures import draw
 from rockstack.ground import GroundMotion
 from rockstack.keys import keys, shipped
 from rockstack.notebook import Player, player
@@ -17,6 +18,6 @@ from rockstack.worker import Setting, Setup, Worker
 __all__ = [
     "Block", "Canon", "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Player", "Scene",
     "Setting", "Setup", "Simulation", "SobolIndices", "Solution", "SweepTable", "Threshold", "Unfinished", "Worker", "__version__",
-    "canon", "compare", "engines", "fragility", "keys", "player", "shipped", "simulate", "sobol_indices", "solve", "solve_many",
-    "sweep", "threshold",
+    "canon", "compare", "draw", "engines", "fragility", "keys", "player", "shipped", "simulate", "sobol_indices", "solve",
+    "solve_many", "sweep", "threshold",
 ]

@@ -1,18 +1,39 @@
 """Figures of what there is, by matplotlib."""
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rockstack import _core
+from rockstack.arguments import checked
 
 if TYPE_CHECKING:
     from rockstack.compare import Comparison
     from rockstack.engines import Canon, Simulation
     from rockstack.solution import Solution
     from rockstack.sweep import Fragility, SobolIndices, SweepTable
+
+
+@checked
+def draw(results: str | os.PathLike[str], style: str = "paper", **keys: Any) -> tuple[list[Path], list[str]]:
+    """Draws the figures for print of results that compare(), `rockstack solve` or `rockstack sweep` has written into a folder.
+
+    keys: those of the table [figures], which keys("suite") explains: width in mm, font, font_size in pt, unit of angles, titles,
+    panels (a name or several), from_ and to in s. Gives the figures, to which .pdf, .svg, .png and .csv belong, and what was
+    left out of them, with the reason.
+
+    Raises InputError as `rockstack plot`, and where this build has no figures.
+    """
+    if _core.draw is None:
+        raise _core.InputError("draw: must be asked of a build with ROCKSTACK_PLOTS=ON")
+    asked = {name.rstrip("_"): [value] if name == "panels" and isinstance(value, str) else value for name, value in keys.items()}
+    if isinstance(asked.get("titles"), bool):
+        asked["titles"] = "scene" if asked["titles"] else "none"
+    return _core.draw(Path(results), {"style": style, **asked})
 
 
 def _axes(axes: Any, count: int = 1) -> Any:

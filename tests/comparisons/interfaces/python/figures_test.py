@@ -1,5 +1,6 @@
 """Figures show the numbers that they are of, a player those of its motion, and who waits is told how far things are."""
 import base64
+import csv
 import json
 import re
 import tempfile
@@ -110,6 +111,27 @@ class PlayerTest(unittest.TestCase):
         self.assertIsNone(rockstack.solve(rocking(), interval=None)._repr_html_())
         with self.assertRaises(rockstack.InputError):
             rockstack.player()
+
+
+@unittest.skipIf(_core.draw is None, "this build has no figures")
+class PrintTest(unittest.TestCase):
+    def test_a_figure_has_what_was_asked_for(self):
+        rows = rockstack.compare(rocking(duration=1.0), engines=[free_fall()], dt=[0.01], quick=True, draws=1)
+        asked = dict(width=88, unit="mrad", titles=False, panels="θ1", from_=0.25, to=0.5)
+        (stem,), left_out = rockstack.draw(rows.folder, **asked)
+        self.assertEqual(left_out, [])
+        self.assertTrue(all(stem.with_suffix(stem.suffix + ending).is_file() for ending in (".pdf", ".svg", ".png")))
+        with open(f"{stem}.csv", encoding="utf-8") as file:
+            points = list(csv.DictReader(file))
+        self.assertEqual({point["panel"] for point in points}, {"θ₁ (mrad)"})
+        x, y = np.array([(float(point["x"]), float(point["y"])) for point in points if point["curve"] == "exact"]).T
+        solution = rockstack.solve(rocking(duration=1.0), interval=1e-3)
+        np.testing.assert_allclose(y, 1e3 * np.interp(x, solution.times, solution.angles[:, 0]), atol=1e-2)
+        self.assertTrue(0.24 < x.min() < 0.26 and 0.49 < x.max() < 0.51)
+        for wrong, words in ({"panels": ["slip"]}, 'panels = "slip": must be among θ1'), ({"width": 5}, "draw: width = 5: must be"), \
+                ({"wide": 88}, "draw: wide: unknown key"):
+            with self.assertRaisesRegex(rockstack.InputError, words):
+                rockstack.draw(rows.folder, **wrong)
 
 
 class ProgressTest(unittest.TestCase):
