@@ -7,6 +7,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/pages/page_solver.hpp"
+#include "plots/pages/player_data.hpp"
 #include "plots/pages/show.hpp"
 
 namespace rockstack::plots {
@@ -40,6 +41,51 @@ std::string shared_script() {
   return "for (const [id, textContent] of [" + list +
          "]) document.body.append(Object.assign(document.createElement(\"script\"), "
          "{ type: \"application/gzip\", id, textContent }));\n";
+}
+
+constexpr auto curves_of_figure = " type=\"application/json\" class=\"curves\"";
+
+/// The panels of a table of curves, as charts read them; without curves that turn back.
+Json panels_of(const fs::path& table) {
+  Json panels = Json::array();
+  DrawnCurve curve;
+  const auto end_curve = [&] {
+    const bool is_chart = curve.curve.size() > 0 && std::ranges::is_sorted(curve.curve.times);
+    if (is_chart)
+      panels.back()["curves"].push_back({{"label", curve.words},
+                                         {"colour", curve.colour},
+                                         {"x", packed(curve.curve.times, 1, 1)},
+                                         {"y", packed(curve.curve.values, 1, 1)}});
+    curve.curve = {};
+  };
+  CsvLine line(table);
+  while (line.next()) {
+    const bool fresh = panels.empty() || panels.back()["up"] != line.text("panel");
+    if (fresh || curve.words != line.text("curve")) end_curve();
+    if (fresh)
+      panels.push_back({{"up", line.text("panel")},
+                        {"across", line.text("across")},
+                        {"logarithmic", line.text("scale") == "logarithmic"},
+                        {"curves", Json::array()}});
+    curve.words = line.text("curve"), curve.colour = "#" + line.text("colour");
+    curve.curve.add(line.value("x"), line.value("y"));
+  }
+  end_curve();
+  std::erase_if(panels.get_ref<Json::array_t&>(), [](const Json& panel) { return panel["curves"].empty(); });
+  return panels;
+}
+
+/// The curves of a figure that has a table of them, for charts; nothing in a build without these.
+std::string curves_script(const fs::path& table) {
+  const Json panels = uplot_js.empty() || !fs::exists(table) ? Json() : panels_of(table);
+  return panels.empty() ? "" : element("script", for_script(panels), curves_of_figure);
+}
+
+/// What draws the charts of a page that has some.
+std::string chart_scripts(const std::string& content) {
+  if (content.find(curves_of_figure) == std::string::npos) return "";
+  return element("style", std::string(uplot_css)) + element("script", std::string(uplot_js)) + "\n" +
+         element("script", "\n" + std::string(curves_js)) + "\n";
 }
 
 /// Whether a page's players and pictures solve, or sliders have to say that nothing does.
@@ -93,17 +139,18 @@ std::string page(const std::string& title, const std::string& kind, const std::s
                  const std::string& solver) {
   const auto scripts = {solver_js, engine_js, charts_js, drag_js, share_js, try_js};
   return filled_in(
-      page_html, {{"title", escaped(title)},
-                  {"shared", solver.empty() ? "" : "'self' file: "},
-                  {"kind", kind},
-                  {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
-                  {"js", std::string(page_js)},
-                  {"player_js", player_scripts()},
-                  {"solver", solves(content) ? solving_scripts(scripts, solver) : ""},
-                  {"content", content},
-                  {"words", kind == "report"
-                                ? details("What the words mean", std::string(glossary_html), " id=\"words\"")
-                                : ""}});
+      page_html,
+      {{"title", escaped(title)},
+       {"shared", solver.empty() ? "" : "'self' file: "},
+       {"kind", kind},
+       {"css", std::string(page_css) + std::string(player_css) + std::string(lesson_css)},
+       {"js", std::string(page_js)},
+       {"player_js", player_scripts()},
+       {"solver", (solves(content) ? solving_scripts(scripts, solver) : "") + chart_scripts(content)},
+       {"content", content},
+       {"words", kind == "report"
+                     ? details("What the words mean", std::string(glossary_html), " id=\"words\"")
+                     : ""}});
 }
 
 void share_solver(const fs::path& course) {
@@ -183,7 +230,8 @@ std::string drawn_figure(const fs::path& results, const std::string& stem, const
                                    ? element("div", drawing("", ""), class_attribute("wide")) +
                                          element("div", drawing(narrow, "n-"), class_attribute(narrow_part))
                                    : drawing("", "");
-  return element("figure", drawings + element("figcaption", escaped(words)));
+  const std::string curves = curves_script(results / "figures" / (stem + ".csv"));
+  return element("figure", drawings + curves + element("figcaption", escaped(words)));
 }
 
 std::string drawn_figures(const fs::path& results, const std::set<std::string>& known) {

@@ -36,7 +36,8 @@ TEST(Report, NamesEveryRunAndExplainsWhyOneFailed) {
 }
 
 TEST(Report, NeedsNothingBesideItself) {
-  const std::string page = sample_page(testing::fresh_folder());
+  std::string page = sample_page(testing::fresh_folder());
+  if (!uplot_js.empty()) page.erase(page.find(uplot_js), uplot_js.size());  // whose comments name its own
   for (std::size_t at = page.find("://"); at != std::string::npos; at = page.find("://", at + 1)) {
     const std::size_t attribute = page.rfind("xmlns", at);
     ASSERT_NE(attribute, std::string::npos);
