@@ -86,6 +86,21 @@ Json data_of(const Comparison& comparison, const ComparedScene& scene, std::size
   return data;
 }
 
+/// Where the player of a motion by itself stands at first: just before a block leans by a part of what it
+/// will, with angles as large as can be seen.
+Json start_of(const History& history) {
+  constexpr double part = 0.01, seen = 0.15, most = 100;
+  const double largest = largest_magnitude(history.angles);
+  std::size_t row = 0;
+  const auto leans = [&](double angle) { return std::abs(angle) > part * largest; };
+  while (row + 1 < history.size() && std::ranges::none_of(history.angles_at(row), leans)) ++row;
+  const double before = row > 0 ? history.times[row - 1] : 0;
+  return {{"time", row + 1 < history.size() ? before : 0},
+          {"gain", largest > 0 ? std::clamp(seen / largest, 1.0, most) : 1},
+          {"overlaid", false},
+          {"chatter", false}};
+}
+
 }  // namespace
 
 std::string player_section(const Comparison& comparison, std::size_t scene, const Json& start) {
@@ -93,6 +108,8 @@ std::string player_section(const Comparison& comparison, std::size_t scene, cons
   const bool finest = start.is_object() && start.value("finest", false);
   Json data = data_of(comparison, shown, comparison.scenes.size(), finest);
   if (!start.is_null()) data["start"] = start;
+  if (start.is_null() && shown.alone)
+    data["start"] = start_of(*history_of(done_runs(comparison, shown.name).front()));
   if (!shown.page.empty()) data["scene"] = parse_json(shown.page, "the scene of a page ");
   return filled_in(player_html, {{"id", fmt::format("player-{}", scene + 1)},
                                  {"title", escaped(shown.title)},

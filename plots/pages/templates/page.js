@@ -33,6 +33,12 @@ for (const table of document.querySelectorAll("main table:not(.values)")) {
   table.classList.add("cards");
 }
 
+// A table that is wider than its place says that it scrolls.
+const wide = new ResizeObserver((entries) => {
+  for (const { target } of entries) target.classList.toggle("cut", target.scrollWidth > target.clientWidth + 1);
+});
+for (const place of document.querySelectorAll(".scroll")) wide.observe(place);
+
 // A link to a part that is folded opens it.
 const unfold = () => {
   const part = document.getElementById(decodeURIComponent(location.hash.slice(1)));

@@ -131,9 +131,9 @@ class Player {
     this.tracks.forEach((track, place) => this.find("tracks").append(this.checkbox(track, place)));
   }
 
-  // Stands where a lesson wants it, with its settings made.
+  // Stands where a page wants it, with its settings made.
   start({ time, speed, gain, overlaid, chatter }) {
-    this.find("speed").value = speed;
+    if (speed) this.find("speed").value = speed;
     this.find("gain").value = Math.round(50 * Math.log10(gain));
     this.find("view").value = overlaid ? "over" : "side";
     this.find("chatter").checked = chatter;
@@ -509,6 +509,7 @@ class Player {
     }
     parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, contacts[k].side, track.colour));
     for (const ends of this.restraints) this.drawRestraint({ pen, x, y }, parts, ends);
+    parts.forEach((part, k) => this.drawMass({ pen, x, y }, this.stack.centre(part, k), track.colour));
     if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale, left }, track, parts, contacts);
   }
 
@@ -601,6 +602,26 @@ class Player {
     pen.font = "11px 'DejaVu Sans', sans-serif";
     pen.textAlign = "right";
     pen.fillText("weight", bar + 4, y(0) - full - 5);
+  }
+
+  // A centre of mass: a circle in quarters, two of them filled.
+  drawMass({ pen, x, y }, [a, c], colour) {
+    const radius = 5, quarter = Math.PI / 2;
+    pen.beginPath();
+    pen.arc(x(a), y(c), radius, 0, 4 * quarter);
+    pen.fillStyle = "#fff";
+    pen.fill();
+    pen.beginPath();
+    for (const from of [0, 2]) {
+      pen.moveTo(x(a), y(c));
+      pen.arc(x(a), y(c), radius, from * quarter, (from + 1) * quarter);
+    }
+    pen.fillStyle = pen.strokeStyle = colour;
+    pen.fill();
+    pen.lineWidth = 1;
+    pen.beginPath();
+    pen.arc(x(a), y(c), radius, 0, 4 * quarter);
+    pen.stroke();
   }
 
   // The centre of pressure of a closed face: a ring, and how far it has come from the face's middle to its end.

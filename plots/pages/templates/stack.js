@@ -34,6 +34,12 @@ class Stack {
     });
   }
 
+  // Where the centre of mass of a block in its place is.
+  centre(part, k) {
+    const [x, y] = this.offset[k];
+    return plus(part.base, turned(x, y + this.half[k][1], part.angle));
+  }
+
   // The blocks of a track with their angles enlarged to `angles`; flights and falls keep their size.
   place(track, time, angles) {
     const slips = track.slips(time), places = track.places(time), real = track.angles(time);
