@@ -79,72 +79,115 @@ void require_standing(const Measurement& measured, const Scene& scene, const Nod
   }
 }
 
-}  // namespace
+std::array<double, 2> read_point(const Node& node, const MeasuredTable& said) {
+  const std::vector<double> at = numbers(node);
+  if (at.size() != 2) throw wrong_value(node, "[x, y] in m, from the block's middle");
+  if (said.columns.size() != 1) throw wrong_value(node, "left out where there are several columns");
+  return {at[0], at[1]};
+}
 
-Measurement read_measurement(const Node& table, const std::filesystem::path& folder, const Scene& scene) {
+MeasuredTable read_measured_table(const Node& table, const Scene& scene) {
+  MeasuredTable said;
+  said.scene = &scene;
   require_table(table, measured_keys);
-  Measurement measured;
-  const Node& file = required(table, "file", "a CSV file");
+  required(table, "file", "a CSV file");
   const Node& column = required(table, "column", "the name of a column");
-  measured.file = text(file);
-  measured.columns = names_of_columns(column);
-  if (const Node* block = find(table, "block"))
-    measured.first_block =
-        static_cast<std::size_t>(whole_number(*block, 1, static_cast<double>(scene.blocks.size()))) - 1;
-  if (measured.first_block + measured.columns.size() > scene.blocks.size())
+  read_members(table, measured_keys, said);
+  if (said.block + said.columns.size() > scene.blocks.size() + 1)
     throw wrong_value(column, "as many names as there are blocks from `block` up, or fewer");
-  if (const Node* point = find(table, "point")) {
-    const std::vector<double> at = numbers(*point);
-    if (at.size() != 2) throw wrong_value(*point, "[x, y] in m, from the block's middle");
-    if (measured.columns.size() != 1) throw wrong_value(*point, "left out where there are several columns");
-    measured.point = {at[0], at[1]};
-  }
-  const std::optional<double> stated = stated_factor(find(table, "unit"), measured.point.has_value());
-  const Node* time = find(table, "time");
-  if (!std::filesystem::exists(folder / measured.file))
-    throw wrong_value(file, "a CSV file, none is at " + one_line((folder / measured.file).string()));
-  const std::string name = (folder / measured.file).string();
+  return said;
+}
+
+/// What the columns of a file hold: times in s, and readings in rad or m, a list a column.
+struct Readings {
+  std::vector<double> times;
+  std::vector<std::vector<double>> columns;
+  double factor = 1;       ///< to rad or m
+  bool says_unit = false;  ///< whether the file or the table does
+};
+
+Readings read_columns_of(const std::string& name, const MeasuredTable& said) {
   const std::string text_of_file = records::plain_text(name, file_text(name));
-  const std::string time_name = time == nullptr ? "time" : text(*time);
-  std::vector<std::string> names = measured.columns;
-  names.push_back(time_name);
+  std::vector<std::string> names = said.columns;
+  names.push_back(said.time);
   records::check_last_line(name, text_of_file);
-  const records::RecordTable readings = records::read_titled(name, text_of_file, names);
-  readings.check_even(false);
-  const std::size_t time_column = column_named(readings, time_name);
-  const auto quantity = measured.point ? records::Quantity::displacement : records::Quantity::angle;
-  std::vector<std::vector<double>> columns{readings.column(time_column, true)};
-  const double time_factor =
-      own_factor(readings, time_column, records::Quantity::time, std::nullopt).value_or(1);
-  for (double& at : columns[0]) at *= time_factor;
-  double factor = 1;
-  bool own = false;
-  for (const std::string& one : measured.columns) {
-    const std::size_t index = column_named(readings, one);
-    const std::optional<double> unit = own_factor(readings, index, quantity, stated);
-    factor = unit.value_or(stated.value_or(1));
-    own = own || unit;
-    columns.push_back(readings.column(index, true));
-    for (double& value : columns.back()) value = factor * value;
+  const records::RecordTable table = records::read_titled(name, text_of_file, names);
+  table.check_even(false);
+  const std::optional<double> stated = stated_factor(said.unit, said.point.has_value());
+  const std::size_t time = column_named(table, said.time);
+  Readings readings{.times = table.column(time, true), .columns = {}, .says_unit = stated.has_value()};
+  const double time_factor = own_factor(table, time, records::Quantity::time, std::nullopt).value_or(1);
+  for (double& at : readings.times) at *= time_factor;
+  const auto quantity = said.point ? records::Quantity::displacement : records::Quantity::angle;
+  for (const std::string& one : said.columns) {
+    const std::size_t index = column_named(table, one);
+    const std::optional<double> unit = own_factor(table, index, quantity, stated);
+    readings.factor = unit.value_or(stated.value_or(1));
+    readings.says_unit = readings.says_unit || unit;
+    readings.columns.push_back(table.column(index, true));
+    for (double& value : readings.columns.back()) value = readings.factor * value;
   }
-  if (const Node* node = find(table, "uncertainty")) measured.uncertainty = factor * number_above_zero(*node);
-  const double start = number_or(table, "start", 0);
-  for (std::size_t i = 0; i < columns[0].size(); ++i) {
-    const double at = columns[0][i] - start;
-    if (!(i == 0 || columns[0][i] > columns[0][i - 1]) || std::isnan(at))
+  return readings;
+}
+
+/// Adds the readings within the scene's time, row by row.
+void add_readings(const Readings& readings, const MeasuredTable& said, const Node& file,
+                  Measurement& measured) {
+  const std::vector<double>& times = readings.times;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double at = times[i] - said.start;
+    if (!(i == 0 || times[i] > times[i - 1]) || std::isnan(at))
       throw wrong_value(
           file, "a file with times that ascend, those of its reading " + std::to_string(i + 1) + " do not");
-    if (at < 0 || at > scene.duration) continue;
+    if (at < 0 || at > said.scene->duration) continue;
     measured.times.push_back(at);
-    for (std::size_t k = 1; k < columns.size(); ++k) measured.values.push_back(columns[k][i]);
+    for (const std::vector<double>& column : readings.columns) measured.values.push_back(column[i]);
   }
   if (measured.times.empty()) throw wrong_value(file, "a file with readings within the scene's duration");
-  if (measured.times.size() == 1 && columns[0].size() > 1)
+  if (measured.times.size() == 1 && times.size() > 1)
     throw wrong_value(
         file,
         "a file with more than one reading within the scene's duration: times in ms must say so, as in "
         "\"time (ms)\"");
-  if (!measured.point && !stated && !own) require_standing(measured, scene, column);
+}
+
+}  // namespace
+
+const KeysOf<MeasuredTable> measured_keys{
+    "[measured]",
+    "what a test of a scene has measured, for `rockstack fit` and `compare`",
+    {{"file", "\"test.csv\"", "", "a file of columns beside the scene, with titles", required_key,
+      "the readings", &MeasuredTable::file},
+     {{"column", "\"theta_1\"", "", "a name, or an array of one for each block from `block` up", required_key,
+       "of the readings: angles, or displacements of a point"},
+      [](const Node& node, MeasuredTable& said) { said.columns = names_of_columns(node); }},
+     {"time", "\"time\"", "", "a name", "\"time\"",
+      "of the column of times, ascending, in s or the unit of its title or header", &MeasuredTable::time},
+     {"start", "0.0", "s", any_number, "time of the file at which the scene starts", &MeasuredTable::start},
+     {{"unit", "\"rad\"", "", "\"rad\", \"mrad\", \"deg\"; of a point \"m\", \"cm\" or \"mm\"",
+       "that of the title or header, or else \"rad\", of a point \"m\"", "of the readings"},
+      [](const Node& node, MeasuredTable& said) { said.unit = &node; }},
+     {{"block", "1", "", "the number of a block", "1", "that the first column is of"},
+      [](const Node& node, MeasuredTable& said) {
+        said.block =
+            static_cast<std::size_t>(whole_number(node, 1, static_cast<double>(said.scene->blocks.size())));
+      }},
+     {{"point", "[0.0, 0.5]", "m", "two numbers", "none: angles",
+       "of the block, from its middle to the right and up, whose way along the ground is measured"},
+      [](const Node& node, MeasuredTable& said) { said.point = read_point(node, said); }},
+     {{"uncertainty", "0.001", "rad or m", "> 0", no_default, "standard deviation of a reading, in `unit`"},
+      [](const Node& node, MeasuredTable& said) { said.uncertainty = number_above_zero(node); }}}};
+
+Measurement read_measurement(const Node& table, const std::filesystem::path& folder, const Scene& scene) {
+  const MeasuredTable said = read_measured_table(table, scene);
+  const Node& file = *find(table, "file");
+  const std::string name = (folder / said.file).string();
+  if (!std::filesystem::exists(name)) throw wrong_value(file, "a CSV file, none is at " + one_line(name));
+  Measurement measured{said.file, said.columns, said.block - 1, said.point, {}, {}};
+  const Readings readings = read_columns_of(name, said);
+  if (said.uncertainty) measured.uncertainty = readings.factor * *said.uncertainty;
+  add_readings(readings, said, file, measured);
+  if (!said.point && !readings.says_unit) require_standing(measured, scene, *find(table, "column"));
   return measured;
 }
 

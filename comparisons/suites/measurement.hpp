@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "analytic/scene/history.hpp"
-#include "analytic/scene/input/fields.hpp"
+#include "analytic/scene/input/key.hpp"
 #include "analytic/scene/scene.hpp"
 
 namespace rockstack {
@@ -23,23 +23,20 @@ struct Measurement {
   bool is_motion(std::size_t blocks) const;
 };
 
-/// Every key of the table [measured] of a scene file.
-inline const KeyTable measured_keys{
-    "[measured]",
-    "what a test of a scene has measured, for `rockstack fit` and `compare`",
-    {{"file", "\"test.csv\"", "", "a file of columns beside the scene, with titles", required_key,
-      "the readings"},
-     {"column", "\"theta_1\"", "", "a name, or an array of one for each block from `block` up", required_key,
-      "of the readings: angles, or displacements of a point"},
-     {"time", "\"time\"", "", "a name", "\"time\"",
-      "of the column of times, ascending, in s or the unit of its title or header"},
-     {"start", "0.0", "s", "any number", "0", "time of the file at which the scene starts"},
-     {"unit", "\"rad\"", "", "\"rad\", \"mrad\", \"deg\"; of a point \"m\", \"cm\" or \"mm\"",
-      "that of the title or header, or else \"rad\", of a point \"m\"", "of the readings"},
-     {"block", "1", "", "the number of a block", "1", "that the first column is of"},
-     {"point", "[0.0, 0.5]", "m", "two numbers", "none: angles",
-      "of the block, from its middle to the right and up, whose way along the ground is measured"},
-     {"uncertainty", "0.001", "rad or m", "> 0", no_default, "standard deviation of a reading, in `unit`"}}};
+/// What the table [measured] of a scene file says of a test.
+struct MeasuredTable {
+  const Scene* scene = nullptr;  ///< that was tested
+  std::string file, time = "time";
+  std::vector<std::string> columns;
+  double start = 0;                                 ///< s
+  std::size_t block = 1;                            ///< number of that of the first column
+  std::optional<std::array<double, 2>> point = {};  ///< m
+  const Node* unit = nullptr;                       ///< of the readings: of angles, or of a point's way
+  std::optional<double> uncertainty = {};           ///< in that unit
+};
+
+/// Every key of it.
+extern const KeysOf<MeasuredTable> measured_keys;
 
 /// Reads the table [measured] of a scene; its file is seen from `folder`. Readings before the start or after
 /// the scene's duration are left out.
