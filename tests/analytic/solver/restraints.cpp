@@ -168,7 +168,6 @@ TEST(Restraints, YieldingTakesTheForceTimesTheLengthDrawn) {
     given.yield = 3e4;
     scene.restraints = {given};
     const History history = solve(scene);
-    std::cerr << testing::listing(history);
     const auto at = [&](EventKind kind) { return *std::ranges::find(history.events, kind, &Event::kind); };
     const Event yields = at(EventKind::yield), unloads = at(EventKind::unload), slack = at(EventKind::slack);
     const auto stretch = [&](const Event& event) {
