@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "analytic/scene/wall.hpp"
-
 namespace rockstack {
 
 Block make_block(double width, double height, double density) {
@@ -31,16 +29,6 @@ double slenderness(const Scene& scene, int block) {
 double balance_angle(const Scene& scene, int block, int side) {
   const Block& own = scene.blocks[block];
   return std::atan2(interface_half_width(scene, block) - side * own.offset_x, own.half_height + own.offset_y);
-}
-
-double wall_restitution(const Scene& scene) {
-  if (scene.wall.restitution) return *scene.wall.restitution;
-  const Block& block = scene.blocks.front();
-  const double wide = block.half_width * block.half_width, high = block.half_height * block.half_height;
-  const double about_corner = block.inertia + block.mass * (wide + high);
-  const double at_ground = (block.inertia + block.mass * (high - wide)) / about_corner;
-  const double at_wall = (block.inertia + block.mass * (wide - high)) / about_corner;
-  return at_ground * at_ground * std::max(0.0, -at_wall);
 }
 
 double toppling_angle(const Scene& scene, int block) {

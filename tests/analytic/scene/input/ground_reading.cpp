@@ -120,9 +120,10 @@ TEST(GroundReading, RecordAndSamplesExcludeEachOther) {
 }
 
 TEST(GroundReading, OneSourceIsNeeded) {
-  EXPECT_EQ(error_in(""),
-            "scene.toml:13: ground.horizontal.record: missing, must be given, or samples and interval, a pulse, "
-            "synthetic or velocity_steps in its place");
+  EXPECT_EQ(
+      error_in(""),
+      "scene.toml:13: ground.horizontal.record: missing, must be given, or samples and interval, a pulse, "
+      "synthetic or velocity_steps in its place");
   EXPECT_EQ(error_in("samples = [1]\n"),
             "scene.toml:13: ground.horizontal.interval: missing, must be a number");
   EXPECT_EQ(error_in("samples = []\ninterval = 1\n"),
