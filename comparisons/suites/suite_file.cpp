@@ -107,15 +107,18 @@ std::vector<SceneChange> read_vary(const Node& root, SceneChange changes) {
   return list;
 }
 
-PaperScenes read_statements(const Node& table, const Suite& suite) {
+/// The name of a scene that may stand for one of the paper's.
+std::string paper_scene(const Node& node, const Suite& suite) {
+  for (const NamedScene& named : suite.scenes)
+    if (named.name == text(node) && named.scene.blocks.size() == 2) return node.text;
+  throw wrong_value(node, "the name of a scene of the suite with two blocks");
+}
+
+void read_statements(const Node& table, Suite& suite) {
   require_table(table, statements_keys);
-  const auto scene = [&](const char* key) {
-    const Node& node = required(table, key, "the name of a scene of the suite");
-    for (const NamedScene& named : suite.scenes)
-      if (named.name == text(node) && named.scene.blocks.size() == 2) return node.text;
-    throw wrong_value(node, "the name of a scene of the suite with two blocks");
-  };
-  return {scene("free"), scene("shaken")};
+  for (const InputKey& key : statements_keys.keys) required(table, key.name, key.range);
+  suite.statements.emplace();
+  read_members(table, statements_keys, suite);
 }
 
 constexpr const char* trajectory_files = "an array of at least one CSV file";
@@ -213,11 +216,13 @@ const KeysOf<TrajectoryTable> trajectory_keys{
      {{"scene", "\"scene\"", "", "the name of a scene of the suite", "its only scene", "of which it is"},
       [](const Node& node, TrajectoryTable& asked) { asked.scene = &node; }}}};
 
-const KeyTable statements_keys{
+const KeysOf<Suite> statements_keys{
     "[statements]",
     "the paper's two examples among the scenes, each of two blocks",
-    {{"free", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 18 to 20"},
-     {"shaken", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 21 and 22"}}};
+    {{{"free", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 18 to 20"},
+      [](const Node& node, Suite& suite) { suite.statements->free = paper_scene(node, suite); }},
+     {{"shaken", "\"scene\"", "", "the name of a scene of the suite", required_key, "of Figs. 21 and 22"},
+      [](const Node& node, Suite& suite) { suite.statements->shaken = paper_scene(node, suite); }}}};
 
 Scene Variant::apply(Scene scene) const {
   if (choice == Choice::linear) scene.equations = Equations::linear;
@@ -290,7 +295,7 @@ Suite read_suite(const std::filesystem::path& file, const std::vector<std::strin
   suite.left_out = std::move(engines.left_out);
   if (const Node* array = find(root, "trajectories"))
     std::ranges::move(read_trajectories(*array, suite, file.parent_path()), std::back_inserter(suite.series));
-  if (const Node* table = find(root, "statements")) suite.statements = read_statements(*table, suite);
+  if (const Node* table = find(root, "statements")) read_statements(*table, suite);
   require_engines(root);
   return suite;
 }

@@ -32,7 +32,7 @@ extern const KeysOf<EngineTable> engine_keys;
 extern const KeysOf<TrajectoryTable> trajectory_keys;
 extern const KeysOf<Replicates> replicates_keys;
 extern const KeysOf<Perturbations> perturbations_keys;
-extern const KeyTable statements_keys;
+extern const KeysOf<Suite> statements_keys;
 
 /// All tables of a suite file, in the order of a file.
 inline constexpr std::initializer_list<const KeyTable*> suite_tables{
