@@ -110,7 +110,7 @@ TEST(ProvedBlock, ImpactsAreThoseOfItsEnergyIntegralToFiftyDigits) {
 // Flights become a geometric series: past the nth its rest is η/(1 − η) of it, but for a share of some
 // amplitude.
 TEST(ProvedBlock, RestsWhereItsQuarterSwingsAddUp) {
-  const Proof proof = proved(block_scene, {.bits = 400, .slow_speed = 1e-9});
+  const Proof proof = proved(block_scene, {.bits = 640, .slow_speed = 1e-9});
   ASSERT_TRUE(proof.whole);
   EXPECT_EQ(proof.end, "the stack rests for ever");
   ASSERT_EQ(proof.events.back().kind, EventKind::accumulation);
