@@ -179,7 +179,7 @@ struct Scene {
   std::vector<Block> blocks;  ///< bottom to top, 1 … max_blocks
   /// Coulomb's coefficient of each interface, upwards, 0 … largest_friction; none: largest_friction.
   std::vector<double> friction = {};
-  /// Coefficient of each interface that slides, 0 … its friction; none: its friction. Law `unilateral` alone.
+  /// Coefficient of each interface that slides, 0 … its friction; none: its friction. Not law `compliant`.
   std::vector<double> kinetic_friction = {};
   double point_restitution = 0;  ///< coefficient e of all contact points, 0 … 1; law `unilateral` alone
   RestitutionLaw restitution_law = RestitutionLaw::newton;  ///< of that coefficient

@@ -285,6 +285,8 @@ void add_parts(const Scene& scene, const History& exact, const CandidateMotion& 
     const History rigid =
         solve(with_rigid_contacts(scene, candidate.friction), {.sample_times = candidate.history.times});
     SoftMotion soft{rigid};
+    if (!rigid_engine && !scene.kinetic_friction.empty())
+      throw std::runtime_error("contact.kinetic_friction: springs have one coefficient");
     if (!rigid_engine) {
       soft = soft_motion(scene, candidate.friction, corner_of(*candidate.bodies->contacts),
                          candidate.history.times);

@@ -69,7 +69,7 @@ const std::vector<KeyCase> cases{
     {&contact_keys,
      "kinetic_friction",
      "0.05",
-     {unilateral, slippery, {&initial_keys, "slip_velocities", "[0.5]"}}},
+     {unilateral, {&contact_keys, "friction", "0.4"}, {&initial_keys, "slip_velocities", "[0.5]"}}},
     {&wall_keys, "side", "\"right\"", {{&initial_keys, "angles", "[0.0]"}}},
     {&wall_keys, "restitution", "0.2"},
     {&contact_keys, "restitution", "0.5", {unilateral, {&initial_keys, "gaps", "[0.1]"}}},

@@ -113,7 +113,7 @@ inline const KeysOf<Scene> contact_keys{
        UsualNumbers{0.01, largest_friction, true}},
       [](const Node& node, Scene& scene) { scene.friction = each_interface(node, scene); }},
      {{"kinetic_friction", "0.4", "",
-       "a number from 0 to friction, or one for each block; law \"unilateral\"", "friction",
+       "a number from 0 to friction, or one for each block; not law \"compliant\"", "friction",
        "the coefficient of what slides, and of impulses; of engines that have a second one",
        UsualNumbers{0.01, largest_friction, true}},
       [](const Node& node, Scene& scene) { scene.kinetic_friction = each_interface(node, scene); }},

@@ -219,6 +219,7 @@ Scene with_rigid_contacts(Scene scene, const std::vector<double>& friction) {
   scene.law = Law::unilateral;
   scene.equations = Equations::nonlinear;
   scene.friction = friction;
+  scene.kinetic_friction.clear();
   scene.springs = {};
   scene.initial.preloaded = true;
   return scene;

@@ -84,7 +84,7 @@ TEST(TwoCoefficients, ASlidingBlockUnderAPulseStartsAndStopsWhereItsEquationSays
   EXPECT_EQ(history.events.size(), 2U);
 }
 
-// Under a rectangle: it starts at once, and slides A t₀²/2 (A/(μ g) − 1).
+// Under a rectangle it starts at once, and slides A t₀²/2 (A/(μ g) − 1).
 TEST(TwoCoefficients, ABlockUnderARectangularPulseSlidesByTheKineticOne) {
   Scene scene = with_coefficients(flat_block(2), 0.5, 0.2);
   const double g = scene.gravity, a = 0.6 * g, length = 0.4;

@@ -59,13 +59,15 @@ TEST(SceneErrors, FrictionAndSlip) {
        "scene.toml:13: contact.friction.2 = 10000: must be a number from 0 to 1000"},
       {12, "[contact]\nfriction = [0.1]",
        "scene.toml:13: contact.friction = an array of 1: must be a number, or as many as there are blocks, 2"},
-      {12, "law = \"unilateral\"\n[contact]\nfriction = 0.3\nkinetic_friction = [0.2, 0.4]",
-       "scene.toml:15: contact.kinetic_friction.2 = 0.4: must be at most contact.friction, 0.3 there"},
+      {12, "[contact]\nfriction = 0.3\nkinetic_friction = [0.2, 0.4]",
+       "scene.toml:14: contact.kinetic_friction.2 = 0.4: must be at most contact.friction, 0.3 there"},
+      {1,
+       "duration = 5\nlaw = \"compliant\"\ncontact = { stiffness = 1e9, friction = 0.4, kinetic_friction = 0.2 "
+       "}",
+       "scene.toml:3: contact.kinetic_friction.1 = 0.2: must be that of contact.friction under law compliant, "
+       "where springs along a face would jump as it slides"},
       {12, "[wall]\nside = \"left\"",
-       "scene.toml:13: wall = a table: must be left out where a stack has 2 blocks: a wall is beside one"},
-      {12, "[contact]\nkinetic_friction = 0.2",
-       "scene.toml:13: contact.kinetic_friction.1 = 0.2: must be that of contact.friction under law consistent, "
-       "where nothing slides: say law = \"unilateral\""},
+       "scene.toml:12: wall = a table: must be left out where a stack has 2 blocks: a wall is beside one"},
       {12, "[contact]\nfriction = \"high\"", "scene.toml:13: contact.friction = \"high\": must be a number"},
       {12, "[contact]\nrestitution = 1.5",
        "scene.toml:13: contact.restitution = 1.5: must be a number from 0 to 1"},
