@@ -76,7 +76,7 @@ class Dopri5 {
       : stepper_(boost::numeric::odeint::make_controlled(tolerance, tolerance, Base())) {}
 
   void restart(const Stretch<N>& stretch, double offset, const Values<N>& values) {
-    const Point<double> ground = stretch.piece->at(offset);
+    const Point<double> ground = stretch.piece->at(offset).ground;
     const bool goes_on = values == end_ && stretch.chain->pattern() == pattern_ &&
                          (ground - ground_).cwiseAbs().maxCoeff() < continuous_ground;
     stretch_ = stretch;
@@ -98,7 +98,7 @@ class Dopri5 {
       length_ = tried = length;
     length_ = std::max(length, length_);
     if (tried == left) to_ = limit;
-    ground_ = stretch_.piece->at(to_);
+    ground_ = stretch_.piece->at(to_).ground;
     return to_;
   }
 
