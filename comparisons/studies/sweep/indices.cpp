@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/csv.hpp"

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "analytic/scene/input/toml_reader.hpp"
 #include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
