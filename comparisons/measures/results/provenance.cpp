@@ -9,6 +9,7 @@
 #include "analytic/scene/input/page_scene.hpp"
 #include "analytic/scene/input/scene_file.hpp"
 #include "analytic/scene/input/toml_reader.hpp"
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/measures/results/build.hpp"
 
 namespace rockstack {
