@@ -86,7 +86,7 @@ class Solver {
   void follow(DenseOutput<Real, N>& output, const ExcludedEvents& cleared = {}) {
     ties_.keep_fresh_open(output);
     if (scene_.wall.side != 0)  // never opens there
-      (scene_.wall.side < 0 ? output.margins[0].left : output.margins[0].right) = {Real(1)};
+      (scene_.wall.side < 0 ? output.margins[0].left : output.margins[0].right) = Polynomial<Real>{Real(1)};
     FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
     RestraintChange<Real> change;
     if (!model_.restraints.empty()) change = rockstack::first_change(model_.restraints, output.lengths);

@@ -117,8 +117,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SolverAgainstProof,
                                            Held{"squat-top", 6, 0}, Held{"housner-block", 33, 0},
                                            Held{"three-drums", 9, 0}, Held{"drum-column", 6, 0},
                                            Held{"spanos-el-centro", 41, 1e-16}),
-                         [](const auto& info) {
-                           std::string name = info.param.scene;
+                         [](const auto& held) {
+                           std::string name = held.param.scene;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
