@@ -240,6 +240,9 @@ class WorkerTest(unittest.TestCase):
                    "offset_x": 0.2, "offset_y": -0.1},
                   {"x": 0.05, "y": 1.45, "angle": -0.05, "width": 1.0, "height": 1.0, "mass": 1.0, "inertia": 0.2,
                    "offset_x": -0.1, "offset_y": 0.3}]
+        for block in blocks:  # from the middle to the centre of mass
+            c, s, x, y = np.cos(block["angle"]), np.sin(block["angle"]), block["offset_x"], block["offset_y"]
+            block["x"], block["y"] = block["x"] + x * c + y * s, block["y"] + y * c - x * s
         worker = rockstack.Worker()
         worker._begin({"blocks": [{"velocity_x": 0, "velocity_y": 0, "angular_velocity": 0, **block} for block in blocks],
                        "friction": [0.3, 0.4], "dt": 0.01, "parameters": {}})
