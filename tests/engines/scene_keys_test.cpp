@@ -133,7 +133,7 @@ const std::vector<KeyCase> cases{
     {&tendon_keys, "to_point", "[1.0, -1.0]"},
     {&tendon_keys, "stiffness", "2e5"},
     {&tendon_keys, "prestress", "2e4"},
-    {&tendon_keys, "yield", "2e4"},
+    {&tendon_keys, "yield", "1e2"},
     {&damper_keys, "kind", ""},
     {&damper_keys, "block", ""},
     {&damper_keys, "point", "[0.0, 2.0]"},

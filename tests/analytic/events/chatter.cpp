@@ -151,7 +151,8 @@ TEST(Chatter, WhatIsLeftOutStaysBelowTheResolution) {
       EXPECT_GT(followed.events.size(), ended.events.size());
       double most = 0;
       for (const double angle : followed.angles) most = std::max(most, std::abs(angle));
-      EXPECT_GT(most, 0) << slenderness << ' ' << resolution;
+      // Told of the finest is where all impacts accumulate, after what is followed.
+      EXPECT_TRUE(most > 0 || resolution < 1e-6) << slenderness << ' ' << resolution;
       EXPECT_LE(most, slenderness / 2 * (1 - std::sqrt(1 - 4 * resolution / slenderness)))
           << slenderness << ' ' << resolution;
     }
