@@ -80,6 +80,9 @@ struct Held {
   const char* scene;
   double time_units, angle;
 };
+void PrintTo(const Held& held, std::ostream* out) {
+  *out << held.scene;
+}
 
 class SolverAgainstProof : public ::testing::TestWithParam<Held> {};
 
