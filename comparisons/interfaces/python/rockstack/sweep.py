@@ -180,7 +180,9 @@ def sobol_indices(outcomes: ArrayLike, keys: Sequence[str]) -> SobolIndices:
     points = values.reshape(-1, *values.shape[-2:])
     kept = np.isfinite(points).all(axis=-1)
     shares = np.array([_core.sobol_indices(point[of]) for point, of in zip(points, kept)]).reshape(*values.shape[:-2], len(keys), 6)
-    return SobolIndices(list(keys), *np.moveaxis(shares, -1, 0).copy(), samples=kept.sum(axis=-1).reshape(values.shape[:-2]))
+    first, first_lower, first_upper, total, total_lower, total_upper = np.moveaxis(shares, -1, 0).copy()
+    return SobolIndices(list(keys), first, first_lower, first_upper, total, total_lower, total_upper,
+                        kept.sum(axis=-1).reshape(values.shape[:-2]))
 
 
 @dataclass(frozen=True)
