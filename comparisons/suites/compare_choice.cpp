@@ -1,5 +1,7 @@
 #include "comparisons/suites/compare_choice.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 
@@ -36,7 +38,8 @@ void refuse(const SceneChoice& choice, const std::string& study, const std::stri
       {!choice.trajectories.empty(), "trajectory " + all(choice.trajectories, name)}};
   for (const auto& [is_chosen, words] : chosen)
     if (is_chosen)
-      throw InputError(prefix + words + ": must be left out of " + study + ", a suite or study says its own");
+      throw InputError(
+          fmt::format("{}{}: must be left out of {}, a suite or study says its own", prefix, words, study));
 }
 
 void require_above_zero(const std::string& name, double value) {

@@ -74,7 +74,7 @@ std::vector<PrintPanel> panels_with_curves(const PrintSubject& subject, const st
 }
 
 /// Those asked for, in their order: "θ2", or "θ" for all blocks.
-std::vector<PrintPanel> chosen_panels(const PrintSubject& subject, std::vector<PrintPanel> all) {
+std::vector<PrintPanel> chosen_panels(const PrintSubject& subject, const std::vector<PrintPanel>& all) {
   const std::vector<std::string> asked =
       subject.style.panels.empty() ? std::vector<std::string>{"θ"} : subject.style.panels;
   std::vector<PrintPanel> chosen;
@@ -101,6 +101,7 @@ std::vector<PrintPanel> chosen_panels(const PrintSubject& subject, std::vector<P
 /// those that one panel bears.
 std::vector<std::string> choose_runs(std::vector<Run>& runs, std::vector<PrintPanel>& panels) {
   std::vector<std::vector<Curve>*> curves;
+  curves.reserve(panels.size());
   for (PrintPanel& panel : panels) curves.push_back(&panel.curves);
   std::vector<std::string> left_out = mapped(take_out_hidden(runs, curves), [](const std::string& label) {
     return label + ": lies on the exact motion";
@@ -192,6 +193,7 @@ Printed printed_motion(const PrintSubject& subject) {
   explain_shade(axis, legend);
   Sheet sheet = subject.sheet(legend);
   std::vector<GridPanel> grid;
+  grid.reserve(panels.size());
   for (PrintPanel& panel : panels)
     grid.push_back(grid_panel(sheet, std::move(panel), axis, style.from, grid.size()));
   add_grid(sheet, std::move(grid), runs);

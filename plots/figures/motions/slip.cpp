@@ -149,6 +149,7 @@ Drawing friction(const SceneSubject& subject) {
   const std::vector<SlipPanel> slips = read_slips(runs, scene.block_count(), end);
   panels.insert(panels.end(), slips.begin(), slips.end());
   std::vector<std::vector<Curve>*> curves;
+  curves.reserve(panels.size());
   for (SlipPanel& panel : panels) curves.push_back(&panel.curves);
   const std::vector<std::string> hidden = take_out_hidden(runs, curves);
   std::string answer = "Largest slips: ";
