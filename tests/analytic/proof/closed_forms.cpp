@@ -135,8 +135,8 @@ TEST(ProvedBlock, RestsWhereItsQuarterSwingsAddUp) {
 Ball energy(const Stack& stack, const Pattern& pattern, const ProvedEvent& event) {
   Ball sum, x, y, right, up;  // of the pivot: its place and velocity
   for (std::size_t k = 0; k < stack.size(); ++k) {
-    const auto [sine, cosine] = sine_cosine(event.angles[k], Ball());
-    const Ball& rate = event.rates[k];
+    const auto direction = sine_cosine(event.angles[k], Ball());
+    const Ball &sine = direction.sine, &cosine = direction.cosine, &rate = event.rates[k];
     const auto move = [&](const Ball& along, const Ball& across, Ball& px, Ball& py, Ball& vx, Ball& vy) {
       const Ball dx = along * cosine + across * sine;
       const Ball dy = across * cosine - along * sine;

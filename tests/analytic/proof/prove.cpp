@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
 
 #include "tests/analytic/proof/proved_table.hpp"
 
@@ -51,23 +50,24 @@ int run(const Arguments& arguments) {
 }  // namespace rockstack::proof
 
 int main(int argc, char** argv) {
-  rockstack::proof::Arguments arguments;
-  CLI::App app{"Proves when events of a scene happen, of laws of pivots, in exact inputs."};
-  app.add_option("scene", arguments.scene, "a scene file")->required()->check(CLI::ExistingFile);
-  app.add_option("--bits", arguments.options.bits, "of numbers")->check(CLI::Range(64, 100000));
-  app.add_option("--events", arguments.options.most_events, "at most so many");
-  app.add_option("--duration", arguments.duration, "in place of the scene's, s");
-  app.add_option("--slow", arguments.options.slow_speed,
-                 "chatter below this speed is summed up at once, rad/s");
-  app.add_option("--widening", arguments.options.widening, "room for a checker, 1: none")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--table", arguments.table, "a CSV file for events");
-  app.add_option("--certificate", arguments.certificate, "a JSON file for all inferences");
-  CLI11_PARSE(app, argc, argv);
   try {
+    rockstack::proof::Arguments arguments;
+    CLI::App app{"Proves when events of a scene happen, of laws of pivots, in exact inputs."};
+    app.add_option("scene", arguments.scene, "a scene file")->required()->check(CLI::ExistingFile);
+    app.add_option("--bits", arguments.options.bits, "of numbers")->check(CLI::Range(64, 100000));
+    app.add_option("--events", arguments.options.most_events, "at most so many");
+    app.add_option("--duration", arguments.duration, "in place of the scene's, s");
+    app.add_option("--slow", arguments.options.slow_speed,
+                   "chatter below this speed is summed up at once, rad/s");
+    app.add_option("--widening", arguments.options.widening, "room for a checker, 1: none")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--table", arguments.table, "a CSV file for events");
+    app.add_option("--certificate", arguments.certificate, "a JSON file for all inferences");
+    CLI11_PARSE(app, argc, argv);
     return rockstack::proof::run(arguments);
   } catch (const std::exception& error) {
-    std::cerr << arguments.scene << ": " << error.what() << '\n';
+    std::fputs(error.what(), stderr);
+    std::fputs("\n", stderr);
     return 2;
   }
 }

@@ -113,9 +113,10 @@ TEST(WebEngines, AmmoTellsWhatPressesAndHasNoCallForWhatRubs) {
   const Scene scene = block_held_by_friction();
   const double weight = scene.blocks[0].mass * scene.gravity;
   const std::vector<double> pressed = borne(*engine, scene, pressing);
+  const std::size_t half = pressed.size() / 2;
   double mean = 0;
-  for (std::size_t i = pressed.size() / 2; i < pressed.size(); ++i)
-    mean += pressed[i] / static_cast<double>(pressed.size() - pressed.size() / 2);
+  for (std::size_t i = half; i < pressed.size(); ++i)
+    mean += pressed[i] / static_cast<double>(pressed.size() - half);
   EXPECT_NEAR(mean, weight, 1e-2 * weight);
   EXPECT_EQ(borne(*engine, scene, rubbing).back(), 0);
 }

@@ -130,7 +130,7 @@ TEST(Sobol, OfAConstantOrASingleRowThereAreNoIndices) {
 TEST(Sobol, OfAHandfulOfEventsThereAreNoIndices) {
   for (const int events : {1, 3, 5, 8}) {
     std::vector<SobolSample> samples(500, {0, 0, {0}});
-    for (int i = 0; i < events; ++i) samples[static_cast<std::size_t>(40 * i)] = {1, 0, {0}};
+    for (int i = 0; i < events; ++i) samples[40 * static_cast<std::size_t>(i)] = {1, 0, {0}};
     EXPECT_EQ(std::isnan(sobol_indices(samples, 1)[0].total.value), events < 5) << events;
   }
 }
