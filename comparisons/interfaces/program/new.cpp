@@ -82,9 +82,11 @@ std::vector<Section> scene_sections(const std::optional<Record>& motion, const s
     if (limits == RecordLimits::none) sections.back().values["limits"] = toml_text("none");
   } else {
     sections.push_back({&harmonic_keys, {{"amplitude", "9.0"}, {"period", "0.4"}}});
-    sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
   }
-  sections.push_back({&surface_keys, {}, true});
+  sections.push_back({&initial_keys, {{"angles", "[0.0, 0.0]"}, {"velocities", "[0.0, 0.0]"}}, true});
+  for (const KeyTable* table : std::initializer_list<const KeyTable*>{
+           &ground_keys, &contact_keys, &wall_keys, &push_keys, &tendon_keys, &damper_keys, &surface_keys})
+    sections.push_back({table, {}, true});
   return sections;
 }
 

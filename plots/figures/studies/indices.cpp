@@ -147,9 +147,11 @@ Drawings indices(const FolderSubject& subject) {
         plots.list());
   }
   const std::size_t all = different(bars, &Bar::input).size();
+  std::string note = "dark: a key alone (first order); pale: with all others (total); lines: bounds of 95 %";
   if (all > inputs.size())
-    sheet.note(
-        fmt::format("{} more with smaller indices are in indices.csv", counted(all - inputs.size(), "key")));
+    note +=
+        fmt::format("; {} more with smaller indices are in indices.csv", counted(all - inputs.size(), "key"));
+  sheet.note(note);
   return {{"", sheet.finish()}};
 }
 
