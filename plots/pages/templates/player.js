@@ -437,6 +437,8 @@ class Player {
   // Each end is a block, from 1, 0 the ground, with a point from the middle of its lower face.
   drawRestraint({ pen, x, y }, parts, ends) {
     const [from, to] = ends.map(([block, a, c]) => block ? parts[block - 1].at(a, c) : [a, c]);
+    pen.strokeStyle = "#555";
+    pen.lineWidth = 1.5;
     pen.beginPath();
     pen.moveTo(x(from[0]), y(from[1]));
     pen.lineTo(x(to[0]), y(to[1]));
