@@ -28,10 +28,10 @@ enum class EventKind {
   part,   ///< a corner stops pushing
   // Again of laws that leave pivots:
   strike,  ///< a block meets the ground or one that it is not stacked on; the history ends
-  // Of all laws:
+  // Events of all laws:
   impulse,  ///< an impulse of a push, or a step of the ground's velocity; the lowest interface that it
             ///< changes
-  // Of restraints, by the block that they hold:
+  // Events of restraints, by the block that they hold:
   slack,   ///< a tendon goes slack
   taut,    ///< and pulls again
   yield,   ///< it yields

@@ -133,7 +133,7 @@ class Oscillator {
 };
 
 /// The largest acceleration from a time on, m/s²; of pulses at the ends of a thousand parts of what is left.
-/// Of steps the last one.
+/// For steps of velocity, the last, m/s.
 double largest_after(const GroundMotion& motion, double time) {
   if (!motion.steps.empty()) return std::abs(motion.steps.back().size);
   if (!motion.pulse) {

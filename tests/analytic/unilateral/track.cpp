@@ -112,10 +112,11 @@ class Sizes {
     for (const double rate : moment.rates) rate_ = std::max(rate_, std::abs(rate));
   }
   double deviation(const Moment& one, const Moment& other) const {
-    // Law `consistent` tells a closure where its impacts accumulate, law `unilateral` at the last one
-    // followed.
+    // Law `consistent`, which is `one`, tells a closure where its impacts accumulate, law `unilateral` at the
+    // last one followed: never later.
     const bool closes = one.kind == name(EventKind::closure) || one.kind == name(EventKind::rest);
-    double largest = closes ? 0 : std::abs(one.time - other.time) / time_;
+    double largest =
+        (closes ? std::max(0.0, other.time - one.time) : std::abs(one.time - other.time)) / time_;
     for (std::size_t i = 0; i < one.angles.size(); ++i)
       largest = std::max(largest, std::abs(one.angles[i] - other.angles[i]));
     for (std::size_t i = 0; i < one.rates.size(); ++i)
