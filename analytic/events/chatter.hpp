@@ -70,7 +70,7 @@ class EndOfChatter {
 
  private:
   /// The acceleration of all masses that has as much of Σ m|a|² as applied forces make of free blocks, m/s².
-  Real effect_of_forces(const State<Real, N>& state, const Loading<Real>& loading) const {
+  [[gnu::cold]] Real effect_of_forces(const State<Real, N>& state, const Loading<Real>& loading) const {
     const Directions<Real, N> directions = directions_at(model_, state.angles);
     const int size = model_.stack.size();
     Motion<Real, N> free{Points<Real, N>::Zero(2, size), Vector<Real, N>::Zero(size)};

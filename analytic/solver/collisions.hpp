@@ -52,17 +52,17 @@ class Collisions {
         resolution.closes = true;
       }
     if (resolution.closes)
-      resolution.chatter =
-          chatter_left(parting, solution.pattern, impact.before.angles, directions, piece.at(offset));
+      resolution.chatter = chatter_left(impact, parting, solution.pattern, directions, piece.at(offset));
     return resolution;
   }
 
   /// What follows impulses and steps of the ground's velocity: of what touches, the pattern that pushing
   /// impulses can bring about, by any law, as at the end of chatter. Where none is, the pattern stays, and
   /// says so.
-  Resolution<Real, N> kicked(const State<Real, N>& state, const Interfaces& touching,
-                             const Directions<Real, N>& directions, const GroundPiece<Real>& piece,
-                             const Loading<Real>& steps, Recorder<Real, N>& recorder) {
+  [[gnu::cold]] Resolution<Real, N> kicked(const State<Real, N>& state, const Interfaces& touching,
+                                           const Directions<Real, N>& directions,
+                                           const GroundPiece<Real>& piece, const Loading<Real>& steps,
+                                           Recorder<Real, N>& recorder) {
     const Model<Real, N>& model = upright_ ? *upright_ : model_;
     BeforeImpact<Real, N> before =
         upright_ ? before_impact(model, state) : before_impact(model, state, directions);
@@ -79,8 +79,8 @@ class Collisions {
 
  private:
   /// Strike of a block at its wall, which it leaves by the ratio of that, about the same corner.
-  PatternSolution<Real, N> strike(const Model<Real, N>& model, const Impact<Real, N>& impact,
-                                  const BeforeImpact<Real, N>& before) const {
+  [[gnu::cold]] PatternSolution<Real, N> strike(const Model<Real, N>& model, const Impact<Real, N>& impact,
+                                                const BeforeImpact<Real, N>& before) const {
     const Vector<Real, N> relative = Real(-wall_restitution(scene_)) * impact.before.velocities;
     const Pattern pattern = relative[0] == 0 ? closed_pattern(impact.before.size()) : impact.before.pattern;
     return solution_for(model, pattern, before.directions,
@@ -117,20 +117,21 @@ class Collisions {
       solution = *own;
   }
 
-  /// How long an interface goes on to chatter that parts as `parting` tells and is `closed` instead, s. With
-  /// u its speed, a what brings it back on either side and η the ratios of impacts there, 1 where it is
-  /// first, impacts come to their end after 2u (1/a₁ + η₁/a₂) / (1 − η₁ η₂), but for terms in u²: nothing but
-  /// that interface moves in so short a time. 0 where several chatter, or an impact would do more than throw
-  /// it.
-  Real chatter_left(const PatternSolution<Real, N>& parting, const Pattern& closed,
-                    const Vector<Real, N>& angles, const Directions<Real, N>& directions,
-                    const Loading<Real>& loading) const {
+  /// How long an interface goes on to chatter that parts from an impact as `parting` tells and is `closed`
+  /// instead, s. With u its speed, a what brings it back on either side and η the ratios of impacts there, 1
+  /// where it is first, impacts come to their end after 2u (1/a₁ + η₁/a₂) / (1 − η₁ η₂), but for terms in u²:
+  /// nothing but that interface moves in so short a time. 0 where several chatter, or an impact would do more
+  /// than throw it.
+  [[gnu::cold]] Real chatter_left(const Impact<Real, N>& impact, const PatternSolution<Real, N>& parting,
+                                  const Pattern& closed, const Directions<Real, N>& directions,
+                                  const Loading<Real>& loading) const {
     int slow = -1;
     for (int k = 0; k < parting.size(); ++k) {
       if (parting.pattern[k] == closed[k]) continue;
       if (slow >= 0) return 0;
       slow = k;
     }
+    const Vector<Real, N>& angles = impact.before.angles;
     const bool at_wall = scene_.wall.side != 0;  // all flights are to one side
     std::array<Real, 2> duration;                // of flights, for unit speed
     std::array<Real, 2> ratio;
@@ -138,7 +139,10 @@ class Collisions {
     for (std::size_t side = 0; side < 2; ++side) {
       const Real back = accelerations(model_, {pattern, angles, parting.relative}, directions, loading)[slow];
       duration[side] = -2 * Real(sign(pattern[slow])) / back;
-      ratio[side] = at_wall ? Real(wall_restitution(scene_)) : unit_ratio(pattern, angles, directions, slow);
+      ratio[side] = at_wall ? Real(wall_restitution(scene_))
+                    : side == 1 && pattern == impact.before.pattern && impact.impacting.count() == 1
+                        ? parting.relative[slow] / impact.before.velocities[slow]  // of that impact itself
+                        : unit_ratio(pattern, angles, directions, slow);
       if (!at_wall) pattern[slow] = opposite(pattern[slow]);
     }
     const bool ends = std::min(duration[0], duration[1]) > 0 && ratio[0] * ratio[1] < 1 &&
@@ -148,8 +152,8 @@ class Collisions {
   }
 
   /// What an impact of one interface alone leaves of its speed; −1 where it does more than throw that one.
-  Real unit_ratio(const Pattern& pattern, const Vector<Real, N>& angles,
-                  const Directions<Real, N>& directions, int interface) const {
+  [[gnu::cold]] Real unit_ratio(const Pattern& pattern, const Vector<Real, N>& angles,
+                                const Directions<Real, N>& directions, int interface) const {
     const Model<Real, N>& model = upright_ ? *upright_ : model_;
     Vector<Real, N> closing = Vector<Real, N>::Zero(pattern.size);
     closing[interface] = -Real(sign(pattern[interface]));

@@ -258,7 +258,8 @@ class Solver {
   }
 
   /// A tendon goes on in another stretch. Its force does not jump.
-  void change_restraint(const RestraintChange<Real>& change, const DenseOutput<Real, N>& output) {
+  [[gnu::cold]] void change_restraint(const RestraintChange<Real>& change,
+                                      const DenseOutput<Real, N>& output) {
     const auto i = static_cast<std::size_t>(change.restraint);
     RestraintLaw<Real>& law = model_.restraints[i];
     const EventKind kind = take(change, value(output.lengths[i], change.s), law);
@@ -266,7 +267,7 @@ class Solver {
   }
 
   /// Impulses and steps of the ground's velocity, after the impacts that rounding puts behind them.
-  void kick() {
+  [[gnu::cold]] void kick() {
     const Interfaces landing = landing_now();
     if (landing.any()) {
       collide(landing, nullptr);
@@ -284,7 +285,7 @@ class Solver {
   }
 
   /// Interfaces that are about to close by what time and angles round to.
-  Interfaces landing_now() const {
+  [[gnu::cold]] Interfaces landing_now() const {
     Interfaces result;
     for (int k = 0; k < state_.size(); ++k) {
       const Real side = Real(sign(state_.pattern[k]));

@@ -52,7 +52,6 @@ class AppliedSeries {
  public:
   using Point2 = PlaneVector<Real>;
 
-  AppliedSeries() = default;
   /// `sides`: signs of contacts; `step` in s.
   AppliedSeries(const Model<Real, N>& model, const PerBlock<Real, N>& sides, const Real& step)
       : foot_{sides[0] * model.stack.half_width[0], Real(0)} {
@@ -64,8 +63,6 @@ class AppliedSeries {
                              chain_point(model.stack, sides, law.to, law.to_arm),
                              {law, step}});
   }
-
-  bool empty() const { return pushes_.empty() && restraints_.empty(); }
 
   /// Order n of forces; takes their moments about all pivots from what the others leave.
   template <class Blocks>
@@ -157,7 +154,7 @@ class AppliedSeries {
     };
   }
 
-  Point2 foot_{};
+  Point2 foot_;
   std::vector<ChainPush> pushes_;
   std::vector<ChainRestraint> restraints_;
 };

@@ -30,10 +30,13 @@ class ChainSeries {
     bool margins;  ///< these and margin()
   };
 
-  /// From directions, and relative velocities times the step's length. Keeps a reference to `linkage`.
+  /// From directions, and relative velocities times the step's length. Keeps references to `linkage` and to the
+  /// forces that are applied, or null.
   ChainSeries(const Linkage<Real, N>& linkage, Equations equations, const Options& options,
-              const Directions& directions, const PerBlock<Real, N>& advances)
+              const Directions& directions, const PerBlock<Real, N>& advances,
+              AppliedSeries<Real, N>* applied = nullptr)
       : linkage_(linkage),
+        applied_(applied),
         linear_(equations != Equations::nonlinear),
         small_angles_(equations == Equations::small_angle),
         forces_(options.forces || options.margins),
@@ -43,13 +46,9 @@ class ChainSeries {
 
   std::size_t size() const { return linkage_.size(); }
 
-  /// Lets pushes and restraints of a model act. `sides`: signs of contacts; `step` in s.
-  void apply_forces(const Model<Real, N>& model, const PerBlock<Real, N>& sides, const Real& step) {
-    applied_ = {model, sides, step};
-  }
-  /// Lengths of restraints over so many orders.
-  std::vector<Polynomial<Real>> lengths(std::size_t orders_known) {
-    return applied_.lengths(orders_known, linkage_, blocks_);
+  /// Lengths of restraints over so many orders. Precondition: forces are applied.
+  std::vector<Polynomial<Real>> lengths(std::size_t orders_known) const {
+    return applied_->lengths(orders_known, linkage_, blocks_);
   }
 
   /// Makes the step `ratio` times as long, where order 0 is known, which goes with the length squared.
@@ -67,15 +66,17 @@ class ChainSeries {
       block.force[0] = square * block.force[0];
       if (margins_) block.reaction[0] *= square;
     }
-    if (!applied_.empty()) applied_.shorten(ratio, linkage_, blocks_);
+    if (applied_) applied_->shorten(ratio, linkage_, blocks_);
   }
 
   /// Computes (φ'')ₙ of all interfaces from all lower orders, 0 first.
   void extend(std::size_t n, const ScaledBodyForce<Real>& body_force) {
-    if constexpr (unrolled) {
+    if (applied_) {
+      extend_by<true>(n, body_force);
+    } else if constexpr (unrolled) {
       (this->*orders[n])(body_force);
     } else {
-      extend_by(n, body_force);
+      extend_by<false>(n, body_force);
     }
   }
 
@@ -141,8 +142,8 @@ class ChainSeries {
     mass_.factorise(linkage_, directions);
   }
 
-  /// Order n, a number or the constant of one.
-  template <class Order>
+  /// Order n, a number or the constant of one, of a chain with or without applied forces.
+  template <bool with_forces, class Order>
   void extend_by(Order n, const ScaledBodyForce<Real>& body_force) {
     const Point2 base_acceleration{n < body_force.x.terms ? -body_force.x[n] : Real(0),
                                    n < body_force.y.terms ? -body_force.y[n] : Real(0)};
@@ -154,7 +155,7 @@ class ChainSeries {
         size() > 1 ? n : std::min<std::size_t>(n, std::max(body_force.x.terms, body_force.y.terms));
     PerBlock<Real, N> known = known_moments(n, couplings, second_derivatives, base_acceleration);
     if (small_angles_) add_levers(n, body_force.y, known);
-    if (!applied_.empty()) applied_.extend(n, body_force.pushes, linkage_, blocks_, known);
+    if constexpr (with_forces) applied_->extend(n, body_force.pushes, linkage_, blocks_, known);
     PerBlock<Real, N> opposed;
     for (std::size_t k = 0; k < size(); ++k) opposed[k] = -known[k];
     const PerBlock<Real, N> relative = mass_.constrained.solve(opposed);
@@ -174,12 +175,13 @@ class ChainSeries {
       block.direction[n + 2] = linear_ ? none() : twice * second_derivatives[k];
     }
     couple(n, second_derivatives, base_acceleration);
-    if (forces_ && !applied_.empty()) applied_.add_forces(n, body_force.pushes, blocks_);
+    if constexpr (with_forces)
+      if (forces_) applied_->add_forces(n, body_force.pushes, blocks_);
   }
 
   template <std::size_t n>
   void extend_to(const ScaledBodyForce<Real>& body_force) {
-    extend_by(std::integral_constant<std::size_t, n>{}, body_force);
+    extend_by<false>(std::integral_constant<std::size_t, n>{}, body_force);
   }
 
   using Extend = void (ChainSeries::*)(const ScaledBodyForce<Real>&);
@@ -269,11 +271,11 @@ class ChainSeries {
   }
 
   const Linkage<Real, N>& linkage_;
+  AppliedSeries<Real, N>* applied_;
   bool linear_;        ///< without velocity terms
   bool small_angles_;  ///< of the linear equations, those of small angles
   bool forces_;
   bool margins_;
-  AppliedSeries<Real, N> applied_;
   PerBlock<Real, N> angles_;  ///< at the start, of small angles alone, rad
   std::array<BlockSeries<Real>, capacity(N)> blocks_;
   ChainMass<Real, N> mass_;  ///< at the start of the step

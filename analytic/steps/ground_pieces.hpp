@@ -66,7 +66,7 @@ class GroundPieces {
   /// Whether velocities change at once where the piece starts, and nobody has taken that yet.
   bool steps_now() const { return steps_now_; }
   /// By what they do.
-  Loading<Real> take_steps() {
+  [[gnu::cold]] Loading<Real> take_steps() {
     steps_now_ = false;
     Loading<Real> sum{step_at(scene_.horizontal), step_at(scene_.vertical)};
     for (const Push& push : scene_.pushes) sum.sizes[sum.pushes++] = step_at(push.force);
@@ -134,7 +134,7 @@ class GroundPieces {
     piece_.length = end_ - piece_.start;
   }
 
-  void follow_pushes_and_steps() {
+  [[gnu::cold]] void follow_pushes_and_steps() {
     for (std::size_t i = 0; i < piece_.pushes.size(); ++i) {
       follow(scene_.pushes[i].force, 0, push_samples_[i], piece_.pushes[i]);
       end_ = std::min(end_, piece_.pushes[i].end);

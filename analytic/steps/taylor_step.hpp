@@ -104,9 +104,10 @@ class TaylorSteps {
       start.advances[k] = state.velocities[k] * step;
       block_directions[k] = {directions.cosine[k], directions.sine[k]};
     }
+    std::optional<AppliedSeries<Real, N>> forces;
+    if (applied) forces.emplace(model_, start.sides, step);
     ChainSeries<Real, N> series(linkage, model_.equations, {forces_, watched.any()}, block_directions,
-                                start.advances);
-    if (applied) series.apply_forces(model_, start.sides, step);
+                                start.advances, applied ? &*forces : nullptr);
     series.extend(0, body_force);
     const Real ratio = start.landing(series);
     if (ratio < 1) {

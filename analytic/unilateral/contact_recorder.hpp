@@ -196,8 +196,8 @@ class ContactRecorder {
     FreeVector<Real> free =
         uniform<Real>(stack_.size(), Real(gravity.along - acceleration(scene_.horizontal, time)),
                       Real(-gravity.across - acceleration(scene_.vertical, time)));
-    add_pushes(stack_, state.bodies, loading_at<Real>(scene_, time), free);
-    add_restraints(stack_, state.bodies, free);
+    if (!stack_.pushes.empty()) add_pushes(stack_, state.bodies, loading_at<Real>(scene_, time), free);
+    if (!stack_.restraints.empty()) add_restraints(stack_, state.bodies, free);
     if (!springs.empty()) free += springs.accelerations(state.bodies);
     const ModeResponse<Real> response =
         respond<Real>({stack_, state.bodies, free, ContactLevel::accelerations}, state.joints);
