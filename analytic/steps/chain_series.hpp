@@ -30,8 +30,8 @@ class ChainSeries {
     bool margins;  ///< these and margin()
   };
 
-  /// From directions, and relative velocities times the step's length. Keeps references to `linkage` and to the
-  /// forces that are applied, or null.
+  /// From directions, and relative velocities times the step's length. Keeps references to `linkage` and to
+  /// the forces that are applied, or null.
   ChainSeries(const Linkage<Real, N>& linkage, Equations equations, const Options& options,
               const Directions& directions, const PerBlock<Real, N>& advances,
               AppliedSeries<Real, N>* applied = nullptr)

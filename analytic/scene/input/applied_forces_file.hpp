@@ -14,4 +14,10 @@ void read_pushes(const Node& root, const std::function<GroundMotion(const Node&)
 /// Reads the tables [[restraint]]. @throws InputError.
 void read_restraints(const Node& root, Scene& scene);
 
+/// Checks pushes of a scene whose blocks are valid. @throws FieldError with the keys of a file.
+void validate_pushes(const Scene& scene);
+
+/// Checks restraints likewise. @throws FieldError.
+void validate_restraints(const Scene& scene);
+
 }  // namespace rockstack
