@@ -35,10 +35,10 @@ std::filesystem::path shipped(const std::string& kind) {
   return (in_build_tree() ? std::filesystem::path(build::tree) : own_folder() / build::installed) / kind;
 }
 
-std::vector<std::string> shipped_names(const std::string& kind) {
+std::vector<std::string> shipped_names(const std::string& kind, const std::string& ending) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(shipped(kind)))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
   std::ranges::sort(names);
   return names;
 }

@@ -6,11 +6,12 @@
 
 namespace rockstack {
 
-/// The folder of the "scenes", "suites", "ensembles" or "studies/lessons" that come with this program.
+/// The folder of the "scenes", "suites", "ensembles", "studies/lessons" or "canon/proved" tables that come
+/// with this program.
 std::filesystem::path shipped(const std::string& kind);
 
-/// The names of those, in order.
-std::vector<std::string> shipped_names(const std::string& kind);
+/// The names of those, in order; tables end in ".csv".
+std::vector<std::string> shipped_names(const std::string& kind, const std::string& ending = ".toml");
 
 /// The file that an input names: that very file, or one of a kind that comes with the program, or of a folder
 /// of that kind, by its name without ending. Where neither is there, the input as a file, for whoever reads

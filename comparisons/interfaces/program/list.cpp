@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
 #include "analytic/scene/input/toml_reader.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/studies/lessons/lesson.hpp"
@@ -7,6 +11,12 @@
 
 namespace rockstack {
 namespace {
+
+const std::vector<std::string>& listed_kinds() {
+  static const std::vector<std::string> kinds{"scenes",  "suites", "ensembles",
+                                              "lessons", "proved", "engines"};
+  return kinds;
+}
 
 /// What can be named on a command line, and what it is.
 struct Listed {
@@ -24,14 +34,29 @@ std::vector<Listed> listed_engines() {
   return list;
 }
 
+std::string scene_title(const std::string& name, const std::string& kind) {
+  const Node root = read_toml(find_file(name, kind));
+  const Node* title = find(root, "title");
+  return title != nullptr ? title->text : "";
+}
+
+/// Tables of events whose times are certain, each of the scene that it is named by.
+std::vector<Listed> listed_proved() {
+  const std::string folder = "canon/proved";
+  return mapped(shipped_names(folder, ".csv"), [&](const std::string& name) {
+    std::ifstream table(shipped(folder) / (name + ".csv"));
+    const auto lines = std::count(std::istreambuf_iterator<char>(table), {}, '\n');
+    return Listed{name, fmt::format("{} events; {}", lines - 1, scene_title(name, "scenes"))};
+  });
+}
+
 std::vector<Listed> listed(const std::string& kind) {
   if (kind == "engines") return listed_engines();
+  if (kind == "proved") return listed_proved();
   if (kind == "lessons")
     return mapped(lessons(), [](const Lesson& lesson) { return Listed{lesson.name, title(lesson)}; });
   return mapped(shipped_names(kind), [&](const std::string& name) {
-    const Node root = read_toml(find_file(name, kind));
-    const Node* title = find(root, "title");
-    return Listed{name, title != nullptr ? title->text : ""};
+    return Listed{name, scene_title(name, kind)};
   });
 }
 
@@ -49,7 +74,7 @@ int run_list(const ListArguments& arguments, const Common& common) {
   refuse_overrides(common, "names have no scene keys");
   const std::string& only = arguments.kind;
   Json all;
-  for (const std::string kind : {"scenes", "suites", "ensembles", "lessons", "engines"}) {
+  for (const std::string& kind : listed_kinds()) {
     if (!only.empty() && kind != only) continue;
     if (common.json) {
       (only.empty() ? all[kind] : all) = mapped(listed(kind), [](const Listed& one) {
@@ -65,8 +90,10 @@ int run_list(const ListArguments& arguments, const Common& common) {
 }
 
 void add_list(CLI::App& command, ListArguments& arguments) {
-  command.add_option("what", arguments.kind, "scenes, suites, ensembles, lessons or engines; left out: all")
-      ->check(one_of({"scenes", "suites", "ensembles", "lessons", "engines"}));
+  command
+      .add_option("what", arguments.kind,
+                  fmt::format("{} (events at certain times); left out: all", fmt::join(listed_kinds(), ", ")))
+      ->check(one_of(listed_kinds()));
 }
 
 }  // namespace

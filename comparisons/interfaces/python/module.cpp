@@ -108,7 +108,8 @@ PYBIND11_MODULE(_core, core) {
   using namespace rockstack;
   core.attr("version") = build::version;
   core.def("programs", &worker_folder);
-  core.def("shipped_names", &shipped_names);
+  core.def("shipped_names", &shipped_names, pybind11::arg("kind"), pybind11::arg("ending") = ".toml");
+  core.def("shipped", &shipped);
   core.def("keys", &python::keys);
   python::add_errors(core);
   for (const auto add : {python::add_scene, python::add_motion, python::add_solve, python::add_ground,

@@ -19,7 +19,9 @@ def keys(kind: str = "scene") -> list[dict[str, str]]:
 
 @checked
 def shipped(kind: str = "scenes") -> list[str]:
-    """The names of the "scenes", "suites" or "ensembles" that come with rockstack, in order."""
+    """The names of the "scenes", "suites", "ensembles" or "proved" tables that come with rockstack, in order."""
+    if kind == "proved":
+        return _core.shipped_names("canon/proved", ".csv")
     if kind not in ("scenes", "suites", "ensembles"):
-        raise _core.InputError(f"kind = {kind}: must be scenes or suites or ensembles")
+        raise _core.InputError(f"kind = {kind}: must be scenes or suites or ensembles or proved")
     return _core.shipped_names(kind)
