@@ -102,7 +102,7 @@ class Simulation {
     return using(jolt, new jolt.Vec3(-right, -up, 0), (back) => new jolt.OffsetCenterOfMassShape(moved, back));
   }
 
-  /** A slab is a fiftieth as thick as it is wide: on a cube of that width normals are at times wrong (jolt.md). */
+  /** A slab is a fiftieth as thick as it is wide: on a cube of that width normals are at times wrong (page.md). */
   addGround(width) {
     const height = this.given.ground === 0 ? width / 50 : width;
     return this.add({ width, height, depth: width, x: 0, y: -height / 2, angle: 0, offset_x: 0, offset_y: 0 }, resting);
