@@ -128,12 +128,13 @@ Lean largest_common_lean(const Scene& scene, const History& history) {
   const std::size_t most = scene.blocks.size() - (scene.inclination == 0 ? 1 : 0);
   Lean largest;
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const Points<double> centres = centre_places(stack, history, i);
+    std::optional<Points<double>> centres;  // where a block leans
     for (std::size_t k = 0; k < most; ++k) {
       const int side = leaning_side(history, i, k);
       if (side == 0) continue;
+      if (!centres) centres = centre_places(stack, history, i);
       const Point<double> arm =
-          from_corner(scene, history, i, centres, k, side, common_centre(scene, centres, k));
+          from_corner(scene, history, i, *centres, k, side, common_centre(scene, *centres, k));
       const double lean = side * (std::atan2(arm.x(), arm.y()) + scene.inclination);
       const double upright = common_slenderness(scene, history, i, k, side);
       if (!(upright > 0)) continue;
