@@ -20,9 +20,17 @@ struct AdviseArguments {
   std::vector<std::string> engines = {};
 };
 
-constexpr const char* trial_format = "{:<34} {:>8} {:>14} {:>12} {:>8} {:>9}  {}\n";
+std::vector<TableColumn> trial_columns() {
+  return {{"solver (tuned)", 34, false, 0},
+          {"dt (s)", 8, true},
+          {"off (rad, h)", 14, true},
+          {"time (s)", 12, true},
+          {"within", 8, true},
+          {"confirmed", 9, true},
+          {"", 0, false, 2}};
+}
 
-void print_trial(const Trial& trial) {
+TableCells trial_cells(const Trial& trial) {
   const auto cell = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.2e}", *value) : "-";
   };
@@ -32,9 +40,13 @@ void print_trial(const Trial& trial) {
                              : trial.passes()              ? "holds"
                              : trial.within > 0            ? "luck"
                                                            : "";
-  fmt::print(trial_format, row.engine + ":" + row.solver, row.dt.value_or(0), cell(off),
-             cell(row.stepping_time_minimum), fmt::format("{} / {}", trial.within, trial.replicates),
-             trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-", remark);
+  return {row.engine + ":" + row.solver,
+          fmt::format("{}", row.dt.value_or(0)),
+          cell(off),
+          cell(row.stepping_time_minimum),
+          fmt::format("{} / {}", trial.within, trial.replicates),
+          trial.confirming > 0 ? fmt::format("{} / {}", trial.confirmed, trial.confirming) : "-",
+          remark};
 }
 
 /// What the columns mean, and how long it may take.
@@ -47,12 +59,10 @@ void print_legend(const AdviceRequest& request) {
       "confirmed: the same of others, of steps up to {:.0f} % longer and shorter\n\n",
       counted(request.engines.size(), "solver"), waiting_time(request.within), request.error,
       100 * request.replicates.steps, 100 * passing_share, 100 * request.confirming.steps);
-  fmt::print(trial_format, "solver (tuned)", "dt (s)", "off (rad, h)", "time (s)", "within", "confirmed", "");
-  std::fflush(stdout);
 }
 
 /// Has each trial named while it runs, and printed once it is done.
-AdviceListener listener(const AdviceRequest& request, const Common& common) {
+AdviceListener listener(const AdviceRequest& request, const PrintedTable& table, const Common& common) {
   AdviceListener listener;
   if (shows_progress(common))
     listener.begin = [&request](const EngineSeries& series, double dt, double elapsed) {
@@ -60,12 +70,7 @@ AdviceListener listener(const AdviceRequest& request, const Common& common) {
                  series.engine->full_name(), dt);
       std::fflush(stderr);
     };
-  if (common.prints_text())
-    listener.trial = [&common](const Trial& trial) {
-      clear_progress(common);
-      print_trial(trial);
-      std::fflush(stdout);
-    };
+  listener.trial = [&table](const Trial& trial) { table.print(trial_cells(trial)); };
   return listener;
 }
 
@@ -96,7 +101,9 @@ int run_advise(const AdviseArguments& arguments, const Common& common) {
                         .engines = engines_named(arguments.engines, usual_engines)};
   request.limits.time = std::min(arguments.time_limit, arguments.within);
   if (common.prints_text()) print_legend(request);
-  const Advice advice = advise(scene, request, arguments.out, common.command, listener(request, common));
+  const PrintedTable table(trial_columns(), common);
+  const Advice advice =
+      advise(scene, request, arguments.out, common.command, listener(request, table, common));
   if (print_json(advice_json(scene, request, advice, common.command), common))
     print_advice(advice, arguments, request, scene.scene.duration, common);
   show_report(arguments.out, common);
@@ -119,8 +126,9 @@ void add_advise(CLI::App& command, AdviseArguments& arguments) {
 }  // namespace
 
 Command advise_command() {
-  return make_command("advise", "find the cheapest engine, solver and step for a scene within an error",
-                      add_advise, run_advise);
+  return with_tables(make_command("advise",
+                                  "find the cheapest engine, solver and step for a scene within an error",
+                                  add_advise, run_advise));
 }
 
 }  // namespace rockstack

@@ -13,17 +13,22 @@ namespace {
 class CanonTeller {
  public:
   CanonTeller(const Suite& suite, const std::vector<CanonRow>& rows, const Common& common)
-      : suite_(suite), common_(common), show_(progress(common)) {
+      : suite_(suite), show_(progress(common)) {
     for (const CanonRow& row : rows)
       paces_.push_back(
           pace_of(*row.engine, make_series(*row.engine, row.settings, {}).parameters, suite.limits));
     total_ = rows.size() * suite.scenes.size();
-    if (!common.prints_text()) return;
-    fmt::print("answers: {}, in about {}; scene {} comes first, in {}\n", total_, waiting_time(rest(0, 0)),
-               suite.scenes.front().name, waiting_time(rest(0, 0) - rest(1, 0)));
-    fmt::print("{:<28} {:<8} {:<16} {:<12} by a fit over steps of {:g} to {:g} ms\n", "engine", "set",
-               "scene", "verdict", 1e3 * canon_steps.front(), 1e3 * canon_steps.back());
-    std::fflush(stdout);
+    if (common.prints_text())
+      fmt::print("answers: {}, in about {}; scene {} comes first, in {}\n", total_, waiting_time(rest(0, 0)),
+                 suite.scenes.front().name, waiting_time(rest(0, 0) - rest(1, 0)));
+    table_.emplace(
+        std::vector<TableColumn>{{"engine", 28, false, 0},
+                                 {"set", 8},
+                                 {"scene", 16},
+                                 {"verdict", 12},
+                                 {fmt::format("by a fit over steps of {:g} to {:g} ms",
+                                              1e3 * canon_steps.front(), 1e3 * canon_steps.back())}},
+        common);
   }
 
   void begins(std::size_t scene, std::size_t row, const CanonRow& of) {
@@ -33,12 +38,8 @@ class CanonTeller {
   }
 
   void tell(const CanonRow& row) const {
-    clear_progress(common_);
-    if (!common_.prints_text()) return;
     const CanonAnswer& answer = row.answers.back();
-    fmt::print("{:<28} {:<8} {:<16} {:<12} {}\n", row.engine->full_name(), row.settings, answer.scene,
-               answer.verdict, answer.reason);
-    std::fflush(stdout);
+    table_->print({row.engine->full_name(), row.settings, answer.scene, answer.verdict, answer.reason});
   }
 
  private:
@@ -52,9 +53,9 @@ class CanonTeller {
   }
 
   const Suite& suite_;
-  const Common& common_;
   std::function<void(const Progress&)> show_;
   std::vector<WorkerPace> paces_;  ///< of each row
+  std::optional<PrintedTable> table_;
   std::size_t total_ = 0;
 };
 
@@ -105,8 +106,8 @@ int run_canon(const CheckEngineArguments& arguments, const Common& common) {
 }
 
 Command canon_command() {
-  return make_command("canon", "check-engine --canon: which law of contact does an engine follow?", add_canon,
-                      run_canon);
+  return with_tables(make_command(
+      "canon", "check-engine --canon: which law of contact does an engine follow?", add_canon, run_canon));
 }
 
 }  // namespace rockstack

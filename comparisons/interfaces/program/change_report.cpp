@@ -19,7 +19,7 @@ std::string spread_text(const ValueSpread& spread) {
 }
 
 /// A line of the table, cell by cell.
-std::vector<std::string> cells_of(const TurnedNumber& number) {
+TableCells cells_of(const TurnedNumber& number) {
   const RowChange& row = *number.row;
   const QuantityChange& change = *number.change;
   const bool all = row.old_row.scene.empty();
@@ -38,12 +38,11 @@ std::vector<std::string> cells_of(const TurnedNumber& number) {
 }
 
 /// The worst first, at most so many.
-void print_turned(const std::vector<TurnedNumber>& numbers, std::size_t most) {
-  std::vector<std::vector<std::string>> lines{{"", "scene", "engine:solver", "settings", "dt (s)", "number",
-                                               "old (quartiles)", "new (quartiles)", "new/old", "p-value"}};
+void print_turned(const std::vector<TurnedNumber>& numbers, std::size_t most, TableForm form) {
+  std::vector<TableCells> lines{{"", "scene", "engine:solver", "settings", "dt (s)", "number",
+                                 "old (quartiles)", "new (quartiles)", "new/old", "p-value"}};
   for (std::size_t i = 0; i < std::min(most, numbers.size()); ++i) lines.push_back(cells_of(numbers[i]));
-  print_table(lines);
-  if (numbers.size() > most) fmt::print("and {} more\n", numbers.size() - most);
+  print_table(lines, form);
 }
 
 void print_tests(const ResultsChange& result) {
@@ -71,8 +70,8 @@ void print_names(const char* what, const std::vector<std::string>& names) {
 
 void print_change(const ResultsChange& result, const ChangeArguments& arguments) {
   const auto count = [&](const auto& counts) { return std::ranges::count_if(result.rows, counts); };
-  const auto turned = turned_numbers(result);
-  if (!turned.empty()) print_turned(turned, arguments.most_lines);
+  if (const std::size_t turned = turned_numbers(result).size(); turned > arguments.most_lines)
+    fmt::print("and {} more\n", turned - arguments.most_lines);
   fmt::print("rows in both: {}, to the bit {}, of the nominal run alone {}; worse {}, better alone {}\n",
              result.rows.size(), count([](const RowChange& row) { return row.bits == "same"; }),
              count([](const RowChange& row) { return row.bits == "nominal"; }),
@@ -152,6 +151,9 @@ int report_change(const ResultsChange& change, const RecordedResults& now, const
   json.update(changes_json(change));
   json["bounds"] = mapped(bounds, bound_json);
   json["headline"] = judged.headline();
+  if (const auto turned = turned_numbers(change);
+      common.prints_documents() || (common.prints_text() && !turned.empty()))
+    print_turned(turned, arguments.most_lines, common.table);
   if (print_json(json, common)) {
     print_change(change, arguments);
     print_bounds(bounds);

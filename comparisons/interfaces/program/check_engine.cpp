@@ -129,12 +129,21 @@ void print_capabilities(const Json& able) {
       quantity_text(able["processor_time"].get<double>(), "s"), slowness(able["step_time"].get<double>()));
 }
 
-void print_finding(const Finding& finding) {
-  const std::string numbers = std::isnan(finding.value)
-                                  ? std::string(24, ' ')
-                                  : fmt::format("{:>10.3g} of {:<10.3g}", finding.value, finding.limit);
-  fmt::print("  {:<8} {:<32} {:<11} {}  {}{}\n", finding.settings, finding.check, finding.verdict, numbers,
-             finding.what, finding.warnings > 0 ? fmt::format("; {} warnings", finding.warnings) : "");
+/// As text an engine's name stands above its findings.
+std::vector<TableColumn> finding_columns(TableForm form) {
+  std::vector<TableColumn> columns{
+      {"set", 8, false, 2}, {"check", 32}, {"verdict", 11}, {"value of limit", 24}, {"meaning", 0, false, 2}};
+  if (form != TableForm::text) columns.insert(columns.begin(), TableColumn{"engine"});
+  return columns;
+}
+
+void print_finding(const Finding& finding, TableForm form) {
+  TableCells cells{
+      finding.settings, finding.check, finding.verdict,
+      std::isnan(finding.value) ? "" : fmt::format("{:>10.3g} of {:<10.3g}", finding.value, finding.limit),
+      finding.what + (finding.warnings > 0 ? fmt::format("; {} warnings", finding.warnings) : "")};
+  if (form != TableForm::text) cells.insert(cells.begin(), finding.engine);
+  fmt::print("{}", table_line(finding_columns(form), cells, form));
   std::fflush(stdout);
 }
 
@@ -204,15 +213,17 @@ int check_laws(const CheckEngineArguments& arguments, const Common& common) {
   if (!arguments.out.empty()) folder.emplace(arguments.out, Results::canon);
   Json report{{"engines", Json::array()}};
   std::vector<Finding> findings;
+  if (common.prints_documents()) fmt::print("{}", table_head(finding_columns(common.table), common.table));
   for (const WorkerEngine* engine : engines_named(arguments.engines, [] { return engines(); })) {
     Json able = check_sets(*engine, arguments, chosen, common, [&](const Finding& finding) {
       const bool first = is_broken(finding) && std::ranges::none_of(findings, is_broken);
       findings.push_back(finding);
-      if (common.prints_text()) print_finding(finding);
+      if (common.prints_tables()) print_finding(finding, common.table);
       if (first) announce_failure(finding);
     });
     if (!able.is_null()) report["engines"].push_back(std::move(able));
   }
+  if (common.prints_documents()) fmt::print("{}", table_foot(common.table));
   const auto broken = std::ranges::count_if(findings, is_broken);
   report["checks"] = mapped(findings, to_json);
   report["broken"] = broken;
@@ -252,8 +263,8 @@ void add_check_engine(CLI::App& command, CheckEngineArguments& arguments) {
 }
 
 Command check_engine_command() {
-  return make_command("check-engine", "hold engines to the laws that every engine must follow",
-                      add_check_engine, run_check_engine);
+  return with_tables(make_command("check-engine", "hold engines to the laws that every engine must follow",
+                                  add_check_engine, run_check_engine));
 }
 
 }  // namespace rockstack

@@ -79,24 +79,12 @@ bool print_json(const Json& result, const Common& common) {
   return common.prints_text();
 }
 
-void print_table(const std::vector<std::vector<std::string>>& lines) {
-  const auto letters = [](const std::string& text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char letter) { return (letter & 0xC0) != 0x80; }));
-  };
-  std::vector<std::size_t> widths(lines.front().size());
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], letters(line[i]));
-  for (const auto& line : lines) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i)
-      text.append(line[i]).append(widths[i] - letters(line[i]) + 2, ' ');
-    fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
-  }
+void print_table(const std::vector<TableCells>& lines, TableForm form) {
+  fmt::print("{}", table_text(lines, form));
 }
 
-void print_table(const Json& rows) {
-  std::vector<std::vector<std::string>> lines(1);
+void print_table(const Json& rows, TableForm form) {
+  std::vector<TableCells> lines(1);
   for (const auto& [name, cell] : rows.front().items()) lines.front().push_back(name);
   for (const Json& row : rows) {
     lines.emplace_back();
@@ -104,8 +92,26 @@ void print_table(const Json& rows) {
       lines.back().push_back(cell.is_number_float() ? fmt::format("{:.4g}", cell.get<double>())
                                                     : cell_text(cell));
   }
-  print_table(lines);
+  print_table(lines, form);
   fmt::print("\n");
+}
+
+PrintedTable::PrintedTable(std::vector<TableColumn> columns, const Common& common)
+    : columns_(std::move(columns)), common_(common) {
+  if (!common_.prints_tables()) return;
+  fmt::print("{}", table_head(columns_, common_.table));
+  std::fflush(stdout);
+}
+
+PrintedTable::~PrintedTable() {
+  if (common_.prints_tables()) std::fputs(table_foot(common_.table).c_str(), stdout);
+}
+
+void PrintedTable::print(const TableCells& cells) const {
+  clear_progress(common_);
+  if (!common_.prints_tables()) return;
+  fmt::print("{}", table_line(columns_, cells, common_.table));
+  std::fflush(stdout);
 }
 
 std::string shell_word(const std::string& word) {

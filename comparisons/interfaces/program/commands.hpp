@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "comparisons/measures/results/table_form.hpp"
 #include "comparisons/runs/compare.hpp"
 #include "comparisons/suites/compare_choice.hpp"
 
@@ -12,13 +13,18 @@ struct Common {
   std::vector<std::string> overrides;  ///< key=value, of scenes
   bool quiet = false;                  ///< print nothing but errors
   bool json = false;                   ///< print the result as JSON
+  TableForm table = TableForm::text;   ///< of tables on standard output
   bool replace = false;                ///< results of another scene in the folder for results
   std::string workers;                 ///< folders of more engines
   std::string command;                 ///< the whole command line, for the results
   char** words = nullptr;              ///< of the command line, as execv() takes them
 
-  /// Whether tables and sentences are printed.
-  bool prints_text() const { return !quiet && !json; }
+  /// Whether tables are printed; in a form for documents they are all that is.
+  bool prints_tables() const { return !quiet && !json; }
+  /// Whether sentences are printed, and tables as text.
+  bool prints_text() const { return prints_tables() && table == TableForm::text; }
+  /// Whether what has no table as text prints one.
+  bool prints_documents() const { return prints_tables() && table != TableForm::text; }
 };
 
 /// A subcommand: its name, what it does, and how it gets its options. `add` returns what runs once they are
@@ -27,6 +33,7 @@ struct Common {
 struct Command {
   const char *name, *words;
   std::function<std::function<int()>(CLI::App& app, const Common& common)> add;
+  bool has_tables = false;  ///< whether it prints some, which --table gives a form
 };
 
 /// A command with arguments of its own, which `add_options` has filled from the command line before `run`.
@@ -38,6 +45,12 @@ Command make_command(const char* name, const char* words, void (*add_options)(CL
             add_options(app, *arguments);
             return [=, &common] { return run(*arguments, common); };
           }};
+}
+
+/// A command that prints tables too.
+inline Command with_tables(Command command) {
+  command.has_tables = true;
+  return command;
 }
 
 // What several commands share.
@@ -75,11 +88,26 @@ std::unique_ptr<Executor> make_executor(std::size_t threads);
 /// Prints a result where it is wanted as JSON. Returns whether it is wanted in words.
 bool print_json(const Json& result, const Common& common);
 
-/// Prints lines of as many cells each, the first the heading, in columns.
-void print_table(const std::vector<std::vector<std::string>>& lines);
+/// Prints lines of as many cells each, the first the heading.
+void print_table(const std::vector<TableCells>& lines, TableForm form);
 
 /// Prints flat rows with the same keys as a table, numbers to four digits, and an empty line.
-void print_table(const Json& rows);
+void print_table(const Json& rows, TableForm form);
+
+/// A table whose lines are printed as they come, where any is printed; its end with it.
+class PrintedTable {
+ public:
+  PrintedTable(std::vector<TableColumn> columns, const Common& common);
+  ~PrintedTable();
+  PrintedTable(const PrintedTable&) = delete;
+  PrintedTable& operator=(const PrintedTable&) = delete;
+
+  void print(const TableCells& cells) const;
+
+ private:
+  std::vector<TableColumn> columns_;
+  const Common& common_;
+};
 
 /// A word as a shell reads it back.
 std::string shell_word(const std::string& word);
@@ -113,6 +141,9 @@ void print_legend(const std::vector<Suite>& suites, const Common& common);
 
 /// Has rows printed as they are told. `common` must outlive the options.
 void print_rows(const std::vector<Suite>& suites, const Common& common, CompareOptions& options);
+
+/// Prints all rows as one table of a document, with the nearest sets marked.
+void print_rows(const std::vector<RunMetrics>& rows, TableForm form);
 
 // Options of several commands.
 

@@ -109,9 +109,10 @@ void print_impact_laws(const ImpactLawStudy& study, const ImpactLawResults& resu
   const std::vector<ResultTable> list = tables(results);
   const std::vector<std::string> sentences = headline(study, results);
   const Json json{{"headline", sentences}, {"kinds", list.front().rows}, {"folder", folder.string()}};
+  if (common.prints_tables())
+    for (const ResultTable& one : list)
+      if (one.file != "impact-laws-answers.csv") print_table(one.rows, common.table);
   if (!print_json(json, common)) return;
-  for (const ResultTable& one : list)
-    if (one.file != "impact-laws-answers.csv") print_table(one.rows);
   for (const std::string& sentence : sentences) fmt::print("{}\n", sentence);
   print_left_out(study.engines.left_out);
   fmt::print("results: {}\n", one_line(folder.string()));
@@ -132,12 +133,19 @@ int study_command(const std::filesystem::path& file, const std::filesystem::path
   return failed ? 1 : 0;
 }
 
+void print_counts(const std::map<std::string, int>& counts, TableForm form) {
+  std::vector<TableCells> lines{{"verdict", "runs"}};
+  for (const auto& [verdict, count] : counts) lines.push_back({verdict, std::to_string(count)});
+  print_table(lines, form);
+}
+
 void print_verdicts(const std::vector<StabilityRun>& rows, const std::filesystem::path& out,
                     const Common& common) {
   if (common.quiet) return;
   std::map<std::string, int> counts{{"sound", 0}, {"inexact", 0}, {"unstable", 0}, {"failed", 0}};
   for (const StabilityRun& row : rows)
     if (row.row.dt) ++counts[name(row.verdict.soundness)];
+  if (common.prints_documents()) print_counts(counts, common.table);
   if (!print_json({{"verdicts", counts}, {"folder", out.string()}}, common)) return;
   for (const auto& [verdict, count] : counts) fmt::print("{:>6} runs {}\n", count, verdict);
   fmt::print("{}\n{}\n", one_line((out / "stability.csv").string()), one_line((out / "steps.csv").string()));
@@ -159,6 +167,7 @@ int stability_command(const std::filesystem::path& file, const CompareArguments&
 /// The verdict, what was left out, and where the results are; or all of it as JSON.
 void print_comparison(const CompareResult& result, const std::vector<std::string>& left_out,
                       const std::filesystem::path& folder, const Common& common) {
+  if (common.prints_documents()) print_rows(result.rows, common.table);
   if (!print_json({{"headline", result.verdict.headline}, {"rows", result.rows}, {"folder", folder.string()}},
                   common))
     return;
@@ -271,8 +280,8 @@ void add_compare(CLI::App& command, CompareArguments& arguments) {
 }  // namespace
 
 Command compare_command() {
-  return make_command("compare", "run scenes or suites on the exact solver and the engines", add_compare,
-                      run_compare);
+  return with_tables(make_command("compare", "run scenes or suites on the exact solver and the engines",
+                                  add_compare, run_compare));
 }
 
 }  // namespace rockstack

@@ -76,10 +76,10 @@ void add_diff(CLI::App& command, DiffArguments& arguments) {
 }  // namespace
 
 Command diff_command() {
-  return make_command(
+  return with_tables(make_command(
       "diff",
       "hold two results of `compare` against each other; exit code 1: something got worse, 3: undecided",
-      add_diff, run_diff);
+      add_diff, run_diff));
 }
 
 }  // namespace rockstack

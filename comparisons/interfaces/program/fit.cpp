@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -14,6 +16,16 @@ struct FitArguments {
   std::filesystem::path out;
   std::vector<std::string> vary;  ///< varied_key() of each
 };
+
+std::vector<TableCells> parameter_lines(const Fit& found) {
+  const auto cell = [](double value) { return std::isfinite(value) ? number_text(value, 6) : std::string(); };
+  std::vector<TableCells> lines{{"parameter", "value", "from (95 %)", "to (95 %)"}};
+  for (const FittedParameter& one : found.parameters)
+    lines.push_back(
+        {is_clock(one.parameter) ? std::string(clock_key) + " (s)" : axis_title(one.parameter.key),
+         cell(one.value), cell(one.lower), cell(one.upper)});
+  return lines;
+}
 
 int run_fit(const FitArguments& arguments, const Common& common) {
   const std::vector<VariedKey> parameters =
@@ -28,6 +40,7 @@ int run_fit(const FitArguments& arguments, const Common& common) {
   const Fit found = fit(document, measured, parameters);
   write_fit(scene.title, measured, found, arguments.out, common.command);
   const Json json = fit_json(scene.title, measured, found, common.command);
+  if (common.prints_documents()) print_table(parameter_lines(found), common.table);
   if (print_json(json, common)) {
     for (const Json& sentence : json.at("headline")) fmt::print("{}\n", sentence.get<std::string>());
     std::string changes;
@@ -52,8 +65,9 @@ void add_fit(CLI::App& command, FitArguments& arguments) {
 }  // namespace
 
 Command fit_command() {
-  return make_command("fit", "find what a test does not tell of its scene, such as a ratio of restitution",
-                      add_fit, run_fit);
+  return with_tables(
+      make_command("fit", "find what a test does not tell of its scene, such as a ratio of restitution",
+                   add_fit, run_fit));
 }
 
 }  // namespace rockstack

@@ -55,16 +55,15 @@ Json sensitivity_json(const RowSensitivity& one) {
           {"factor", one.factor ? Json(*one.factor) : Json()}};
 }
 
-/// Which change each row would have shown, and what no row can.
-void print_sensitivities(const std::vector<RowSensitivity>& rows, const Suite& suite) {
-  std::vector<std::vector<std::string>> lines{{"scene", "step", "old error", "is reported from"}};
+/// Which change each row would have shown.
+void print_sensitivities(const std::vector<RowSensitivity>& rows, TableForm form) {
+  std::vector<TableCells> lines{{"scene", "step", "old error", "is reported from"}};
   for (const RowSensitivity& one : rows)
     lines.push_back({one.row->new_row.scene, quantity_text(one.row->new_row.dt.value_or(0), "s"),
                      fmt::format("{:.2g}", one.error),
                      one.factor ? fmt::format("{:.3g} times that on", *one.factor) : "no growth of it"});
   fmt::print("\n");
-  print_table(lines);
-  fmt::print("not seen: {}\n", joined(not_seen(suite)));
+  print_table(lines, form);
 }
 
 /// Rows of one engine answer the same question, whatever it is called.
@@ -90,9 +89,14 @@ int run_gate_command(const GateArguments& arguments, const Common& common) {
   }
   const ResultsChange change = hold_against(before, now, gate_options(arguments.change.options));
   const std::vector<RowSensitivity> rows = sensitivities(change, before);
-  return report_change(change, now, arguments.change, common,
-                       {{"sensitivities", mapped(rows, sensitivity_json)}, {"not_seen", not_seen(suite)}},
-                       [&] { print_sensitivities(rows, suite); });
+  const int code =
+      report_change(change, now, arguments.change, common,
+                    {{"sensitivities", mapped(rows, sensitivity_json)}, {"not_seen", not_seen(suite)}}, [&] {
+                      print_sensitivities(rows, common.table);
+                      fmt::print("not seen: {}\n", joined(not_seen(suite)));
+                    });
+  if (common.prints_documents()) print_sensitivities(rows, common.table);
+  return code;
 }
 
 void add_gate(CLI::App& command, GateArguments& arguments) {
@@ -117,9 +121,9 @@ void add_gate(CLI::App& command, GateArguments& arguments) {
 }  // namespace
 
 Command gate_command() {
-  return make_command(
+  return with_tables(make_command(
       "gate", "hold an engine to a baseline on small scenes; exit code 1: something got worse, 3: undecided",
-      add_gate, run_gate_command);
+      add_gate, run_gate_command));
 }
 
 }  // namespace rockstack

@@ -66,6 +66,14 @@ void print_list(const std::vector<Listed>& list, const std::string& indent) {
   for (const Listed& one : list) fmt::print("{}{:<{}}  {}\n", indent, one.name, width, one.title);
 }
 
+/// All kinds in one table of a document.
+void print_lists(const std::vector<std::string>& kinds, TableForm form) {
+  std::vector<TableCells> lines{{"kind", "name", "title"}};
+  for (const std::string& kind : kinds)
+    for (const Listed& one : listed(kind)) lines.push_back({kind, one.name, one.title});
+  print_table(lines, form);
+}
+
 struct ListArguments {
   std::string kind;  ///< empty: all
 };
@@ -73,9 +81,13 @@ struct ListArguments {
 int run_list(const ListArguments& arguments, const Common& common) {
   refuse_overrides(common, "names have no scene keys");
   const std::string& only = arguments.kind;
+  const std::vector<std::string> kinds = only.empty() ? listed_kinds() : std::vector{only};
+  if (common.prints_documents()) {
+    print_lists(kinds, common.table);
+    return 0;
+  }
   Json all;
-  for (const std::string& kind : listed_kinds()) {
-    if (!only.empty() && kind != only) continue;
+  for (const std::string& kind : kinds) {
     if (common.json) {
       (only.empty() ? all[kind] : all) = mapped(listed(kind), [](const Listed& one) {
         return Json{{"name", one.name}, {"title", one.title}};
@@ -99,7 +111,7 @@ void add_list(CLI::App& command, ListArguments& arguments) {
 }  // namespace
 
 Command list_command() {
-  return make_command("list", "list what there is, with a line on each", add_list, run_list);
+  return with_tables(make_command("list", "list what there is, with a line on each", add_list, run_list));
 }
 
 }  // namespace rockstack

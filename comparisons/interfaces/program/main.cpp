@@ -74,6 +74,17 @@ void refuse_unexpected(const CLI::App& app) {
   throw std::invalid_argument(words.front() + ": not expected" + did_you_mean(words.front(), names));
 }
 
+/// What was asked for of tables must be there to be given.
+void check_table_form(const Common& common, const Command& command) {
+  if (common.table == TableForm::text) return;
+  const std::string given =
+      fmt::format("--table {}", table_form_names[static_cast<std::size_t>(common.table)]);
+  if (!command.has_tables)
+    throw InputError(fmt::format("{}: must be left out of {}, which prints no table", given, command.name));
+  for (const auto& [option, is_given] : {std::pair{"--json", common.json}, {"--quiet", common.quiet}})
+    if (is_given) throw InputError(fmt::format("{}: must be left out beside {}", given, option));
+}
+
 int run(int count, char** arguments) {
   CLI::App app{"Stacked rocking blocks: the exact theory beside physics engines", "rockstack"};
   app.set_version_flag("--version", fmt::format("rockstack {}", build::version));
@@ -88,15 +99,19 @@ int run(int count, char** arguments) {
           ->allow_extra_args(false),
       app.add_flag("--quiet", common.quiet, "print nothing but errors"),
       app.add_flag("--json", common.json, "print the result as JSON"),
+      app.add_option_function<std::string>(
+             "--table", [&](const std::string& form) { common.table = named_table_form(form); },
+             "form of tables on standard output: text; or md, Markdown, or tex, LaTeX, without all else")
+          ->check(one_of({table_form_names.begin(), table_form_names.end()})),
       app.add_flag("--replace", common.replace,
                    "put the results in the place of those of another scene in the folder for results"),
       app.add_option("--workers", common.workers,
                      "folders of more engines, with ':' between them; left out: $ROCKSTACK_WORKERS")};
-  std::map<const CLI::App*, std::function<int()>> runs;
+  std::map<const CLI::App*, std::pair<Command, std::function<int()>>> runs;
   for (const MakeCommand* make : commands) {
     const Command command = make();
     CLI::App* added = app.add_subcommand(command.name, command.words);
-    runs[added] = command.add(*added, common);
+    runs[added] = {command, command.add(*added, common)};
   }
   for (CLI::App* command : app.get_subcommands({}))
     command->footer([&] { return CLI::Formatter().make_group("Common options", false, common_options); });
@@ -119,7 +134,11 @@ int run(int count, char** arguments) {
   require_folders("--workers", common.workers);
   if (!common.workers.empty()) setenv(workers_variable, common.workers.c_str(), 1);
   require_temporary_folder();
-  if (const auto given = app.get_subcommands(); !given.empty()) return runs.at(given.front())();
+  if (const auto given = app.get_subcommands(); !given.empty()) {
+    const auto& [command, start] = runs.at(given.front());
+    check_table_form(common, command);
+    return start();
+  }
   throw std::invalid_argument(
       fmt::format("a command must be given, one of {}", fmt::join(command_names(app), " ")));
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/metrics/branches.hpp"
 #include "comparisons/measures/metrics/sizes.hpp"
@@ -40,6 +41,16 @@ struct SolveArguments {
   std::size_t most_branches = 16;
 };
 
+/// Numbers that came out of a motion, those that it has.
+std::vector<TableCells> outcome_lines(const Json& outcome) {
+  std::vector<TableCells> lines{{"outcome", "value"}};
+  for (const auto& [name, value] : outcome.items())
+    if (!value.is_null())
+      lines.push_back(
+          {name, value.is_number_float() ? number_text(value.get<double>(), 6) : cell_text(value)});
+  return lines;
+}
+
 /// The verdict on a motion, its events by kind, peak angles, warnings, and where the files are; in between
 /// what is said of other motions that obey. `sampled`: an engine's, which tells no events.
 void print_history(const Scene& scene, const History& history, const SupportLoss& support,
@@ -53,6 +64,7 @@ void print_history(const Scene& scene, const History& history, const SupportLoss
   std::vector<std::string> warnings = size_warnings(scene);
   for (std::string& warning : validity_warnings(scene, history)) warnings.push_back(std::move(warning));
   Json json = outcome_json(run_outcome(scene, history), sampled);
+  if (common.prints_documents()) print_table(outcome_lines(json), common.table);
   json.update({{"verdict", verdict},
                {"events", events},
                {"peak_angles", peaks},
@@ -176,11 +188,12 @@ void add_simulate(CLI::App& command, SimulateArguments& arguments) {
 }  // namespace
 
 Command solve_command() {
-  return make_command("solve", "solve a scene exactly", add_solve, run_solve);
+  return with_tables(make_command("solve", "solve a scene exactly", add_solve, run_solve));
 }
 
 Command simulate_command() {
-  return make_command("simulate", "run a scene in one physics engine", add_simulate, run_simulate);
+  return with_tables(
+      make_command("simulate", "run a scene in one physics engine", add_simulate, run_simulate));
 }
 
 }  // namespace rockstack

@@ -92,9 +92,11 @@ Json to_json(const MeasuredRecord& record, const RecordArguments& arguments) {
           {"significant_5_75", to_json(measures.significant_5_75)}};
 }
 
-void print_text(const MeasuredRecord& record, const std::string& base_line) {
+/// What a record measures, a quantity a line.
+std::vector<TableCells> measure_lines(const MeasuredRecord& record, const std::string& base_line) {
   const GroundMeasures& m = record.measures;
-  const auto line = [](const char* name, const std::string& value) { fmt::print("{:<22}{}\n", name, value); };
+  std::vector<TableCells> lines;
+  const auto line = [&](const char* name, const std::string& value) { lines.push_back({name, value}); };
   const auto peak = [&](const char* name, const Peak& value, const char* unit) {
     line(name, fmt::format("{:.6g} {} at {:.6g} s", value.value, unit, value.time));
   };
@@ -120,6 +122,14 @@ void print_text(const MeasuredRecord& record, const std::string& base_line) {
   line("Arias intensity", fmt::format("{:.6g} m/s", m.arias_intensity));
   span("significant 5-95 %", m.significant_5_95);
   span("significant 5-75 %", m.significant_5_75);
+  return lines;
+}
+
+void print_measures(const std::vector<TableCells>& lines, TableForm form) {
+  const std::vector<TableColumn> columns{{"measure", 22, false, 0}, {"value", 0, false, 0}};
+  if (form != TableForm::text) fmt::print("{}", table_head(columns, form));
+  for (const TableCells& line : lines) fmt::print("{}", table_line(columns, line, form));
+  fmt::print("{}", table_foot(form));
 }
 
 std::string record_csv(const GroundMotion& motion) {
@@ -158,10 +168,11 @@ int run_record(const RecordArguments& arguments, const Common& common) {
     write_file(arguments.out / "spectrum.csv", spectrum_csv(record.motion));
     write_file(arguments.out / "record.json", whole.dump(2) + "\n");
   }
-  if (print_json(json, common)) {
-    print_text(record, arguments.base_line);
-    if (!arguments.out.empty()) fmt::print("{:<22}{}\n", "results", one_line(arguments.out.string()));
-  }
+  std::vector<TableCells> lines = measure_lines(record, arguments.base_line);
+  if (common.prints_text() && !arguments.out.empty())
+    lines.push_back({"results", one_line(arguments.out.string())});
+  print_json(json, common);
+  if (common.prints_tables()) print_measures(lines, common.table);
   if (!arguments.out.empty()) show_report(arguments.out, common);
   return 0;
 }
@@ -177,7 +188,7 @@ void add_record(CLI::App& command, RecordArguments& arguments) {
 }  // namespace
 
 Command record_command() {
-  return make_command("record", "measure an accelerogram", add_record, run_record);
+  return with_tables(make_command("record", "measure an accelerogram", add_record, run_record));
 }
 
 }  // namespace rockstack

@@ -12,8 +12,13 @@
 namespace rockstack {
 namespace {
 
-/// The third is as wide as names are.
-constexpr const char* line_format = "{:>7}   {:<{}} {:>19} {:>10} {:>10} {:>9}  {}\n";
+/// `width`: of names, in letters.
+std::vector<TableColumn> row_columns(std::size_t width) {
+  return {{"step ms", 7, true, 0},   {"engine:solver (set)", width, false, 3},
+          {"angles mrad", 19, true}, {"centres mm", 10, true},
+          {"impact ms", 10, true},   {"time ms", 9, true},
+          {"outcome", 0, false, 2}};
+}
 
 /// A number of thousandths with three digits, and no more than four behind the point: "0.0012", "12.3", "0".
 std::string thousandths(double value) {
@@ -46,10 +51,21 @@ std::string outcome_text(const RunMetrics& row) {
                      thousandths(*row.rms_test_difference));
 }
 
-void print_engine_row(const RunMetrics& row, std::size_t width) {
-  fmt::print(line_format, shown_or_blank(row.dt), set_name(row), width, angles(row),
-             shown_or_blank(row.rms_position_difference), signed_or_blank(row.first_impact_time_difference),
-             shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""), outcome_text(row));
+/// Set of an engine, or which exact solution.
+std::string row_name(const RunMetrics& row) {
+  if (is_engine(row)) return set_name(row);
+  if (row.engine == "exact") return "exact, law " + row.law;
+  return row.solver.empty() ? row.engine : "exact, " + row.engine;
+}
+
+TableCells row_cells(const RunMetrics& row) {
+  return {shown_or_blank(row.dt),
+          row_name(row),
+          angles(row),
+          shown_or_blank(row.rms_position_difference),
+          signed_or_blank(row.first_impact_time_difference),
+          shown_or_blank(row.stepping_time_minimum) + (row.timed_cold ? " cold" : ""),
+          outcome_text(row)};
 }
 
 /// Prints one scene and step; nothing where no difference is significant.
@@ -74,8 +90,9 @@ std::string comparable_text(const RunMetrics& exact) {
 void print_exact_rows(const std::vector<RunMetrics>& rows, std::size_t width) {
   for (const RunMetrics& row : rows) {
     if (row.engine != "exact") {
-      fmt::print("{:>9} {:<{}} {:>19}\n", "", row.solver.empty() ? row.engine : "exact, " + row.engine, width,
-                 shown_or_blank(row.rms_angle_difference));
+      fmt::print("{}",
+                 table_line(row_columns(width), {"", row_name(row), shown_or_blank(row.rms_angle_difference)},
+                            TableForm::text));
       continue;
     }
     fmt::print("\n{}, law {}: ", row.scene, row.law);
@@ -86,8 +103,7 @@ void print_exact_rows(const std::vector<RunMetrics>& rows, std::size_t width) {
     fmt::print("{}; can be compared up to {}; solved in {}\n", impacts_text(row), comparable_text(row),
                quantity_text(row.stepping_time_minimum.value_or(0), "s"));
     if (row.rms_test_difference) fmt::print("from the test: {}\n", thousandths(*row.rms_test_difference));
-    fmt::print(line_format, "step ms", "engine:solver (set)", width, "angles mrad", "centres mm", "impact ms",
-               "time ms", "outcome");
+    fmt::print("{}", table_head(row_columns(width), TableForm::text));
   }
 }
 
@@ -147,7 +163,7 @@ void print_rows(const std::vector<Suite>& suites, const Common& common, CompareO
   const std::size_t width = longest_name(suites);
   options.row = [&common, width](const RunMetrics& row) {
     clear_progress(common);
-    print_engine_row(row, width);
+    fmt::print("{}", table_line(row_columns(width), row_cells(row), TableForm::text));
     std::fflush(stdout);
   };
   options.rows = [&common, width](const std::vector<RunMetrics>& rows) {
@@ -155,6 +171,21 @@ void print_rows(const std::vector<Suite>& suites, const Common& common, CompareO
     is_engine(rows.front()) ? print_nearest(rows) : print_exact_rows(rows, width);
     std::fflush(stdout);
   };
+}
+
+void print_rows(const std::vector<RunMetrics>& rows, TableForm form) {
+  std::vector<TableColumn> columns = row_columns(0);
+  columns.insert(columns.begin(), {{"scene"}, {"nearest"}});
+  fmt::print("{}", table_head(columns, form));
+  for (const RunMetrics& row : rows) {
+    const bool nearest = row.rank == 1 && std::ranges::any_of(rows, [&](const RunMetrics& other) {
+                           return other.scene == row.scene && other.dt == row.dt && other.rank > 1;
+                         });
+    TableCells cells = row_cells(row);
+    cells.insert(cells.begin(), {row.scene, nearest ? "*" : ""});
+    fmt::print("{}", table_line(columns, cells, form));
+  }
+  fmt::print("{}", table_foot(form));
 }
 
 }  // namespace rockstack

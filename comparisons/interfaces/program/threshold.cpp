@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "analytic/scene/messages/number_text.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/suites/shipped.hpp"
 
 namespace rockstack {
@@ -14,6 +16,27 @@ struct ThresholdArguments {
   std::size_t values = 200, over_values = 40;
   std::filesystem::path out;
 };
+
+/// Values between which the outcome changes; of a spectrum the first threshold at each value of the other
+/// key.
+std::vector<TableCells> threshold_lines(const ThresholdRequest& request, const Threshold& found,
+                                        const std::optional<ThresholdSpectrum>& spectrum) {
+  const auto cell = [](double value) { return number_text(value, 6); };
+  std::vector<TableCells> lines;
+  if (spectrum) {
+    lines.push_back({axis_title(spectrum->over.key), axis_title(request.vary.key)});
+    for (std::size_t i = 0; i < spectrum->values.size(); ++i) {
+      const std::optional<double> first = spectrum->thresholds[i].first();
+      lines.push_back({cell(spectrum->values[i]), first ? cell(*first) : ""});
+    }
+    return lines;
+  }
+  lines.push_back({axis_title(request.vary.key) + " from", "to", "outcome"});
+  for (const OutcomeRange& range : found.ranges)
+    lines.push_back({cell(range.from), cell(range.to),
+                     range.happens ? request.outcome.happens : request.outcome.otherwise});
+  return lines;
+}
 
 int run_threshold(const ThresholdArguments& arguments, const Common& common) {
   MotionLibrary library;
@@ -37,6 +60,7 @@ int run_threshold(const ThresholdArguments& arguments, const Common& common) {
   clear_progress(common);
   const Json json = write_threshold(scene.title, request, found, spectrum ? &*spectrum : nullptr,
                                     arguments.out, common.command);
+  if (common.prints_documents()) print_table(threshold_lines(request, found, spectrum), common.table);
   if (print_json(json, common))
     for (const Json& sentence : json.at("headline")) fmt::print("{}\n", sentence.get<std::string>());
   show_report(arguments.out, common);
@@ -65,8 +89,8 @@ void add_threshold(CLI::App& command, ThresholdArguments& arguments) {
 }  // namespace
 
 Command threshold_command() {
-  return make_command("threshold", "find the least of a number that topples a stack", add_threshold,
-                      run_threshold);
+  return with_tables(make_command("threshold", "find the least of a number that topples a stack",
+                                  add_threshold, run_threshold));
 }
 
 }  // namespace rockstack

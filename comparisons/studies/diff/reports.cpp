@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/algorithm/string/replace.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
 
@@ -10,6 +9,7 @@
 #include "analytic/scene/messages/number_text.hpp"
 #include "analytic/scene/messages/one_line.hpp"
 #include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/results/table_form.hpp"
 #include "comparisons/measures/verdict/verdict.hpp"
 
 namespace rockstack {
@@ -88,31 +88,25 @@ std::vector<std::string> shown_numbers(const ResultsChange& result) {
   return names;
 }
 
+/// In Markdown.
 std::string cell_of(const RowChange& row, const std::string& quantity) {
   const auto change = std::ranges::find(row.quantities, quantity, &QuantityChange::quantity);
   if (change == row.quantities.end() ||
       std::max(change->old_values.greatest, change->new_values.greatest) == 0)
     return "";
-  return change->trend == Trend::none ? change_text(*change) : "**" + change_text(*change) + "**";
-}
-
-/// A line of a Markdown table.
-std::string markdown_line(const std::vector<std::string>& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells)
-    line += " " + boost::replace_all_copy(one_line(cell), "|", "\\|") + " |";
-  return line + "\n";
+  const std::string text = markdown_cell(change_text(*change));
+  return change->trend == Trend::none ? text : "**" + text + "**";
 }
 
 std::string rows_table(const ResultsChange& result) {
   const std::vector<std::string> names = shown_numbers(result);
-  std::vector<std::string> heading{"", "scene", "engine", "step"};
+  TableCells heading{"", "scene", "engine", "step"};
   for (const std::string& name : names) heading.push_back(quantity_named(name).words);
-  std::string text = markdown_line(heading) + markdown_line(std::vector<std::string>(heading.size(), "---"));
+  std::string text = markdown_line(heading) + markdown_line(TableCells(heading.size(), "---"));
   for (const RowChange& row : result.rows) {
     if (!row.old_row.steps) continue;
-    std::vector<std::string> cells{name(row.worst()), row.new_row.scene, set_name(row.new_row),
-                                   quantity_text(row.new_row.dt.value_or(0), "s")};
+    TableCells cells{name(row.worst()), markdown_cell(one_line(row.new_row.scene)),
+                     markdown_cell(set_name(row.new_row)), quantity_text(row.new_row.dt.value_or(0), "s")};
     for (const std::string& name : names) cells.push_back(cell_of(row, name));
     text += markdown_line(cells);
   }
