@@ -1,5 +1,6 @@
 #include "plots/figures/figure.hpp"
 
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/data/scores.hpp"
 #include "rockstack_plots_texts.hpp"
@@ -103,7 +104,7 @@ void draw_figures(const fs::path& results, const Comparison& comparison) {
 void draw_figures(const fs::path& results) {
   for (const Figure& figure : figures()) {
     const auto* of = std::get_if<FolderFigure>(&figure.of);
-    if (of == nullptr || !fs::exists(results / of->needs)) continue;
+    if (of == nullptr || !fs::exists(table_file(results / of->needs))) continue;
     Drawings drawings = of->draw({figure, results});
     if (of->narrow) drawings[narrow_part] = of->draw({figure, results, narrow_width}).at("");
     draw_all(figure, drawings, results);

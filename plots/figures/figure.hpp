@@ -94,7 +94,7 @@ struct ComparisonFigure {
 
 struct FolderFigure {
   Drawings (*draw)(const FolderSubject&);
-  const char* needs;    ///< a file of results
+  const char* needs;    ///< a table of results, as table_file() finds it, or another file
   bool narrow = false;  ///< whether it is drawn once more, as narrow as narrow_width, and can be printed
 };
 

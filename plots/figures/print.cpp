@@ -1,3 +1,4 @@
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/results/print_style.hpp"
 #include "plots/figures/figure.hpp"
 
@@ -51,7 +52,7 @@ PrintedFigures print_study(const fs::path& results, const PrintStyle& style) {
     const auto* of = std::get_if<FolderFigure>(&figure.of);
     if (of == nullptr || !of->narrow) continue;
     can.push_back(figure.name);
-    if (!fs::exists(results / of->needs)) continue;
+    if (!fs::exists(table_file(results / of->needs))) continue;
     refuse_panels(style, "the figure " + figure.name);
     for (const auto& [part, drawing] : of->draw({figure, results, print_width(style), &style}))
       add({drawing}, results / folder_for_print / (part.empty() ? figure.name : figure.name + "." + part),

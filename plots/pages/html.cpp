@@ -257,7 +257,7 @@ std::string scene_figure(const fs::path& results, const Comparison& comparison, 
 
 std::string file_links(const fs::path& results) {
   const auto to = [](const std::string& name) { return link(escaped(name), escaped(name)); };
-  return joined_texts(names_in(results, {".csv", ".json"}), to, ", ");
+  return joined_texts(names_in(results, {".csv", ".json", ".npz"}), to, ", ");
 }
 
 }  // namespace rockstack::plots

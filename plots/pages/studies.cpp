@@ -21,8 +21,18 @@ std::vector<std::string> headline_of(const Json& json) {
                               : headline.get<std::vector<std::string>>();
 }
 
+/// A list that is too long to be read as its length and its ends; the file of results has all of it.
+void shorten(Json& list) {
+  constexpr std::size_t longest = 1000;
+  if (list.is_array() && list.size() > longest)
+    list = fmt::format("{} values, {} to {}", list.size(), list.front().dump(), list.back().dump());
+}
+
 /// What the page has nowhere else.
 Facts other_facts(Json json) {
+  if (json.contains("vary"))
+    for (Json& variation : json.at("vary"))
+      for (Json& part : variation) shorten(part);
   for (const char* shown : {"title", "headline", "tables", "command", "trials", "cases", "disagreements",
                             "rows", "sets", "indices"})
     json.erase(shown);

@@ -17,6 +17,7 @@ struct SweepArguments {
   std::string ensemble;
   std::filesystem::path out;
   std::size_t threads = 0;  ///< 0: as many as the machine runs at once; without effect under mpirun
+  std::string format;       ///< of runs_formats; empty: the usual one
 };
 
 std::atomic<int> interruption = 0;  ///< the signal that asked for it
@@ -46,6 +47,11 @@ Ensemble read_ensemble(const SweepArguments& arguments, const Common& common, Mo
   return read_ensemble(input_file(arguments.ensemble, {"ensembles"}), common.overrides, library);
 }
 
+RunsFormat format_of(const Ensemble& ensemble, const SweepArguments& arguments) {
+  if (arguments.format.empty()) return usual_format(run_count(ensemble));
+  return static_cast<RunsFormat>(std::ranges::find(runs_formats, arguments.format) - runs_formats.begin());
+}
+
 /// What a process does that does not lead. It reads the ensemble only when it is given a block, so that of
 /// bad input the leader alone speaks.
 int serve(Executor& executor, const SweepArguments& arguments, const Common& common) {
@@ -53,7 +59,7 @@ int serve(Executor& executor, const SweepArguments& arguments, const Common& com
   std::optional<Ensemble> ensemble;
   executor.serve([&](std::size_t block) {
     if (!ensemble) ensemble = read_ensemble(arguments, common, library);
-    return block_lines(*ensemble, block, library);
+    return block_text(*ensemble, block, library, format_of(*ensemble, arguments));
   });
   return 0;
 }
@@ -101,9 +107,9 @@ int run_sweep(const SweepArguments& arguments, const Common& common) {
   const Ensemble ensemble = read_ensemble(arguments, common, library);
   warn_of_sizes(make_scene(typical_document(ensemble), library), common);
   const ResultsFolder folder(arguments.out, Results::sweep, subject_of(arguments.ensemble), common.replace);
-  const SweepResult result =
-      sweep(ensemble, library, *executor,
-            {arguments.out, common.command, sweep_progress(common), [] { return interruption.load() != 0; }});
+  const SweepResult result = sweep(ensemble, library, *executor,
+                                   {arguments.out, common.command, sweep_progress(common),
+                                    [] { return interruption.load() != 0; }, format_of(ensemble, arguments)});
   if (!result.finished()) {
     fmt::print(stderr, "{}rockstack: stopped after {} of {} runs; the same command goes on from there\n",
                shows_progress(common) ? "\n" : "", result.done, result.runs);
@@ -113,7 +119,8 @@ int run_sweep(const SweepArguments& arguments, const Common& common) {
   if (interruption != 0) std::raise(interruption);
   print_sweep(result, arguments.out, common);
   show_report(arguments.out, common);
-  return exit_code(result.failed, result.runs, "runs.csv", result.reason);
+  return exit_code(result.failed, result.runs, failures_file(arguments.out).filename().c_str(),
+                   result.reason);
 }
 
 void add_sweep(CLI::App& command, SweepArguments& arguments) {
@@ -124,6 +131,13 @@ void add_sweep(CLI::App& command, SweepArguments& arguments) {
       .add_option("--threads", arguments.threads,
                   "threads, as many as the machine has if left out; under mpirun, one a rank")
       ->check(CLI::Range(1, 1024));
+  command
+      .add_option(
+          "--format", arguments.format,
+          fmt::format(
+              "csv: a line a run; npz: columns for numpy, less than half as large; left out: csv up to {} runs",
+              most_csv_runs))
+      ->check(one_of({runs_formats.begin(), runs_formats.end()}));
   add_results(
       command, arguments.out, [&] { return arguments.ensemble; }, ", where a sweep that was stopped goes on");
 }

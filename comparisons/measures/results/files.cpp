@@ -59,7 +59,8 @@ constexpr Kind kinds[]{
       "impact-laws-answers.csv", "impact-laws-sets.csv", "impact-laws-states.csv", "figures", "report.html"}},
     {"a sweep",
      {"sweep.json", "runs.csv", "timing.json", "fragility.csv", "fragility-fit.csv", "incremental.csv",
-      "incremental-fractiles.csv", "overturning.csv", "modes.csv", "figures", "report.html"}},
+      "incremental.npz", "incremental-fractiles.csv", "overturning.csv", "overturning.npz", "modes.csv",
+      "modes.npz", "figures", "report.html"}},
     {"a record", {"record.json", "record.csv", "spectrum.csv", "figures", "report.html"}},
     {"results held together", {"diff.json", "diff.csv", "report.html"}},
     {"a canon", {"canon.json", "canon.csv", "checks.json", "checks.csv", "report.html"}},
@@ -76,7 +77,8 @@ namespace fs = std::filesystem;
 constexpr const char* mark_name = ".results";
 
 /// What a command that was stopped goes on from.
-constexpr std::initializer_list<const char*> gone_on_from{"runs", "runs.journal", "answers"};
+constexpr std::initializer_list<const char*> gone_on_from{"runs", "runs.journal", "runs.npz", "failures.csv",
+                                                          "answers"};
 
 /// The kind of results that a folder holds, and what they are of; empty where it says neither.
 std::pair<std::string, std::string> read_mark(const fs::path& folder) {
@@ -171,13 +173,22 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
 }
 
 void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write) {
+  replace_file(file, [&](const std::filesystem::path& own) {
+    const Descriptor partial(open(own.c_str(), O_WRONLY | O_CLOEXEC));
+    if (partial.number() < 0) fail(file);
+    write([&](std::string_view text) { write_all(partial.number(), text, file); });
+  });
+}
+
+void replace_file(const std::filesystem::path& file,
+                  const std::function<void(const std::filesystem::path&)>& write) {
   const std::string own = file.string() + ".partial";
   // Made new: what a killed run has left goes, and a link leads nowhere.
   unlink(own.c_str());
   const Descriptor partial(open(own.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (partial.number() < 0) fail(file);
   try {
-    write([&](std::string_view text) { write_all(partial.number(), text, file); });
+    write(own);
     // On the disk first, then in its place: a machine that stops leaves it whole or not there.
     const bool on_disk = fsync(partial.number()) == 0 || errno == EINVAL;  // where it cannot be asked
     if (!on_disk || rename(own.c_str(), file.c_str()) != 0) fail(file);
@@ -221,19 +232,26 @@ ResultsFolder::~ResultsFolder() {
   for (const fs::path& folder : made_) fs::remove(folder, ignored);
 }
 
+std::string job_line(const std::string& identity) {
+  return fmt::format("rockstack sweep {:016x}\n", checksum(identity));
+}
+
+InputError other_job(const std::filesystem::path& folder) {
+  return InputError(fmt::format(
+      "--out {}: must be a folder of its own: it holds a sweep of another ensemble, in another format, or by another build",
+      folder.string()));
+}
+
 Journal::Journal(const std::filesystem::path& folder, const std::string& identity)
     : file_(folder / "runs.journal"),
       descriptor_(open(file_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666)) {
   if (descriptor_.number() < 0) fail(file_);
-  const std::string head = fmt::format("rockstack sweep {:016x}\n", checksum(identity));
+  const std::string head = job_line(identity);
   std::ifstream in(file_, std::ios::binary);
   const std::uint64_t size = std::filesystem::file_size(file_);
   std::string found(std::min<std::uint64_t>(size, head.size()), '\0');
   in.read(found.data(), static_cast<std::streamsize>(found.size()));
-  if (!head.starts_with(found))
-    throw InputError(fmt::format(
-        "--out {}: must be a folder of its own: it holds a sweep of another ensemble, or by another build",
-        file_.parent_path().string()));
+  if (!head.starts_with(found)) throw other_job(file_.parent_path());
   const bool whole = found.size() == head.size();
   end_ = whole ? head.size() : 0;
   std::size_t part = 0;
@@ -256,16 +274,21 @@ void Journal::append(std::size_t part, const std::string& text) {
   entries_[part] = {end_ - text.size(), text.size()};
 }
 
-void Journal::copy_to(const Sink& put) const {
-  std::ifstream in(file_, std::ios::binary);
-  std::string text;
-  for (const auto& [part, entry] : entries_) {
-    text.resize(entry.length);
-    in.seekg(static_cast<std::streamoff>(entry.begin));
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    put(text);
+std::string Journal::text(std::size_t part) const {
+  const Entry& entry = entries_.at(part);
+  std::string text(entry.length, '\0');
+  for (std::size_t there = 0; there < text.size();) {
+    const ssize_t got = pread(descriptor_.number(), text.data() + there, text.size() - there,
+                              static_cast<off_t>(entry.begin + there));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) throw std::runtime_error(file_.string() + ": cannot be read");
+    there += static_cast<std::size_t>(got);
   }
-  if (!in) throw std::runtime_error(file_.string() + ": cannot be read");
+  return text;
+}
+
+void Journal::copy_to(const Sink& put) const {
+  for (const auto& [part, entry] : entries_) put(text(part));
 }
 
 }  // namespace rockstack

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analytic/scene/messages/input_error.hpp"
+
 namespace rockstack {
 
 /// A file that the system has open, closed with this.
@@ -51,6 +53,10 @@ void write_file(const std::filesystem::path& file, std::string_view content);
 /// Writes what `write` puts out.
 void write_file(const std::filesystem::path& file, const std::function<void(const Sink&)>& write);
 
+/// Writes a file in this way by what `write` does with the empty file whose name it is given.
+void replace_file(const std::filesystem::path& file,
+                  const std::function<void(const std::filesystem::path&)>& write);
+
 /// What a folder holds, by the command that fills it.
 enum class Results {
   motion,
@@ -91,6 +97,12 @@ class ResultsFolder {
   FolderLock lock_;
 };
 
+/// The line by which files know the job that they are of.
+std::string job_line(const std::string& identity);
+
+/// The error of a folder with the runs of another job.
+InputError other_job(const std::filesystem::path& folder);
+
 /// Finished parts of a job in a file that only grows, so that a job that was killed can go on: a head line
 /// that names the job, then one entry a part, with its length and checksum. An entry that is torn, and what
 /// follows it, is dropped when the file is opened again.
@@ -104,6 +116,9 @@ class Journal {
 
   /// Adds a part that is not there yet. @throws std::runtime_error where it cannot be written.
   void append(std::size_t part, const std::string& text);
+
+  /// A part that is there. @throws std::runtime_error where it cannot be read.
+  std::string text(std::size_t part) const;
 
   /// Writes all parts in the order of their numbers.
   void copy_to(const Sink& put) const;

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 
@@ -27,14 +27,14 @@ void add_fit(const std::filesystem::path& file, const std::string& axis, bool op
                 value_on(axis, fit[0][0]), open ? " or less" : "", fit[1][0]));
 }
 
-void add_counts(const std::filesystem::path& runs, const CutShort& cut, Sentences& sentences) {
+void add_counts(const std::filesystem::path& folder, const CutShort& cut, Sentences& sentences) {
   std::size_t done = 0, fell = 0, failed = 0, falling = 0;
-  for (CsvLine row(runs); row.next();) {
-    const bool is_done = row.text("status") == "done";
+  for (TableRows row(folder / "runs.csv", {"status", "toppled", "falling", "ground_left"}); row.next();) {
+    const bool is_done = row.text(0) == "done";
     ++(is_done ? done : failed);
     if (!is_done) continue;
-    fell += row.text("toppled") != "0";
-    falling += row.text("falling") != "0" && !(row.value("ground_left") > 0);
+    fell += row.value(1) != 0;
+    falling += row.value(2) != 0 && !(row.value(3) > 0);
   }
   if (done > 0)
     sentences.push_back(fmt::format("Of {} {} topple{}.", counted(done, "run"), fell, fell == 1 ? "s" : ""));
@@ -47,7 +47,9 @@ void add_counts(const std::filesystem::path& runs, const CutShort& cut, Sentence
     sentences.push_back(
         fmt::format("{} more {} past balance at the end, and count as standing: a longer duration decides.",
                     falling, falling == 1 ? "is" : "are"));
-  if (failed > 0) sentences.push_back(fmt::format("{} failed; runs.csv says why.", failed));
+  if (failed > 0)
+    sentences.push_back(
+        fmt::format("{} failed; {} says why.", failed, failures_file(folder).filename().string()));
 }
 
 /// The sum of each column of a file, whole numbers; none where there is no such file.
@@ -77,9 +79,8 @@ void add_maps(const std::filesystem::path& folder, Sentences& sentences) {
 
 CutShort cut_short(const std::filesystem::path& folder) {
   CutShort cut;
-  const std::vector<double> lengths = read_columns(folder / "runs.csv", {"ground_left"}).front();
-  for (const double left : lengths)
-    if (left > 0) {
+  for (TableRows row(folder / "runs.csv", {"ground_left"}); row.next();)
+    if (const double left = row.value(0); left > 0) {
       ++cut.runs;
       cut.most = std::max(cut.most, left);
     }
@@ -90,7 +91,7 @@ std::vector<std::string> sweep_headline(const std::filesystem::path& folder, con
   Sentences sentences;
   const CutShort cut = cut_short(folder);
   add_fit(folder / "fragility-fit.csv", axis_title(keys.intensity), cut.runs > 0, sentences);
-  add_counts(folder / "runs.csv", cut, sentences);
+  add_counts(folder, cut, sentences);
   add_maps(folder, sentences);
   return sentences;
 }

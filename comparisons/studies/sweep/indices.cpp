@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 
@@ -21,8 +21,7 @@ struct Design {
 };
 
 /// NaN where a run has none.
-double outcome_in(const CsvLine& line, const std::string& outcome) {
-  const double value = line.value(outcome);
+double outcome_in(double value, const std::string& outcome) {
   const bool is_block = outcome == "toppled" || outcome == "falling";
   return is_block && value > 0 ? 1 : value;
 }
@@ -47,23 +46,27 @@ struct Designs {
 
 Designs read_designs(const std::filesystem::path& file, const SummaryKeys& keys) {
   Designs designs;
-  CsvLine line(file);
-  bool more = line.next();
+  std::vector<std::string> names = keys.indices;
+  names.push_back(matrix_column);
+  if (!keys.intensity.empty()) names.push_back(keys.intensity);
+  const std::size_t outcomes = keys.indices.size();
+  TableRows row(file, names);
+  bool more = row.next();
   while (more) {
     std::vector<std::string> matrices;
     std::vector<std::vector<double>> runs;
     std::optional<double> intensity;
+    if (!keys.intensity.empty()) intensity = row.value(outcomes + 1);
     do {
-      if (!keys.intensity.empty() && runs.empty()) intensity = line.value(keys.intensity);
-      matrices.push_back(line.text(matrix_column));
-      runs.push_back(
-          mapped(keys.indices, [&](const std::string& outcome) { return outcome_in(line, outcome); }));
-      more = line.next();
-    } while (more && line.text(matrix_column) != "A");
+      matrices.push_back(row.text(outcomes));
+      std::vector<double>& values = runs.emplace_back();
+      for (std::size_t o = 0; o < outcomes; ++o) values.push_back(outcome_in(row.value(o), keys.indices[o]));
+      more = row.next();
+    } while (more && row.text(outcomes) != "A");
     designs.inputs.assign(matrices.begin() + 2, matrices.end());
     if (std::ranges::find(designs.inputs, keys.intensity) != designs.inputs.end()) intensity.reset();
     std::vector<Design>& level = designs.levels[intensity];
-    level.resize(keys.indices.size());
+    level.resize(outcomes);
     add_sample(runs, level);
   }
   return designs;

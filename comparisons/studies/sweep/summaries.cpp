@@ -1,88 +1,107 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
+#include <unordered_map>
+
 #include "analytic/scene/messages/number_text.hpp"
-#include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
 #include "comparisons/measures/statistics/samples.hpp"
+#include "comparisons/studies/sweep/counted_rows.hpp"
+#include "comparisons/studies/sweep/map_summaries.hpp"
 
 namespace rockstack {
 namespace {
 
-/// What summaries take from one line of runs.csv.
-struct Run {
-  double intensity = 0, period = 0, friction = 0;
-  std::string others;  ///< all other varied values, as "key=value"
-  bool failed = false, toppled = false, moved = false;
-  bool with_impact = false;
-  double peak_ratio = 0;
-  std::string onset, motion;  ///< names of modes
+enum class End : char { stands, topples, fails };
+
+/// What curves over an intensity take from the runs, a row each.
+struct CurveRuns {
+  std::vector<double> intensities, peak_ratios;
+  std::vector<End> ends;
+  std::vector<std::size_t> numbers;
+  std::vector<std::uint64_t> others;  ///< checksums of all other varied values
 };
 
-/// Values of varied keys stand between `run` and `peak_1`.
-Run run_in(const CsvLine& line, const SummaryKeys& keys) {
-  Run run;
-  run.intensity = line.value(keys.intensity);
-  if (!keys.period.empty()) run.period = line.value(keys.period);
-  if (!keys.friction.empty()) run.friction = line.value(keys.friction);
-  const std::size_t first_outcome = line.index("peak_1");
-  for (std::size_t c = 1; c < first_outcome; ++c) {
-    const std::string& name = line.names()[c];
-    if (name == keys.intensity || name == keys.period || name == keys.friction || name == matrix_column)
-      continue;
-    run.others += (run.others.empty() ? "" : ", ") + name + "=" + line.text(c);
-  }
-  run.failed = line.text("status") == "failed";
-  if (run.failed) return run;
-  if (!keys.friction.empty()) run.onset = line.text("onset"), run.motion = line.text("motion");
-  run.toppled = line.value("toppled") > 0;
-  run.moved = line.value("events") > 0;
-  run.with_impact = line.value("impacts") > 0;
-  run.peak_ratio = line.value("peak_ratio");
-  return run;
+constexpr std::size_t first_other = 5;  // behind the columns that curve_runs() reads of each run
+
+std::vector<std::string> curve_columns(const std::filesystem::path& runs, const std::string& intensity) {
+  std::vector<std::string> names{"run", "status", intensity, "toppled", "peak_ratio"};
+  for (const std::string& name : varied_columns(runs))
+    if (name != intensity && name != matrix_column) names.push_back(name);
+  return names;
 }
 
-/// Runs of Saltelli's design share inputs, all but A and B.
-bool is_independent(const CsvLine& line) {
-  return !line.has(matrix_column) || line.text(matrix_column) == "A" || line.text(matrix_column) == "B";
+/// All other varied values of a run, as "key=value".
+std::string others_in(const TableRows& row, const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t c = first_other; c < names.size(); ++c) {
+    if (!text.empty()) text += ", ";
+    text += names[c];
+    text += "=";
+    text += row.text(c);
+  }
+  return text;
 }
 
-/// The level that an intensity belongs to: its own; or where there are many, as values are drawn, the middle
-/// one of a bin, each bin with as many runs as any other.
-std::map<double, double> levels_of(const std::vector<Run>& runs, std::size_t most) {
-  constexpr std::size_t bins = 20;
-  std::vector<double> all = mapped(runs, &Run::intensity);
-  std::ranges::sort(all);
-  std::map<double, double> levels;
-  for (const double intensity : all) levels.emplace(intensity, intensity);
-  if (levels.size() <= most) return levels;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::size_t bin = i * bins / all.size();
-    levels[all[i]] = all[(2 * bin + 1) * all.size() / (2 * bins)];
-  }
-  return levels;
+CurveRuns curve_runs(const std::filesystem::path& file, const std::vector<std::string>& names) {
+  CurveRuns runs;
+  each_counted(file, names, [&](const TableRows& row) {
+    const bool failed = row.text(1) == "failed";
+    runs.numbers.push_back(static_cast<std::size_t>(row.value(0)));
+    runs.intensities.push_back(row.value(2));
+    runs.ends.push_back(failed ? End::fails : row.value(3) > 0 ? End::topples : End::stands);
+    runs.peak_ratios.push_back(failed ? 0 : row.value(4));
+    runs.others.push_back(checksum(others_in(row, names)));
+  });
+  return runs;
 }
 
-/// What came of the runs at each level.
-std::vector<Level> tallied(const std::vector<Run>& runs, const std::map<double, double>& levels) {
-  std::map<double, Level> tallies;
-  for (const Run& run : runs) {
-    const double intensity = levels.at(run.intensity);
-    Level& level = tallies[intensity];
-    level.intensity = intensity;
-    ++(run.failed ? level.failed : level.runs);
-    if (run.toppled) ++level.toppled;
+/// The level that an intensity belongs to: its own; or where there are more than `most`, as values are drawn,
+/// the middle one of a bin, each bin with as many runs as any other.
+class Levels {
+ public:
+  Levels(std::vector<double> all, std::size_t most) {
+    constexpr std::size_t bins = 20;
+    std::ranges::sort(all);
+    std::ranges::unique_copy(all, std::back_inserter(intensities_));
+    levels_ = intensities_;
+    if (levels_.size() <= most) return;
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i] != intensities_[place]) ++place;
+      levels_[place] = all[(2 * (i * bins / all.size()) + 1) * all.size() / (2 * bins)];
+    }
   }
-  return mapped(tallies, [](const auto& one) { return one.second; });
-}
+
+  double of(double intensity) const {
+    const auto found = std::ranges::lower_bound(intensities_, intensity);
+    return levels_[static_cast<std::size_t>(found - intensities_.begin())];
+  }
+
+  /// What came of the runs at each.
+  std::vector<Level> tallied(const CurveRuns& runs) const {
+    std::vector<Level> tallies;
+    for (const double level : levels_)
+      if (tallies.empty() || tallies.back().intensity != level) tallies.push_back({level});
+    for (std::size_t i = 0; i < runs.ends.size(); ++i) {
+      Level& level = *std::ranges::lower_bound(tallies, of(runs.intensities[i]), {}, &Level::intensity);
+      ++(runs.ends[i] == End::fails ? level.failed : level.runs);
+      if (runs.ends[i] == End::topples) ++level.toppled;
+    }
+    return tallies;
+  }
+
+ private:
+  std::vector<double> intensities_, levels_;  ///< each once, rising; the level of each
+};
 
 /// The curve is fitted to all intensities as they are, whatever the levels of the table.
-void write_fragility(const std::vector<Run>& runs, const std::map<double, double>& levels,
-                     const std::filesystem::path& folder) {
-  const auto fit = fit_fragility(tallied(runs, levels_of(runs, runs.size())));
+void write_fragility(const CurveRuns& runs, const Levels& levels, const std::filesystem::path& folder) {
+  const auto fit = fit_fragility(Levels(runs.intensities, runs.intensities.size()).tallied(runs));
   CsvWriter csv;
   csv.line("intensity", "runs", "toppled", "failed", "fraction", "lower", "upper", "fitted");
-  for (const Level& level : tallied(runs, levels)) {
+  for (const Level& level : levels.tallied(runs)) {
     const Bounds bounds = wilson_bounds(level.toppled, level.runs);
     const std::string fraction =
         level.runs == 0 ? ""
@@ -98,25 +117,31 @@ void write_fragility(const std::vector<Run>& runs, const std::map<double, double
   write_file(folder / "fragility-fit.csv", fitted.text());
 }
 
-void write_incremental(std::vector<Run> runs, const std::map<double, double>& levels,
-                       const std::filesystem::path& folder) {
-  std::erase_if(runs, [](const Run& run) { return run.failed; });
+/// The curve of each run that did not fail, numbered in the order of their first runs, and how many there
+/// are.
+struct CurveNumbers {
+  std::vector<std::uint32_t> of_runs;
+  std::size_t curves = 0, runs = 0;
+};
+
+CurveNumbers numbered_curves(const CurveRuns& runs) {
+  CurveNumbers numbers{std::vector<std::uint32_t>(runs.ends.size())};
+  std::unordered_map<std::uint64_t, std::uint32_t> known;
+  for (std::size_t i = 0; i < runs.ends.size(); ++i) {
+    if (runs.ends[i] == End::fails) continue;
+    ++numbers.runs;
+    numbers.of_runs[i] = known.emplace(runs.others[i], known.size()).first->second;
+  }
+  numbers.curves = known.size();
+  return numbers;
+}
+
+void write_fractiles(const CurveRuns& runs, const Levels& levels, const std::filesystem::path& file) {
   std::map<double, std::vector<double>> ratios_of;
-  for (const Run& run : runs)
-    ratios_of[levels.at(run.intensity)].push_back(run.toppled ? std::numeric_limits<double>::infinity()
-                                                              : run.peak_ratio);
-  // Stable: curves stay in the order of their first run.
-  std::map<std::string, std::size_t> numbers;
-  for (const Run& run : runs) numbers.emplace(run.others, numbers.size());
-  if (numbers.size() == runs.size()) return;
-  std::ranges::stable_sort(runs, {},
-                           [&](const Run& run) { return std::pair(numbers[run.others], run.intensity); });
-  CsvWriter curves;
-  curves.line("curve", "values", "intensity", "peak_ratio", "toppled");
-  for (const Run& run : runs)
-    curves.line(numbers[run.others] + 1, run.others, number_text(run.intensity), number_text(run.peak_ratio),
-                run.toppled ? 1 : 0);
-  write_file(folder / "incremental.csv", curves.text());
+  for (std::size_t i = 0; i < runs.ends.size(); ++i)
+    if (runs.ends[i] != End::fails)
+      ratios_of[levels.of(runs.intensities[i])].push_back(
+          runs.ends[i] == End::topples ? std::numeric_limits<double>::infinity() : runs.peak_ratios[i]);
   CsvWriter fractiles;
   fractiles.line("intensity", "runs", "fractile_16", "fractile_50", "fractile_84");
   for (const auto& [intensity, ratios] : ratios_of) {
@@ -124,78 +149,77 @@ void write_incremental(std::vector<Run> runs, const std::map<double, double>& le
     for (const double share : {0.16, 0.5, 0.84}) fractiles.add(number_text(quantile(ratios, share)));
     fractiles.end_line();
   }
-  write_file(folder / "incremental-fractiles.csv", fractiles.text());
+  write_file(file, fractiles.text());
 }
 
-/// How many runs of each kind, by the names of columns, there are at each place of a map.
-using Counts = std::map<std::vector<double>, std::map<std::string, std::size_t>>;
+/// The other varied values of each curve, by its number.
+std::vector<std::string> values_of_curves(const std::filesystem::path& file,
+                                          const std::vector<std::string>& names,
+                                          const CurveNumbers& numbers) {
+  std::vector<std::string> values(numbers.curves);
+  std::size_t i = 0;
+  each_counted(file, names, [&](const TableRows& row) {
+    std::string& text = values[numbers.of_runs[i++]];
+    if (text.empty() && row.text(1) != "failed") text = others_in(row, names);
+  });
+  return values;
+}
 
-void write_counts(const std::filesystem::path& file, const std::vector<std::string>& axes,
-                  const std::vector<std::string>& kinds, const Counts& counts) {
-  CsvWriter csv;
-  csv.line(axes, kinds);
-  for (const auto& [place, count] : counts) {
-    for (const double value : place) csv.add(number_text(value));
-    for (const std::string& kind : kinds) csv.add(count.contains(kind) ? count.at(kind) : 0);
-    csv.end_line();
+void write_curves(const CurveRuns& runs, const CurveNumbers& numbers, const std::filesystem::path& file,
+                  const TableColumn& values_or_run, const std::vector<std::uint32_t>& order) {
+  const auto number = [&](const std::vector<double>& values) {
+    return TableColumn::Number([&](std::size_t row) { return values[order[row]]; });
+  };
+  write_table(
+      file,
+      {{"curve", TableColumn::Count([&](std::size_t row) { return numbers.of_runs[order[row]] + 1; })},
+       values_or_run,
+       {"intensity", number(runs.intensities)},
+       {"peak_ratio", number(runs.peak_ratios)},
+       {"toppled",
+        TableColumn::Count([&](std::size_t row) { return runs.ends[order[row]] == End::topples ? 1 : 0; })}},
+      order.size());
+}
+
+void write_incremental(const CurveRuns& runs, const Levels& levels, const std::filesystem::path& folder,
+                       const std::vector<std::string>& names) {
+  const CurveNumbers numbers = numbered_curves(runs);
+  if (numbers.curves == numbers.runs) return;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < runs.ends.size(); ++i)
+    if (runs.ends[i] != End::fails) order.push_back(i);
+  std::ranges::stable_sort(
+      order, {}, [&](std::uint32_t i) { return std::pair(numbers.of_runs[i], runs.intensities[i]); });
+  const std::filesystem::path file = folder / "runs.csv";
+  if (table_file(file) == file) {
+    const std::vector<std::string> values = values_of_curves(file, names, numbers);
+    const TableColumn::Text text = [&](std::size_t row) { return values[numbers.of_runs[order[row]]]; };
+    write_curves(runs, numbers, folder / "incremental.csv", {"values", text}, order);
+  } else {
+    const TableColumn::Count run = [&](std::size_t row) { return runs.numbers[order[row]]; };
+    write_curves(runs, numbers, folder / "incremental.npz", {"run", run}, order);
   }
-  write_file(file, csv.text());
-}
-
-void write_overturning(const std::vector<Run>& runs, const std::filesystem::path& folder) {
-  Counts counts;
-  for (const Run& run : runs) {
-    auto& count = counts[{run.period, 1 / run.period, run.intensity}];
-    ++count["runs"];
-    ++count[run.failed        ? "failed"
-            : !run.toppled    ? (run.moved ? "rocking" : "rest")
-            : run.with_impact ? "toppled_after_impact"
-                              : "toppled_without_impact"];
-  }
-  write_counts(folder / "overturning.csv", {"period", "frequency", "intensity"},
-               {"runs", "rest", "rocking", "toppled_after_impact", "toppled_without_impact", "failed"},
-               counts);
-}
-
-/// "slide_rock" of slide-rock.
-std::string column_of(std::string mode) {
-  std::ranges::replace_if(
-      mode, [](char c) { return c == '-' || c == ' '; }, '_');
-  return mode;
-}
-
-void write_modes(const std::vector<Run>& runs, const std::filesystem::path& folder) {
-  Counts counts;
-  for (const Run& run : runs) {
-    auto& count = counts[{run.intensity, run.friction}];
-    ++count["runs"];
-    ++count[run.failed ? "failed" : "onset_" + column_of(run.onset)];
-    if (!run.failed) ++count[column_of(run.motion)];
-  }
-  std::vector<std::string> kinds{"runs"};
-  for (const MotionMode mode : motion_modes)
-    if (mode <= MotionMode::free_flight) kinds.push_back("onset_" + column_of(name(mode)));
-  for (const MotionMode mode : motion_modes) kinds.push_back(column_of(name(mode)));
-  kinds.emplace_back("failed");
-  write_counts(folder / "modes.csv", {"intensity", "friction"}, kinds, counts);
+  write_fractiles(runs, levels, folder / "incremental-fractiles.csv");
 }
 
 }  // namespace
 
 void write_summaries(const std::filesystem::path& folder, const SummaryKeys& keys) {
-  for (const char* name : {"fragility.csv", "fragility-fit.csv", "incremental.csv",
-                           "incremental-fractiles.csv", "overturning.csv", "modes.csv", "indices.csv"})
+  for (const char* name : {"fragility.csv", "fragility-fit.csv", "incremental.csv", "incremental.npz",
+                           "incremental-fractiles.csv", "overturning.csv", "overturning.npz", "modes.csv",
+                           "modes.npz", "indices.csv"})
     std::filesystem::remove(folder / name);
   if (keys.intensity.empty()) return;
-  std::vector<Run> runs;
-  for (CsvLine line(folder / "runs.csv"); line.next();)
-    if (is_independent(line)) runs.push_back(run_in(line, keys));
-  if (!keys.period.empty()) return write_overturning(runs, folder);
-  if (!keys.friction.empty()) return write_modes(runs, folder);
+  const std::filesystem::path runs = folder / "runs.csv";
+  const std::string ending = table_file(runs).extension();
+  if (!keys.period.empty()) return write_overturning(runs, keys, folder / ("overturning" + ending));
+  if (!keys.friction.empty()) return write_modes(runs, keys, folder / ("modes" + ending));
   constexpr std::size_t most_lines = 100;
-  const std::map<double, double> levels = levels_of(runs, most_lines);
-  write_fragility(runs, levels, folder);
-  write_incremental(runs, levels, folder);
+  const std::vector<std::string> names = curve_columns(runs, keys.intensity);
+  const CurveRuns counted = curve_runs(runs, names);
+  const Levels levels(counted.intensities, most_lines);
+  write_fragility(counted, levels, folder);
+  write_incremental(counted, levels, folder, names);
 }
 
 }  // namespace rockstack

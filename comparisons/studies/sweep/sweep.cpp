@@ -1,64 +1,12 @@
 #include "comparisons/studies/sweep/sweep.hpp"
 
-#include <new>
-
 #include "analytic/scene/input/page_scene.hpp"
-#include "analytic/scene/messages/number_text.hpp"
-#include "analytic/solve_batch.hpp"
-#include "comparisons/measures/results/csv.hpp"
-#include "comparisons/measures/results/files.hpp"
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/results/provenance.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 
 namespace rockstack {
 namespace {
-
-/// What `part` throws, as a text; empty where it throws nothing.
-template <class Part>
-std::string failure_of(const Part& part) {
-  try {
-    part();
-    return {};
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
-void add_cell(CsvWriter& line, const OutcomeColumn& column, const RunResult& result) {
-  const RunOutcome* outcome = result.outcome;
-  if (column.name == "status") return line.add(outcome ? "done" : "failed");
-  if (column.name == "reason") return line.add(result.reason);
-  if (!outcome) return line.add("");
-  if (const auto* measure = std::get_if<OutcomeColumn::Measure>(&column.value)) {
-    const std::optional<double> value = (*measure)(*outcome);
-    line.add(value ? number_text(*value) : "");
-  }
-  if (const auto* count = std::get_if<OutcomeColumn::Count>(&column.value)) line.add((*count)(*outcome));
-  if (const auto* mode = std::get_if<OutcomeColumn::Mode>(&column.value)) line.add(name(outcome->**mode));
-}
-
-std::size_t length_of(std::size_t block, std::size_t runs) {
-  return std::min(block_size(runs), runs - block * block_size(runs));
-}
-
-constexpr auto matrix_meaning =
-    "a sample's inputs are those of A, of B, drawn independently, or of A with that key's value from B";
-
-/// All columns of runs.csv and what they mean: the run's number, a column a variation, then what came out.
-std::vector<std::pair<std::string, std::string>> run_columns(const Ensemble& ensemble) {
-  std::vector<std::pair<std::string, std::string>> columns{{"run", "number of the run, from 0"}};
-  for (const Variation& variation : ensemble.variations) {
-    std::string meaning = "scene key";
-    for (std::size_t k = 1; k < variation.keys.size(); ++k) meaning += ", also of " + variation.keys[k];
-    columns.emplace_back(variation.name(), meaning);
-  }
-  if (!ensemble.summary.indices.empty()) columns.emplace_back(matrix_column, matrix_meaning);
-  for (const OutcomeColumn& column : outcome_columns(block_count(ensemble)))
-    columns.emplace_back(column.name, column.meaning);
-  return columns;
-}
 
 /// All that is needed to make the runs again, and what the columns mean.
 Json description(const Ensemble& ensemble, const std::filesystem::path& folder,
@@ -84,21 +32,13 @@ Json description(const Ensemble& ensemble, const std::filesystem::path& folder,
   if (!indices.empty())
     json["indices"] = {{"headline", index_sentences(indices, axis_title(ensemble.summary.intensity))},
                        {"inputs", mapped(indices, [](const InputIndices& one) { return json_of(one); })}};
-  for (const auto& [name, meaning] : run_columns(ensemble)) json["columns"][name] = meaning;
+  for (const RunColumn& column : run_columns(ensemble)) json["columns"][column.name] = column.meaning;
   json["environment"] = environment({});
   return json;
 }
 
 /// @returns the headline.
-std::vector<std::string> write_results(const Ensemble& ensemble, const Journal& journal,
-                                       const std::filesystem::path& folder) {
-  write_file(folder / "runs.csv", [&](const Sink& put) {
-    CsvWriter header;
-    for (const auto& [name, meaning] : run_columns(ensemble)) header.add(name);
-    header.end_line();
-    put(header.text());
-    journal.copy_to(put);
-  });
+std::vector<std::string> write_results(const Ensemble& ensemble, const std::filesystem::path& folder) {
   write_summaries(folder, ensemble.summary);
   std::vector<std::string> headline = sweep_headline(folder, ensemble.summary);
   std::vector<InputIndices> indices;
@@ -112,79 +52,24 @@ std::vector<std::string> write_results(const Ensemble& ensemble, const Journal& 
   return headline;
 }
 
-}  // namespace
-
-void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
-               const std::function<void(const RunResult&)>& take, const std::function<bool()>* cancelled) {
-  struct Run {
-    std::size_t number;
-    std::vector<Value> values;
-  };
-  std::map<std::size_t, Run> under_way;  // by the number of the scene
-  SceneDocument document = ensemble.base;
-  std::size_t next = first, begun = 0;
-  // The scene of the next run that has one; of a run that has none it tells why.
-  const auto next_scene = [&]() -> std::optional<Scene> {
-    while (next < last) {
-      Run run{next, values_of(ensemble, next)};
-      ++next;
-      std::optional<Scene> scene;
-      const std::string reason = failure_of([&] {
-        for (std::size_t v = 0; v < run.values.size(); ++v)
-          set_values(document, ensemble.variations[v], run.values[v]);
-        scene = make_scene(document, library);
-      });
-      if (scene) {
-        under_way.emplace(begun++, std::move(run));
-        return scene;
-      }
-      take({run.number, run.values, nullptr, reason});
-    }
-    return std::nullopt;
-  };
-  SolveOptions options = run_options(ensemble.tolerance);
-  options.cancelled = cancelled;
-  options.validity = ensemble.demands;
-  solve_batch(next_scene, options, [&](const Solved& solved) {
-    const Run run = std::move(under_way.extract(solved.number).mapped());
-    std::optional<RunOutcome> outcome;
-    const std::string reason = failure_of([&] {
-      if (solved.failure) std::rethrow_exception(solved.failure);
-      outcome = run_outcome(solved.scene, solved.history);
-    });
-    take({run.number, run.values, outcome ? &*outcome : nullptr, reason});
-  });
+/// What a journal is known by.
+std::string identity_of_runs(const Ensemble& ensemble, RunsFormat format, MotionLibrary& library) {
+  std::string known = identity(ensemble, library) + std::to_string(block_size(run_count(ensemble)));
+  for (const RunColumn& column : run_columns(ensemble)) known += "\n" + column.name;
+  return format == RunsFormat::npz ? known + "\nas columns" : known;
 }
 
-std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library) {
-  const std::size_t runs = run_count(ensemble), first = block * block_size(runs);
-  std::vector<CsvWriter> lines(length_of(block, runs));
-  const std::vector<OutcomeColumn> columns = outcome_columns(block_count(ensemble));
-  make_runs(ensemble, first, first + lines.size(), library, [&](const RunResult& result) {
-    CsvWriter& line = lines[result.run - first];
-    line.add(result.run);
-    for (const Value& value : result.values) line.add(value.text);
-    if (!ensemble.summary.indices.empty()) line.add(matrix_of(ensemble, result.run));
-    for (const OutcomeColumn& column : columns) add_cell(line, column, result);
-    line.end_line();
-  });
-  std::string text;
-  for (const CsvWriter& line : lines) text += line.text();
-  return text;
+/// Whether a folder's runs.npz has all runs.
+bool holds_columns(const std::filesystem::path& folder, RunsFormat format, const std::string& known) {
+  const std::filesystem::path file = folder / "runs.npz";
+  if (!std::filesystem::exists(file)) return false;
+  if (format != RunsFormat::npz || npz_comment(file) != job_line(known)) throw other_job(folder);
+  return true;
 }
 
-std::size_t block_size(std::size_t runs) {
-  constexpr std::size_t smallest = 32;  // enough to be solved side by side
-  constexpr std::size_t largest = 256, fewest_blocks = 64;
-  return std::clamp(runs / fewest_blocks, smallest, largest);
-}
-
-SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
-                  const SweepOptions& options) {
-  SweepResult result{.runs = run_count(ensemble)};
-  std::string known = identity(ensemble, library) + std::to_string(block_size(result.runs));
-  for (const auto& [name, meaning] : run_columns(ensemble)) known += "\n" + name;
-  Journal journal(options.folder, known);
+/// Makes the blocks that a journal does not have.
+void make_blocks(const Ensemble& ensemble, Journal& journal, RunsFormat format, MotionLibrary& library,
+                 Executor& executor, const SweepOptions& options, SweepResult& result) {
   std::vector<std::size_t> blocks;
   for (std::size_t block = 0; block * block_size(result.runs) < result.runs; ++block) {
     if (journal.has(block))
@@ -195,19 +80,44 @@ SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& ex
   const std::size_t begun_with = result.done;
   options.progress(result.done, begun_with, result.runs);
   const auto start = std::chrono::steady_clock::now();
-  executor.run(blocks, {[&](std::size_t block) { return block_lines(ensemble, block, library); },
-                        [&](std::size_t block, const std::string& lines) {
-                          journal.append(block, lines);
+  executor.run(blocks, {[&](std::size_t block) { return block_text(ensemble, block, library, format); },
+                        [&](std::size_t block, const std::string& text) {
+                          journal.append(block, text);
                           result.done += length_of(block, result.runs);
                           options.progress(result.done, begun_with, result.runs);
                         },
                         options.stopped});
   result.computed = result.done - begun_with;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!result.finished()) return result;
-  result.headline = write_results(ensemble, journal, options.folder);
-  for (CsvLine line(options.folder / "runs.csv"); line.next();)
-    if (line.text("status") == "failed" && result.failed++ == 0) result.reason = line.text("reason");
+}
+
+void count_failed(const std::filesystem::path& folder, SweepResult& result) {
+  for (TableRows row(folder / "runs.csv", {"status"}); row.next();) result.failed += row.text(0) == "failed";
+  if (result.failed == 0) return;
+  TableRows row(failures_file(folder), {reason_column});
+  while (result.reason.empty() && row.next()) result.reason = row.text(0);
+}
+
+}  // namespace
+
+SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
+                  const SweepOptions& options) {
+  SweepResult result{.runs = run_count(ensemble)};
+  const RunsFormat format = options.format.value_or(usual_format(result.runs));
+  const std::string known = identity_of_runs(ensemble, format, library);
+  if (holds_columns(options.folder, format, known)) {
+    result.done = result.runs;
+    options.progress(result.done, result.done, result.runs);
+  } else {
+    Journal journal(options.folder, known);
+    make_blocks(ensemble, journal, format, library, executor, options, result);
+    if (!result.finished()) return result;
+    write_runs(ensemble, journal, options.folder, format, job_line(known));
+  }
+  if (format == RunsFormat::npz)
+    std::filesystem::remove(options.folder / "runs.journal");  // all of it is there
+  result.headline = write_results(ensemble, options.folder);
+  count_failed(options.folder, result);
   const Json timing{{"command", options.command},
                     {"workers", executor.description()},
                     {"runs_computed", result.computed},

@@ -1,29 +1,13 @@
 #pragma once
 
-#include "comparisons/measures/results/outcome_columns.hpp"
 #include "comparisons/measures/statistics/sobol.hpp"
 #include "comparisons/runs/execution/executor.hpp"
-#include "comparisons/studies/sweep/ensemble.hpp"
+#include "comparisons/studies/sweep/run_columns.hpp"
 
 namespace rockstack {
 
-/// What becomes of a run of an ensemble; it is there while it is taken.
-struct RunResult {
-  std::size_t run = 0;
-  const std::vector<Value>& values;  ///< of each variation
-  const RunOutcome* outcome;         ///< null where its scene is out of range or cannot be solved
-  std::string reason;                ///< then why
-};
-
-/// Makes the runs `first` up to and without `last`, several side by side; `take` gets what becomes of each,
-/// not in order. May be called from several threads at once. What `take` throws goes through. `cancelled` as
-/// of SolveOptions: a run that it ends has no outcome.
-void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, MotionLibrary& library,
-               const std::function<void(const RunResult&)>& take,
-               const std::function<bool()>* cancelled = nullptr);
-
-/// Writes the summaries that an ensemble asks for, from DIR/runs.csv alone. Runs that failed are counted and
-/// left out.
+/// Writes the summaries that an ensemble asks for, from DIR/runs.csv or DIR/runs.npz alone, of which columns
+/// of a few numbers a run are in memory. Runs that failed are counted and left out.
 ///
 /// Where a sample is a row of Saltelli's design, its runs A and B alone are counted, which are independent of
 /// each other.
@@ -39,10 +23,12 @@ void make_runs(const Ensemble& ensemble, std::size_t first, std::size_t last, Mo
 /// By intensity and friction:
 /// - modes.csv: how many runs begin in each mode of motion, as columns onset_*, and how many are all in all
 ///   of each.
+/// Beside runs.npz the curves and both maps are .npz files too, and curves name a run's number in place of
+/// its values.
 ///
 /// By indices:
 /// - indices.csv: of each outcome, at each intensity of a grid, the Sobol indices of the inputs that are
-/// drawn.
+///   drawn.
 ///
 /// Files of summaries that are not asked for are removed. @throws std::runtime_error where a file cannot be
 /// written.
@@ -58,7 +44,7 @@ struct InputIndices {
   std::size_t left_out = 0;  ///< samples with a run that failed or has no such outcome
 };
 
-/// From a folder's runs.csv, in its order. Outcomes that are a block's number, toppled and falling, count as
+/// From a folder's runs, in their order. Outcomes that are a block's number, toppled and falling, count as
 /// whether there is one.
 std::vector<InputIndices> input_indices(const std::filesystem::path& folder, const SummaryKeys& keys);
 
@@ -71,7 +57,7 @@ Json json_of(const InputIndices& one);
 /// Which input decides over an outcome, where that varies most; nothing of an outcome that never varies.
 std::vector<std::string> index_sentences(const std::vector<InputIndices>& list, const std::string& axis);
 
-/// The runs of a folder's runs.csv that stand as they end and whose ground moves on.
+/// The runs of a folder that stand as they end and whose ground moves on.
 struct CutShort {
   std::size_t runs = 0;
   double most = 0;  ///< s that it does
@@ -79,14 +65,15 @@ struct CutShort {
 
 CutShort cut_short(const std::filesystem::path& folder);
 
-/// What the results in a folder come to, from runs.csv and its summaries, in sentences.
+/// What the results in a folder come to, from its runs and their summaries, in sentences.
 std::vector<std::string> sweep_headline(const std::filesystem::path& folder, const SummaryKeys& keys);
 
 struct SweepOptions {
   std::filesystem::path folder;  ///< for results; must be there
   std::string command;           ///< the whole command line
   std::function<void(std::size_t done, std::size_t begun_with, std::size_t runs)> progress;  ///< of runs
-  std::function<bool()> stopped;  ///< true: end after the blocks in progress
+  std::function<bool()> stopped;          ///< true: end after the blocks in progress
+  std::optional<RunsFormat> format = {};  ///< else the usual one
 };
 
 struct SweepResult {
@@ -100,17 +87,10 @@ struct SweepResult {
   bool finished() const { return done == runs; }
 };
 
-/// Consecutive runs are computed and kept in blocks of this size.
-std::size_t block_size(std::size_t runs);
-
-/// A block of runs, one line each. A run whose scene is out of range or that the solver cannot finish says so
-/// in its line. May be called from several threads at once.
-std::string block_lines(const Ensemble& ensemble, std::size_t block, MotionLibrary& library);
-
 /// Makes the runs of an ensemble that DIR/runs.journal does not have yet. Once all are there it writes
-/// runs.csv, sweep.json and summaries, whose bytes depend neither on the executor nor on interruptions, and
-/// timing.json. Precondition: executor.leads().
-/// @throws InputError where the folder holds another ensemble.
+/// runs.csv, or runs.npz in the journal's place, sweep.json and summaries, whose bytes depend neither on the
+/// executor nor on interruptions, and timing.json. Precondition: executor.leads().
+/// @throws InputError where the folder holds another ensemble, or the other format.
 SweepResult sweep(const Ensemble& ensemble, MotionLibrary& library, Executor& executor,
                   const SweepOptions& options);
 

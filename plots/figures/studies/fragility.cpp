@@ -1,6 +1,7 @@
 #include "comparisons/measures/statistics/fragility.hpp"
-#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/results/sentences.hpp"
+#include "comparisons/measures/statistics/draws.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/studies/sweep_facts.hpp"
 
@@ -35,17 +36,42 @@ struct ScaledMotion {
 };
 
 std::vector<ScaledMotion> read_motions(const fs::path& file) {
-  const auto columns = read_columns(file, {"curve", "intensity", "peak_ratio", "toppled"});
   std::vector<ScaledMotion> motions;
-  for (std::size_t i = 0; i < columns[0].size(); ++i) {
-    if (i == 0 || columns[0][i] != columns[0][i - 1]) motions.emplace_back();
+  double curve = 0;
+  for (TableRows row(file, {"curve", "intensity", "peak_ratio", "toppled"}); row.next();) {
+    if (motions.empty() || row.value(0) != curve) motions.emplace_back();
+    curve = row.value(0);
     ScaledMotion& motion = motions.back();
-    motion.intensities.push_back(columns[1][i]);
-    motion.ratios.push_back(columns[3][i] > 0 ? std::numeric_limits<double>::infinity() : columns[2][i]);
+    motion.intensities.push_back(row.value(1));
+    motion.ratios.push_back(row.value(3) > 0 ? std::numeric_limits<double>::infinity() : row.value(2));
     motion.reached.push_back(motion.reached.empty() ? motion.ratios.back()
                                                     : std::max(motion.reached.back(), motion.ratios.back()));
   }
   return motions;
+}
+
+constexpr std::size_t most_marks = 4000;  // more are a page of megabytes, and no longer marks
+constexpr std::uint64_t marks_seed = 1;
+
+/// The motions whose runs are marked: all of them, or as many as have so many marks, drawn at random.
+std::vector<ScaledMotion> marked_motions(const std::vector<ScaledMotion>& motions) {
+  std::vector<std::pair<double, std::size_t>> places;
+  std::size_t marks = 0;
+  places.reserve(motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    places.emplace_back(rockstack::draw({Distribution::Kind::uniform, 0, 1}, {marks_seed, i, 0}), i);
+    marks += motions[i].ratios.size();
+  }
+  if (marks <= most_marks) return motions;
+  std::ranges::sort(places);
+  std::set<std::size_t> drawn;
+  marks = 0;
+  for (const auto& [place, i] : places)
+    if ((marks += motions[i].ratios.size()) <= most_marks || drawn.empty())
+      drawn.insert(i);
+    else
+      break;
+  return mapped(drawn, [&](std::size_t i) { return motions[i]; });
 }
 
 /// A capacity curve: the angle that a share of the motions stays within up to each intensity, or of very many
@@ -85,12 +111,15 @@ std::string answer_of(const Numbers& median, const std::string& axis) {
 /// Runs by their motions, where the runs of one are known as such; else each by itself.
 std::vector<RunGroup> groups_of(const fs::path& folder, const std::vector<Level>& levels) {
   const fs::path file = folder / "incremental.csv";
-  if (!fs::exists(file)) return single_runs(levels);
-  const auto columns = read_columns(file, {"curve", "intensity", "toppled"});
-  std::map<double, RunGroup> groups;
-  for (std::size_t i = 0; i < columns[0].size(); ++i)
-    groups[columns[0][i]].push_back({columns[1][i], 1, columns[2][i] > 0 ? std::size_t{1} : std::size_t{0}});
-  return mapped(groups, [](const auto& group) { return group.second; });
+  if (!fs::exists(table_file(file))) return single_runs(levels);
+  std::vector<RunGroup> groups;
+  double curve = 0;
+  for (TableRows row(file, {"curve", "intensity", "toppled"}); row.next();) {
+    if (groups.empty() || row.value(0) != curve) groups.emplace_back();
+    curve = row.value(0);
+    groups.back().push_back({row.value(1), 1, row.value(2) > 0 ? std::size_t{1} : std::size_t{0}});
+  }
+  return groups;
 }
 
 }  // namespace
@@ -161,7 +190,11 @@ Drawings fragility(const FolderSubject& subject) {
 Drawings incremental(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
   const std::vector<ScaledMotion> motions = read_motions(subject.folder / "incremental.csv");
-  Legend legend{{run_style, fmt::format("runs of {} motions", motions.size())}};
+  const std::vector<ScaledMotion> marked = marked_motions(motions);
+  Legend legend{{run_style, marked.size() == motions.size()
+                                ? fmt::format("runs of {} motions", motions.size())
+                                : fmt::format("runs of {} motions, drawn from {} by seed {}", marked.size(),
+                                              motions.size(), marks_seed)}};
   std::string answer = fmt::format("{} motions are too few for fractiles", motions.size());
   const bool are_enough = motions.size() >= enough;
   if (are_enough) {
@@ -172,7 +205,7 @@ Drawings incremental(const FolderSubject& subject) {
   Sheet sheet = subject.figure.sheet(facts.title, legend, answer);
   Plots plots(sheet, "motions");
   Numbers runs;  // marks: lines would go to and fro, since a stronger motion may turn a block less
-  for (const ScaledMotion& motion : motions)
+  for (const ScaledMotion& motion : marked)
     for (std::size_t i = 0; i < motion.ratios.size(); ++i)
       runs.push_back({std::min(motion.ratios[i], edge), motion.intensities[i]});
   plots.add(runs, {fmt::format("using 1:2 {}", run_style)});

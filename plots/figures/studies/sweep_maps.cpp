@@ -1,7 +1,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "comparisons/measures/results/csv.hpp"
+#include "comparisons/measures/results/long_table.hpp"
 #include "comparisons/measures/results/sentences.hpp"
 #include "plots/drawing/maps.hpp"
 #include "plots/figures/figure.hpp"
@@ -36,9 +36,42 @@ std::size_t commonest(const Columns& counts, std::size_t row) {
   return static_cast<std::size_t>(std::ranges::max_element(counts, {}, of_row) - counts.begin());
 }
 
+/// The value that stands for each along an axis: itself, or of more than a picture shows one of some
+/// neighbours.
+std::map<double, double> shown_values(std::vector<double> values) {
+  constexpr std::size_t most = 250;
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  const std::size_t stride = 1 + (values.size() - 1) / most;
+  std::map<double, double> shown;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    shown[values[i]] = values[std::min(values.size() - 1, i / stride * stride + stride / 2)];
+  return shown;
+}
+
+/// Puts places together that a picture does not show apart, with all that is counted there.
+void join_neighbours(Columns& places, Columns& counts) {
+  const auto across = shown_values(places[0]), up = shown_values(places[1]);
+  std::map<std::pair<double, double>, std::vector<double>> joined;
+  for (std::size_t row = 0; row < places[0].size(); ++row) {
+    std::vector<double>& sums = joined[{across.at(places[0][row]), up.at(places[1][row])}];
+    sums.resize(counts.size());
+    for (std::size_t k = 0; k < counts.size(); ++k) sums[k] += counts[k][row];
+  }
+  if (joined.size() == places[0].size()) return;
+  places = Columns(2);
+  counts = Columns(counts.size());
+  for (const auto& [place, sums] : joined) {
+    places[0].push_back(place.first);
+    places[1].push_back(place.second);
+    for (std::size_t k = 0; k < counts.size(); ++k) counts[k].push_back(sums[k]);
+  }
+}
+
 /// The cells around the values along both axes, each of its commonest kind, a column of counts a kind. Rows
 /// go up first, then across; cells above each other of one kind are one.
-std::vector<MapCell> counted_cells(const Columns& places, const Columns& counts) {
+std::vector<MapCell> counted_cells(Columns places, Columns counts) {
+  join_neighbours(places, counts);
   const auto columns = edges_of(places[0]), rows = edges_of(places[1]);
   std::vector<MapCell> cells;
   for (std::size_t row = 0; row < places[0].size(); ++row) {
@@ -87,12 +120,13 @@ const std::vector<MapKind> mode_kinds{{"rest", "#FFFFFF", "rest"},
 
 /// The columns of every kind; without a column of that name, as of ends that no motion begins with, zeros.
 Columns mode_counts(const fs::path& file, const std::string& prefix) {
-  const Table table = read_table(file);
+  const std::vector<std::string> names = column_names(file);
+  const std::size_t rows = table_columns(file, {"failed"})[0].size();
   Columns list;
   for (const MapKind& kind : mode_kinds) {
     const std::string name = std::string(kind.name) == "failed" ? "failed" : prefix + kind.name;
-    const bool there = std::ranges::find(table.columns, name) != table.columns.end();
-    list.push_back(there ? read_columns(file, {name})[0] : std::vector<double>(table.rows.size(), 0));
+    const bool there = std::ranges::find(names, name) != names.end();
+    list.push_back(there ? table_columns(file, {name})[0] : std::vector<double>(rows, 0));
   }
   return list;
 }
@@ -115,9 +149,9 @@ std::string answer_of(const Columns& counts) {
 Drawings overturning(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
   const fs::path file = subject.folder / "overturning.csv";
-  const auto places = read_columns(file, {"frequency", "intensity"});
+  const auto places = table_columns(file, {"frequency", "intensity"});
   const auto counts =
-      read_columns(file, mapped(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
+      table_columns(file, mapped(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
   const CellMap map = cell_map("kind", counted_cells(places, counts), outcomes);
   Sheet sheet =
@@ -142,7 +176,7 @@ Drawings overturning(const FolderSubject& subject) {
 Drawings modes(const FolderSubject& subject) {
   const SweepFacts facts = sweep_facts(subject.folder);
   const fs::path file = subject.folder / "modes.csv";
-  const auto places = read_columns(file, {"intensity", "friction"});
+  const auto places = table_columns(file, {"intensity", "friction"});
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
   CellMap onset = cell_map("onset", counted_cells(places, mode_counts(file, "onset_")), mode_kinds);
   const auto motions = mode_counts(file, "");

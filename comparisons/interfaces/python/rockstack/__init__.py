@@ -13,12 +13,12 @@ from rockstack.notebook import Player, player
 from rockstack.proved import Proved, proved
 from rockstack.scene import Block, Scene
 from rockstack.solution import Motion, Solution, solve, solve_many
-from rockstack.sweep import Fragility, SobolIndices, SweepTable, Threshold, fragility, sobol_indices, sweep, threshold
+from rockstack.sweep import Fragility, SobolIndices, SweepTable, Threshold, fragility, read_sweep, sobol_indices, sweep, threshold
 from rockstack.worker import Setting, Setup, Worker
 
 __all__ = [
     "Block", "Canon", "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Player", "Proved",
     "Scene", "Setting", "Setup", "Simulation", "SobolIndices", "Solution", "SweepTable", "Threshold", "Unfinished", "Worker", "__version__",
-    "canon", "compare", "draw", "engines", "fragility", "keys", "player", "proved", "shipped", "simulate", "sobol_indices",
+    "canon", "compare", "draw", "engines", "fragility", "keys", "player", "proved", "read_sweep", "shipped", "simulate", "sobol_indices",
     "solve", "solve_many", "sweep", "threshold",
 ]

@@ -1,10 +1,13 @@
 """One scene many times, values varied; and what share of runs topples."""
 from __future__ import annotations
 
+import csv
 import math
 import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -135,6 +138,30 @@ def sweep(ensemble: str | os.PathLike[str] | Mapping[str, Any] | None = None, /,
         table["scene"] = scene.to_dict()
     with progress_bar(progress, "sweep") as tell:
         return SweepTable(*_core.sweep_made(table, os.path.abspath(folder), list(overrides), thread_count(threads), tell))
+
+
+@checked
+def read_sweep(folder: str | os.PathLike[str]) -> Table:
+    """The runs in a results folder of `rockstack sweep`, from runs.npz or runs.csv: the columns that sweep.json explains, each
+    of shape (runs,), numbers as float64, nan where a run has none, texts as str. failures.csv beside runs.npz, or the column
+    reason of runs.csv, which is left out, says why runs failed. Raises InputError where there are neither."""
+    runs = Path(folder) / "runs.npz"
+    if runs.is_file():
+        with np.load(runs) as columns:
+            return Table({name: columns[name] for name in columns.files})
+    if not runs.with_suffix(".csv").is_file():
+        raise _core.InputError(f"{folder}: must be a folder of a sweep that is finished, with runs.csv or runs.npz")
+    with open(runs.with_suffix(".csv"), newline="", encoding="utf-8") as stream:
+        names, *rows = csv.reader(stream)
+    return Table({name: _column(cells) for name, cells in zip(names, zip(*rows)) if name != "reason"})
+
+
+def _column(cells: Sequence[str]) -> np.ndarray:
+    """Numbers, or texts where one is none; a ' before what a spreadsheet would compute is not theirs."""
+    try:
+        return np.array([float(cell or "nan") for cell in cells])
+    except ValueError:
+        return np.array([re.sub(r"^'(?='*[-=+@\t\r])", "", cell) for cell in cells])
 
 
 @dataclass(frozen=True, eq=False)

@@ -73,6 +73,33 @@ class SweepTest(unittest.TestCase):
         self.assertEqual({number: rows[number]["reason"] for number in table.failures}, table.failures)
         self.assertEqual([number for number, row in enumerate(rows) if row["status"] != "done"], sorted(table.failures))
 
+    def test_results_are_read_as_lines_and_as_columns(self):
+        """Of texts, numbers, runs that fail and runs without a number; numpy and pandas read the columns by themselves."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "ensemble.toml"
+            file.write_text(ENSEMBLE.replace("deviation = 0.2", "deviation = 0.5"))
+            for form in ("csv", "npz"):
+                done = subprocess.run([PROGRAM, "sweep", file, "--out", f"{folder}/{form}", "--format", form, "--quiet"],
+                                      capture_output=True, text=True)
+                self.assertIn(f" {'runs' if form == 'csv' else 'failures'}.csv says why; the first: ", done.stderr)
+            lines, columns = rockstack.read_sweep(folder + "/csv"), rockstack.read_sweep(folder + "/npz")
+            self.assertEqual(lines, columns)
+            self.assertEqual(list(lines), list(columns))
+            self.assertEqual({"paper", "consistent"}, set(columns["law"].tolist()))
+            self.assertEqual({"done", "failed"}, set(columns["status"].tolist()))
+            with np.load(folder + "/npz/runs.npz") as arrays:
+                self.assertEqual(arrays["peak_1"].dtype, np.dtype("<f8"))
+                self.assertEqual(arrays["peak_1"].tobytes(), lines["peak_1"].tobytes())
+                try:
+                    import pandas
+                except ImportError:
+                    self.skipTest("pandas is not there")
+                frame = pandas.DataFrame(dict(arrays))
+            self.assertEqual(len(frame), 18)
+            self.assertEqual(frame["law"].tolist(), lines["law"].tolist())
+            with self.assertRaisesRegex(rockstack.InputError, "must be a folder of a sweep that is finished"):
+                rockstack.read_sweep(folder)
+
     def test_keywords_say_what_a_file_does(self):
         scene = rocking(ground={"horizontal": {"pulse": "sine", "amplitude": 3.0, "period": 0.8}})
         vary = [{"key": "ground.horizontal.amplitude", "values": np.array([1.0, 4.0, 9.0])},

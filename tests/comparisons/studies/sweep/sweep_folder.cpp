@@ -51,7 +51,7 @@ SweepResult sweep_into(const std::filesystem::path& folder, const Ensemble& ense
   std::size_t blocks = 0;
   return sweep(ensemble, library, *make_threads(plan.threads),
                {folder, "test", [](std::size_t, std::size_t, std::size_t) {},
-                [&] { return blocks++ >= plan.blocks; }});
+                [&] { return blocks++ >= plan.blocks; }, plan.format});
 }
 
 std::string bytes_in(const std::filesystem::path& file) {

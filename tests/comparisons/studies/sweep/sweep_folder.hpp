@@ -20,6 +20,7 @@ std::string ensemble_error(const std::string& text);
 struct SweepPlan {
   std::size_t threads = 1;
   std::size_t blocks = 1000000;  ///< after how many it is stopped
+  RunsFormat format = RunsFormat::csv;
 };
 
 /// Sweeps into a folder.
