@@ -6,6 +6,7 @@ namespace {
 /// Bounds in a box while the interface is on one side.
 struct Flight {
   Ball back;                       ///< −σφ̈ₖ, rad/s²
+  Decision impact;                 ///< at its end
   Ball ratio;                      ///< η
   Ball stretch;                    ///< r
   std::vector<Ball> gain, throws;  ///< magnitudes: φ̈ⱼ, and jumps of φ̇ⱼ for unit closing speed
@@ -134,7 +135,8 @@ class Chatter {
         throw Undecided("another interface may open");
     const Ball spread = upper(flight.back) / lower(flight.back);
     flight.stretch = hull(root(Ball(1) / spread), root(spread));
-    const std::vector<Ball> thrown = impact(pattern, angles);
+    flight.impact = impact(pattern, angles);
+    const std::vector<Ball>& thrown = flight.impact.rates;
     flight.ratio = Ball(-pattern[k_]) * thrown[k_];
     const std::vector<Ball> here = coupling(pattern, angles);
     std::vector<Ball> closing = now_.angles;
@@ -149,14 +151,14 @@ class Chatter {
     return flight;
   }
 
-  /// (iii), with the rates that follow unit closing speed.
-  std::vector<Ball> impact(const Pattern& pattern, std::vector<Ball> angles) const {
+  /// (iii), at unit closing speed.
+  Decision impact(const Pattern& pattern, std::vector<Ball> angles) const {
     angles[k_] = Ball();
-    const Decision decision = unit_impact(stack_, paper_, pattern, k_, angles);
+    Decision decision = unit_impact(stack_, paper_, pattern, k_, angles);
     Pattern thrown = pattern;
     thrown[k_] = -thrown[k_];
     if (decision.pattern != thrown) throw Undecided("an impact does more than throw its interface");
-    return decision.rates;
+    return decision;
   }
 
   /// C: the others' rates that have the momenta of φ̇ₖ = 1.
@@ -198,7 +200,7 @@ Accumulation accumulate(const Stack& stack, bool paper, const Motion& motion, st
     const Box needed = chatter.needed(flights, sums);
     if (chatter.is_inside(needed, box)) {
       if (!positive(left - box.duration)) throw Undecided("an accumulation at the end of a ground piece");
-      return {chatter.after(flights, sums), sums.duration, box};
+      return {chatter.after(flights, sums), sums.duration, box, {flights[0].impact, flights[1].impact}};
     }
     box = enlarged(needed);
   }

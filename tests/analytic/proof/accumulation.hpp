@@ -31,8 +31,9 @@ struct Box {
 
 struct Accumulation {
   Motion after;
-  Ball duration;  ///< T*, s
-  Box box;        ///< in which the lemma holds
+  Ball duration;                  ///< T*, s
+  Box box;                        ///< in which the lemma holds
+  std::vector<Decision> impacts;  ///< in it, from the present side and from the other one
 };
 
 /// The accumulation of an interface that has just left an impact. @throws Undecided where the lemma does not

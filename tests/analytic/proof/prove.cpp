@@ -59,8 +59,6 @@ int main(int argc, char** argv) {
     app.add_option("--duration", arguments.duration, "in place of the scene's, s");
     app.add_option("--slow", arguments.options.slow_speed,
                    "chatter below this speed is summed up at once, rad/s");
-    app.add_option("--widening", arguments.options.widening, "room for a checker, 1: none")
-        ->check(CLI::Range(1, 1000));
     app.add_option("--table", arguments.table, "a CSV file for events");
     app.add_option("--certificate", arguments.certificate, "a JSON file for all inferences");
     CLI11_PARSE(app, argc, argv);

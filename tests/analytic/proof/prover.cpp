@@ -36,6 +36,7 @@ class Prover {
       proof_.end = undecided.what();
     }
     proof_.until = motion_.time;
+    proof_.witnesses.push_back({{"kind", "end"}, {"why", proof_.end}});
     return std::move(proof_);
   }
 
@@ -87,13 +88,13 @@ class Prover {
     for (const Watched& watched : step.watched()) searches.push_back(step.search(watched));
     const std::size_t first = first_of(step, searches);
     if (first == searches.size()) {
-      proof_.witnesses.push_back(step_witness(step, searches, nullptr, {}));
+      proof_.witnesses.push_back(step_witness(step, searches, ends_piece));
       return go(step, ends_piece);
     }
     const Watched& watched = step.watched()[first];
-    const Ball time = widened(*searches[first].zero);
+    const Ball time = *searches[first].zero;
     if (ends_piece && !positive(left() - time)) throw Undecided("an event where a ground piece ends");
-    proof_.witnesses.push_back(step_witness(step, searches, &watched, time));
+    proof_.witnesses.push_back(event_witness(step, searches, watched, time));
     Motion next = step.at(time);
     next.time = motion_.time + time;
     motion_ = std::move(next);
@@ -110,10 +111,6 @@ class Prover {
     if (++piece_ == pieces_.size()) end("the end of the scene");
   }
 
-  Ball widened(const Ball& time) const {
-    return middle(time) + Ball(options_.widening) * (time - middle(time));
-  }
-
   /// The guard that is zero first; their number where none is. @throws Undecided
   std::size_t first_of(const Step& step, const std::vector<ZeroSearch>& searches) const {
     std::size_t first = searches.size();
@@ -123,7 +120,7 @@ class Prover {
         first = i;
     for (std::size_t i = 0; i < searches.size(); ++i)
       if (i != first && searches[i].zero &&
-          !positive(lower(*searches[i].zero) - upper(widened(*searches[first].zero))))
+          !positive(lower(*searches[i].zero) - upper(*searches[first].zero)))
         throw Undecided("two events at one time: of interfaces " +
                         std::to_string(step.watched()[first].interface + 1) + " and " +
                         std::to_string(step.watched()[i].interface + 1));

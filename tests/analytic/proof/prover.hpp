@@ -16,9 +16,6 @@ struct ProofOptions {
   /// Chatter at a lower speed is an accumulation even where that costs digits, rad/s. In any case it is one
   /// where the lemma's interval, as wide as the square of the speed, is no wider than what is known.
   double slow_speed = 0;
-  /// By how much intervals of events are widened: 1 not at all; a checker that rounds otherwise needs some
-  /// room.
-  int widening = 1;
 };
 
 /// An event at a time that is certain within an interval.

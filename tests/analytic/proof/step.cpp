@@ -38,9 +38,10 @@ OnDisc on_disc(const Stack& stack, const Motion& motion, const GroundPiece& piec
   return {std::move(rates), std::move(found)};
 }
 
-/// Whether the test holds with the present reaches, which become what it needs; or, where not, a little more
-/// than that.
+/// Whether the test holds with the present reaches, with room for who checks it by other bounds of f; where
+/// not, they become a little more than what it needs.
 bool picard(const Motion& motion, const OnDisc& on, Enclosure& enclosure, bool& finite_reach) {
+  const Ball room(1.1);
   Enclosure needed = enclosure;
   bool holds = true;
   for (std::size_t k = 0; k < motion.pattern.size(); ++k) {
@@ -49,16 +50,16 @@ bool picard(const Motion& motion, const OnDisc& on, Enclosure& enclosure, bool& 
       if (!finite_reach) return false;
       needed.angle_reach[k] = magnitude(enclosure.radius * magnitude(on.rates[k]));
       needed.rate_reach[k] = magnitude(enclosure.radius * magnitude(on.motion.relative[k]));
-      holds = holds && positive(enclosure.angle_reach[k] - needed.angle_reach[k]) &&
-              positive(enclosure.rate_reach[k] - needed.rate_reach[k]);
+      holds = holds && positive(enclosure.angle_reach[k] - room * needed.angle_reach[k]) &&
+              positive(enclosure.rate_reach[k] - room * needed.rate_reach[k]);
     } else {
       const Margins<ComplexBall>& margins = on.motion.margins[k];
       finite_reach = finite_reach && finite(margins.right) && finite(margins.left);
       needed.margins[k] = {magnitude(margins.right), magnitude(margins.left)};
     }
   }
-  enclosure = needed;
-  const Ball more(1.1);
+  enclosure.margins = needed.margins;
+  const Ball more(1.2);
   for (std::size_t k = 0; !holds && k < motion.pattern.size(); ++k) {
     enclosure.angle_reach[k] = magnitude(needed.angle_reach[k] * more);
     enclosure.rate_reach[k] = magnitude(needed.rate_reach[k] * more);

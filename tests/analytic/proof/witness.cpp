@@ -9,41 +9,49 @@ Witness texts(const std::vector<Ball>& values) {
   return list;
 }
 
-/// Ends of cells before a time, and that time.
-std::vector<Ball> cover_up_to(const std::vector<Ball>& cover, const Ball& end) {
+/// Ends of cells between 0 and a time.
+std::vector<Ball> inner_ends(const std::vector<Ball>& cover, const Ball& end) {
   std::vector<Ball> result;
   for (const Ball& cell : cover)
-    if (positive(end - cell)) result.push_back(cell);
-  result.push_back(end);
+    if (positive(cell) && positive(end - cell)) result.push_back(cell);
   return result;
+}
+
+Witness identity(const Watched& watched) {
+  return {{"kind", name(watched.kind)}, {"interface", watched.interface + 1}, {"side", watched.side}};
+}
+
+/// A disc, and cells up to the end, or up to another end of one guard.
+Witness smooth_witness(const Step& step, const std::vector<ZeroSearch>& searches, const Ball& end,
+                       const Watched* first, const Ball& end_of_first) {
+  Witness cells = Witness::array();
+  for (std::size_t i = 0; i < searches.size(); ++i) {
+    const Watched& watched = step.watched()[i];
+    const auto ends = inner_ends(searches[i].cover, &watched == first ? end_of_first : end);
+    if (ends.empty()) continue;
+    cells.push_back(identity(watched));
+    cells.back()["ends"] = texts(ends);
+  }
+  return {{"kind", "step"},
+          {"radius", exact_text(step.enclosure().radius)},
+          {"angle_reach", texts(step.enclosure().angle_reach)},
+          {"rate_reach", texts(step.enclosure().rate_reach)},
+          {"cells", cells}};
 }
 
 }  // namespace
 
-Witness step_witness(const Step& step, const std::vector<ZeroSearch>& searches, const Watched* first,
-                     const Ball& time) {
-  Witness guards = Witness::array();
-  const Ball end = first ? upper(time) : step.length();
-  for (std::size_t i = 0; i < searches.size(); ++i) {
-    const Watched& watched = step.watched()[i];
-    const Ball last = &watched == first ? lower(time) : end;
-    guards.push_back({{"kind", name(watched.kind)},
-                      {"interface", watched.interface + 1},
-                      {"side", watched.side},
-                      {"cover", texts(cover_up_to(searches[i].cover, last))}});
-  }
-  Witness witness{{"kind", "step"},
-                  {"radius", exact_text(step.enclosure().radius)},
-                  {"length", exact_text(step.length())},
-                  {"terms", step.terms()},
-                  {"angle_reach", texts(step.enclosure().angle_reach)},
-                  {"rate_reach", texts(step.enclosure().rate_reach)},
-                  {"guards", guards}};
-  if (first)
-    witness["event"] = {{"kind", name(first->kind)},
-                        {"interface", first->interface + 1},
-                        {"side", first->side},
-                        {"interval", texts({lower(time), upper(time)})}};
+Witness step_witness(const Step& step, const std::vector<ZeroSearch>& searches, bool ends_piece) {
+  Witness witness = smooth_witness(step, searches, step.length(), nullptr, {});
+  if (!ends_piece) witness["length"] = exact_text(step.length());
+  return witness;
+}
+
+Witness event_witness(const Step& step, const std::vector<ZeroSearch>& searches, const Watched& first,
+                      const Ball& time) {
+  Witness witness = smooth_witness(step, searches, upper(time), &first, lower(time));
+  witness["event"] = identity(first);
+  witness["event"]["interval"] = texts({lower(time), upper(time)});
   return witness;
 }
 
@@ -59,13 +67,17 @@ Witness decision_witness(const char* kind, std::size_t interface, const Decision
 
 Witness accumulation_witness(std::size_t interface, const Accumulation& accumulation) {
   const Box& box = accumulation.box;
+  Witness impacts = Witness::array();
+  for (const Decision& decision : accumulation.impacts)
+    impacts.push_back(decision_witness("impact", interface, decision));
   return {{"kind", "accumulation"},
           {"interface", interface + 1},
           {"duration", exact_text(box.duration)},
           {"speed", exact_text(box.speed)},
           {"reach", exact_text(box.reach)},
           {"angles", texts(box.angles)},
-          {"rates", texts(box.rates)}};
+          {"rates", texts(box.rates)},
+          {"impacts", impacts}};
 }
 
 }  // namespace rockstack::proof

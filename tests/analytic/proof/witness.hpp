@@ -10,10 +10,13 @@ namespace rockstack::proof {
 /// Numbers are exact texts, "mantissa*2^exponent"; interfaces count from 1.
 using Witness = nlohmann::ordered_json;
 
-/// A stretch of smooth motion: the disc, the reaches on it, and cells in which each guard is positive; with
-/// an event also the interval in which its guard falls through zero.
-Witness step_witness(const Step& step, const std::vector<ZeroSearch>& searches, const Watched* first,
-                     const Ball& time);
+/// A stretch of smooth motion without an event: the disc, the reaches on it, the length where it does not end
+/// with the ground's piece, and inner ends of cells in each of which a guard is positive, where one cell is
+/// not enough.
+Witness step_witness(const Step& step, const std::vector<ZeroSearch>& searches, bool ends_piece);
+/// A stretch up to an event, with the interval in which its guard falls through zero.
+Witness event_witness(const Step& step, const std::vector<ZeroSearch>& searches, const Watched& first,
+                      const Ball& time);
 /// The pattern after an impact, or after what opens at once, and what each other one violates.
 Witness decision_witness(const char* kind, std::size_t interface, const Decision& decision);
 /// The box of an accumulation.
