@@ -11,11 +11,11 @@ bool is_npz(const std::filesystem::path& file) {
   return file.extension() == ".npz";
 }
 
-void add_cell(CsvWriter& csv, const TableColumn& column, std::size_t row) {
-  if (const auto* number = std::get_if<TableColumn::Number>(&column.cell))
+void add_cell(CsvWriter& csv, const FileColumn& column, std::size_t row) {
+  if (const auto* number = std::get_if<FileColumn::Number>(&column.cell))
     csv.add(number_text((*number)(row)));
-  if (const auto* count = std::get_if<TableColumn::Count>(&column.cell)) csv.add((*count)(row));
-  if (const auto* text = std::get_if<TableColumn::Text>(&column.cell)) csv.add((*text)(row));
+  if (const auto* count = std::get_if<FileColumn::Count>(&column.cell)) csv.add((*count)(row));
+  if (const auto* text = std::get_if<FileColumn::Text>(&column.cell)) csv.add((*text)(row));
 }
 
 }  // namespace
@@ -26,18 +26,18 @@ std::filesystem::path table_file(const std::filesystem::path& csv) {
   return std::filesystem::exists(npz) && !std::filesystem::exists(csv) ? npz : csv;
 }
 
-void write_table(const std::filesystem::path& file, const std::vector<TableColumn>& columns,
+void write_table(const std::filesystem::path& file, const std::vector<FileColumn>& columns,
                  std::size_t rows) {
   if (is_npz(file)) return write_npz(file, columns, rows);
   write_file(file, [&](const Sink& put) {
     constexpr std::size_t rows_at_once = 1000;
     CsvWriter header;
-    header.line(mapped(columns, &TableColumn::name));
+    header.line(mapped(columns, &FileColumn::name));
     put(header.text());
     for (std::size_t row = 0; row < rows;) {
       CsvWriter csv;
       for (const std::size_t end = std::min(rows, row + rows_at_once); row < end; ++row) {
-        for (const TableColumn& column : columns) add_cell(csv, column, row);
+        for (const FileColumn& column : columns) add_cell(csv, column, row);
         csv.end_line();
       }
       put(csv.text());

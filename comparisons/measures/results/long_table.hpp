@@ -12,8 +12,7 @@ namespace rockstack {
 std::filesystem::path table_file(const std::filesystem::path& csv);
 
 /// Writes a table into a .csv or an .npz file, as its name says. @throws as write_file().
-void write_table(const std::filesystem::path& file, const std::vector<TableColumn>& columns,
-                 std::size_t rows);
+void write_table(const std::filesystem::path& file, const std::vector<FileColumn>& columns, std::size_t rows);
 
 /// The names of a table's columns. @throws InputError where there is none, or it is malformed.
 std::vector<std::string> column_names(const std::filesystem::path& csv);

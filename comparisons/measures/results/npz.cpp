@@ -88,7 +88,7 @@ std::string array_head(const std::string& type, std::size_t rows) {
   return std::string(array_magic) + '\0' + std::string(bytes_of(&length, 1)) + words;
 }
 
-void write_numbers(ZipWriter& zip, const TableColumn::Number& cell, std::size_t rows) {
+void write_numbers(ZipWriter& zip, const FileColumn::Number& cell, std::size_t rows) {
   zip.put(array_head("<f8", rows));
   for (std::size_t row = 0; row < rows; ++row) {
     const double value = cell(row);
@@ -96,7 +96,7 @@ void write_numbers(ZipWriter& zip, const TableColumn::Number& cell, std::size_t 
   }
 }
 
-void write_texts(ZipWriter& zip, const TableColumn::Text& cell, std::size_t rows) {
+void write_texts(ZipWriter& zip, const FileColumn::Text& cell, std::size_t rows) {
   std::size_t width = 1;
   for (std::size_t row = 0; row < rows; ++row) width = std::max(width, letters_of(cell(row)).size());
   zip.put(array_head(fmt::format("<U{}", width), rows));
@@ -122,16 +122,16 @@ OpenZip open_zip(const std::filesystem::path& file) {
 
 }  // namespace
 
-void write_npz(const std::filesystem::path& file, const std::vector<TableColumn>& columns, std::size_t rows,
+void write_npz(const std::filesystem::path& file, const std::vector<FileColumn>& columns, std::size_t rows,
                const std::string& comment) {
   replace_file(file, [&](const std::filesystem::path& own) {
     ZipWriter zip(own, file);
-    for (const TableColumn& column : columns) {
+    for (const FileColumn& column : columns) {
       zip.begin(column.name + std::string(array_ending));
-      if (const auto* text = std::get_if<TableColumn::Text>(&column.cell)) write_texts(zip, *text, rows);
-      if (const auto* number = std::get_if<TableColumn::Number>(&column.cell))
+      if (const auto* text = std::get_if<FileColumn::Text>(&column.cell)) write_texts(zip, *text, rows);
+      if (const auto* number = std::get_if<FileColumn::Number>(&column.cell))
         write_numbers(zip, *number, rows);
-      if (const auto* count = std::get_if<TableColumn::Count>(&column.cell))
+      if (const auto* count = std::get_if<FileColumn::Count>(&column.cell))
         write_numbers(
             zip, [&](std::size_t row) { return static_cast<double>((*count)(row)); }, rows);
       zip.end();

@@ -12,7 +12,7 @@
 namespace rockstack {
 
 /// A column of a table on its way into a file: what each row has, by its number from 0.
-struct TableColumn {
+struct FileColumn {
   using Number = std::function<double(std::size_t row)>;  ///< NaN: none
   using Count = std::function<std::size_t(std::size_t row)>;
   using Text = std::function<std::string(std::size_t row)>;
@@ -27,7 +27,7 @@ struct TableColumn {
 /// depend on these alone.
 /// Source: "NumPy enhancement proposal 1: a simple file format for NumPy arrays", version 1.0.
 /// @throws std::runtime_error where the file cannot be written.
-void write_npz(const std::filesystem::path& file, const std::vector<TableColumn>& columns, std::size_t rows,
+void write_npz(const std::filesystem::path& file, const std::vector<FileColumn>& columns, std::size_t rows,
                const std::string& comment = "");
 
 /// The names of the columns, in the order of the file. @throws InputError where it is no such file.

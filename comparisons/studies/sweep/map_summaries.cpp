@@ -23,13 +23,13 @@ void write_map(const std::filesystem::path& file, std::vector<Spot> spots,
   for (std::size_t i = 0; i < spots.size(); ++i)
     if (i == 0 || spots[i].place() != spots[i - 1].place()) begins.push_back(i);
   begins.push_back(spots.size());
-  std::vector<TableColumn> columns;
+  std::vector<FileColumn> columns;
   columns.reserve(axes.size() + kinds.size());
   for (const auto& [name, of] : axes)
     columns.push_back(
-        {name, TableColumn::Number([&, of = of](std::size_t row) { return of(spots[begins[row]]); })});
+        {name, FileColumn::Number([&, of = of](std::size_t row) { return of(spots[begins[row]]); })});
   for (std::size_t k = 0; k < kinds.size(); ++k)
-    columns.push_back({kinds[k], TableColumn::Count([&, k](std::size_t row) {
+    columns.push_back({kinds[k], FileColumn::Count([&, k](std::size_t row) {
                          std::size_t count = 0;
                          for (std::size_t i = begins[row]; i < begins[row + 1]; ++i)
                            count += spots[i].kinds >> k & 1U;

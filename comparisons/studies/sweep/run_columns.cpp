@@ -147,16 +147,16 @@ void write_failures(const std::filesystem::path& file, std::size_t runs,
 void write_columns(const std::vector<RunColumn>& columns, const Journal& journal, std::size_t runs,
                    const std::filesystem::path& folder, const std::string& job) {
   JournalColumns blocks(journal, runs);
-  std::vector<TableColumn> kept;
+  std::vector<FileColumn> kept;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const auto text = [&blocks, c](std::size_t run) { return blocks.text(c, run); };
     const auto number = [&blocks, c](std::size_t run) { return blocks.number(c, run); };
     if (columns[c].name == reason_column)
       write_failures(folder / "failures.csv", runs, text);
     else if (columns[c].is_text)
-      kept.push_back({columns[c].name, TableColumn::Text(text)});
+      kept.push_back({columns[c].name, FileColumn::Text(text)});
     else
-      kept.push_back({columns[c].name, TableColumn::Number(number)});
+      kept.push_back({columns[c].name, FileColumn::Number(number)});
   }
   write_npz(folder / "runs.npz", kept, runs, job);
 }

@@ -166,19 +166,19 @@ std::vector<std::string> values_of_curves(const std::filesystem::path& file,
 }
 
 void write_curves(const CurveRuns& runs, const CurveNumbers& numbers, const std::filesystem::path& file,
-                  const TableColumn& values_or_run, const std::vector<std::uint32_t>& order) {
+                  const FileColumn& values_or_run, const std::vector<std::uint32_t>& order) {
   const auto number = [&](const std::vector<double>& values) {
-    return TableColumn::Number([&](std::size_t row) { return values[order[row]]; });
+    return FileColumn::Number([&](std::size_t row) { return values[order[row]]; });
   };
-  write_table(
-      file,
-      {{"curve", TableColumn::Count([&](std::size_t row) { return numbers.of_runs[order[row]] + 1; })},
-       values_or_run,
-       {"intensity", number(runs.intensities)},
-       {"peak_ratio", number(runs.peak_ratios)},
-       {"toppled",
-        TableColumn::Count([&](std::size_t row) { return runs.ends[order[row]] == End::topples ? 1 : 0; })}},
-      order.size());
+  write_table(file,
+              {{"curve", FileColumn::Count([&](std::size_t row) { return numbers.of_runs[order[row]] + 1; })},
+               values_or_run,
+               {"intensity", number(runs.intensities)},
+               {"peak_ratio", number(runs.peak_ratios)},
+               {"toppled", FileColumn::Count([&](std::size_t row) {
+                  return runs.ends[order[row]] == End::topples ? 1 : 0;
+                })}},
+              order.size());
 }
 
 void write_incremental(const CurveRuns& runs, const Levels& levels, const std::filesystem::path& folder,
@@ -193,10 +193,10 @@ void write_incremental(const CurveRuns& runs, const Levels& levels, const std::f
   const std::filesystem::path file = folder / "runs.csv";
   if (table_file(file) == file) {
     const std::vector<std::string> values = values_of_curves(file, names, numbers);
-    const TableColumn::Text text = [&](std::size_t row) { return values[numbers.of_runs[order[row]]]; };
+    const FileColumn::Text text = [&](std::size_t row) { return values[numbers.of_runs[order[row]]]; };
     write_curves(runs, numbers, folder / "incremental.csv", {"values", text}, order);
   } else {
-    const TableColumn::Count run = [&](std::size_t row) { return runs.numbers[order[row]]; };
+    const FileColumn::Count run = [&](std::size_t row) { return runs.numbers[order[row]]; };
     write_curves(runs, numbers, folder / "incremental.npz", {"run", run}, order);
   }
   write_fractiles(runs, levels, folder / "incremental-fractiles.csv");

@@ -27,10 +27,10 @@ std::vector<double> any_numbers() {
 
 const std::vector<std::string> any_texts{"", "slide-rock", "Größe, \"µ\"", "=1+1", "地震"};
 
-std::vector<TableColumn> columns_of(const std::vector<double>& numbers) {
-  return {{"number", TableColumn::Number([&](std::size_t row) { return numbers[row]; })},
-          {"count", TableColumn::Count([](std::size_t row) { return row * 100000; })},
-          {"text", TableColumn::Text([](std::size_t row) { return any_texts[row % any_texts.size()]; })}};
+std::vector<FileColumn> columns_of(const std::vector<double>& numbers) {
+  return {{"number", FileColumn::Number([&](std::size_t row) { return numbers[row]; })},
+          {"count", FileColumn::Count([](std::size_t row) { return row * 100000; })},
+          {"text", FileColumn::Text([](std::size_t row) { return any_texts[row % any_texts.size()]; })}};
 }
 
 std::string bytes_of(const std::filesystem::path& file) {
