@@ -2,6 +2,7 @@
 
 #include "analytic/scene/kinematics.hpp"
 #include "analytic/scene/lists.hpp"
+#include "engines/applied_loads.hpp"
 #include "engines/scene_setup.hpp"
 
 namespace rockstack {
@@ -72,7 +73,7 @@ double time_of(const Setup& setup, const Trajectory& trajectory, std::size_t sam
 class BodyAccount {
  public:
   BodyAccount(const Scene& scene, const Setup& setup, const Trajectory& trajectory)
-      : scene_(scene), setup_(setup), trajectory_(trajectory) {
+      : scene_(scene), setup_(setup), trajectory_(trajectory), loads_(setup) {
     record_.unsupported_since.assign(setup.blocks.size(), std::numeric_limits<double>::infinity());
     for (const Block& block : scene.blocks) least_height_ = std::min(least_height_, 2 * block.half_height);
   }
@@ -94,7 +95,9 @@ class BodyAccount {
       record_.out_of_plane_tilt = std::max(record_.out_of_plane_tilt, body.tilt);
     }
     for (const BlockPose& pose : poses_) record_.centres.insert(record_.centres.end(), {pose.x, pose.y});
-    add_energy(bodies, std::span(trajectory_.velocities).subspan(samples_ * blocks, blocks));
+    const auto velocities = std::span(trajectory_.velocities).subspan(samples_ * blocks, blocks);
+    add_energy(bodies, velocities);
+    if (loads_.any()) add_work_of_loads(bodies, velocities);
     add_interfaces();
     ++samples_;
   }
@@ -126,6 +129,24 @@ class BodyAccount {
     }
     record_.energy.push_back(energy);
     record_.input.push_back(work + (record_.input.empty() ? 0 : record_.input.back()));
+  }
+
+  /// Adds the work of pushes and restraints over the step before this sample, as the engine was told of them.
+  void add_work_of_loads(std::span<const BodyState> bodies, std::span<const double> velocities) {
+    double work = 0;
+    for (std::size_t k = 0; k < last_loads_.size(); ++k)
+      work += last_loads_[k].x * (poses_[k].x - last_poses_[k].x) +
+              last_loads_[k].y * (poses_[k].y - last_poses_[k].y) +
+              last_loads_[k].moment * (poses_[k].angle - last_poses_[k].angle);
+    record_.input.back() += work;
+    std::vector<BodyState> blocks(bodies.begin(), bodies.end());
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      blocks[k].angle = poses_[k].angle;
+      blocks[k].angular_velocity = velocities[k];
+    }
+    const auto& path = setup_.ground;
+    const GroundStep next = path.empty() ? GroundStep{} : path[std::min(samples_, path.size() - 1)];
+    last_loads_ = loads_.over_step(samples_, blocks, next);
   }
 
   void add_interfaces() {
@@ -162,6 +183,8 @@ class BodyAccount {
   const Trajectory& trajectory_;
   double least_height_ = std::numeric_limits<double>::infinity();  ///< of a block, m
   GroundStep ground_;  ///< where the ground is, and how fast it has moved over the last step
+  AppliedLoads loads_;
+  std::vector<BodyLoad> last_loads_;  ///< over the step before the sample
   std::size_t samples_ = 0;
   std::vector<BlockPose> poses_, last_poses_;  ///< in the ground's frame, one a block
   std::vector<InterfaceState> interfaces_;     ///< of all samples

@@ -33,7 +33,7 @@ InterfaceState on_block(const Block& lower, const BlockPose& lower_pose, const B
 struct BodyRecord {
   /// At each sample: kinetic and potential, zero where the stack rests upright, J.
   std::vector<double> energy;
-  /// Work that the ground's motion has done on the blocks by then, J.
+  /// Work that the ground's motion, pushes and restraints have done on the blocks by then, J.
   std::vector<double> input;
   /// Largest depth of a block in the block or ground under it at each sample, m.
   std::vector<double> penetration;

@@ -77,6 +77,7 @@ struct Capabilities {
   double largest_friction = std::numeric_limits<double>::infinity();
   bool kinetic_friction = false;  ///< it has a second coefficient, of what slides; else that which sticks
   bool wall = false;              ///< it can have one beside the blocks; else scenes with one are refused
+  bool applied_forces = false;    ///< it takes pushes and restraints; else scenes with them are refused
   bool single_precision = false;
   bool planar = false;          ///< by nature; else constraints or corrections hold its bodies in the plane
   bool center_of_mass = false;  ///< its bodies may have it off the middle of their boxes

@@ -5,15 +5,6 @@
 namespace rockstack {
 namespace {
 
-/// Says what engines have no equivalent of, rather than leave it out.
-void require_for_engines(const Scene& scene) {
-  if (!scene.pushes.empty())
-    throw std::runtime_error("push: must be left out for engines, which are told of no forces on blocks");
-  if (!scene.restraints.empty())
-    throw std::runtime_error(
-        "restraint: must be left out for engines, which are told of no tendons and dampers");
-}
-
 /// Value of a block or the ground, −1.
 double value(const std::vector<double>& values, int block) {
   return block < 0 || values.empty() ? 0 : values[static_cast<std::size_t>(block)];
@@ -97,7 +88,6 @@ struct Mover {
 }  // namespace
 
 std::vector<Placement> place(const Scene& scene) {
-  require_for_engines(scene);
   const Vector<double> angles = vector_of<double>(scene.initial.angles);
   const Vector<double> velocities = vector_of<double>(scene.initial.velocities);
   const Pattern pattern = initial_pattern(scene.initial);

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "analytic/scene/applied_forces.hpp"
+#include "analytic/scene/lists.hpp"
+#include "analytic/scene/restraint_law.hpp"
 #include "analytic/scene/solve_options.hpp"
 
 namespace rockstack {
@@ -53,6 +56,41 @@ void look_at(std::size_t step, const std::function<bool()>* cancelled) {
   if ((step + 1) % steps_between_looks == 0) stop_if_cancelled(cancelled);
 }
 
+/// Blocks count from 1 there.
+BodyPoint body_point(int block, const Point<double>& arm) {
+  return {static_cast<std::size_t>(block + 1), arm.x(), arm.y()};
+}
+
+AppliedRestraint applied_restraint(const RestraintLaw<double>& law) {
+  return {.from = body_point(law.from, law.from_arm),
+          .to = body_point(law.to, law.to_arm),
+          .length = law.length,
+          .stiffness = law.stiffness,
+          .prestress = law.prestress,
+          .yield = law.yield,
+          .damping = law.damping};
+}
+
+/// Pushes with their mean forces over steps, so that engines give impulses whole.
+std::vector<AppliedPush> applied_pushes(const Scene& scene, double dt, std::size_t steps,
+                                        const std::function<bool()>* cancelled) {
+  std::vector<AppliedPush> pushes;
+  for (const PushPoint<double>& point : push_points<double>(scene)) {
+    const GroundMotion& force = scene.pushes[pushes.size()].force;
+    AppliedPush& push = pushes.emplace_back();
+    push.point = body_point(point.block, point.arm);
+    push.direction_x = point.direction.x();
+    push.direction_y = point.direction.y();
+    push.forces.reserve(steps);
+    for (std::size_t step = 0; step < steps; ++step) {
+      look_at(step, cancelled);
+      push.forces.push_back(
+          mean_acceleration(force, static_cast<double>(step) * dt, static_cast<double>(step + 1) * dt));
+    }
+  }
+  return pushes;
+}
+
 /// Along one axis: displacement and velocity of the ground at the start of the next step.
 struct GroundAxis {
   double displacement = 0, velocity = 0;
@@ -67,6 +105,15 @@ struct GroundAxis {
     return mean;
   }
 };
+
+/// @throws std::runtime_error, as require_able().
+void require_applied_forces(const EngineDescription& engine, const Scene& scene) {
+  if (engine.capabilities.applied_forces) return;
+  for (const auto& [key, given] :
+       {std::pair{"push", !scene.pushes.empty()}, {"restraint", !scene.restraints.empty()}})
+    if (given)
+      throw std::runtime_error(fmt::format("{}: {} is told of no forces on blocks", key, engine.full_name()));
+}
 
 }  // namespace
 
@@ -116,6 +163,7 @@ void require_able(const EngineDescription& engine, const Scene& scene) {
   if (scene.point_restitution != 0 && !bounces)
     throw std::runtime_error(
         fmt::format("contact.restitution: {} has no coefficient of restitution", engine.full_name()));
+  require_applied_forces(engine, scene);
   const auto off = std::ranges::find_if(
       scene.blocks, [](const Block& block) { return block.offset_x != 0 || block.offset_y != 0; });
   if (off != scene.blocks.end() && !engine.capabilities.center_of_mass)
@@ -152,6 +200,8 @@ Setup set_up(const Scene& scene, double dt, const Parameters& parameters,
     setup.toppling_angles.push_back(toppling_angle(scene, k));
   setup.dt = dt;
   setup.steps = static_cast<std::size_t>(step_count(scene.duration, dt));
+  setup.pushes = applied_pushes(scene, dt, setup.steps, cancelled);
+  setup.restraints = mapped(restraint_laws<double>(scene), applied_restraint);
   if (!is_shaken(scene)) return setup;
   if (moves_ground(parameters)) {
     setup.ground = ground_path(scene, dt, setup.steps, cancelled);

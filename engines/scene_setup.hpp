@@ -31,8 +31,9 @@ inline bool is_shaken(const Scene& scene) {
 /// engine's own where points bounce, and the least threshold below which they do not.
 Parameters with_restitution(const EngineDescription& engine, const Scene& scene, Parameters parameters);
 
-/// @throws std::runtime_error where points bounce and the engine has no coefficient for it, or where a centre
-/// of mass is off the middle and its bodies have theirs there.
+/// @throws std::runtime_error where points bounce and the engine has no coefficient for it, where a centre of
+/// mass is off the middle and its bodies have theirs there, or where forces act on blocks and it applies
+/// none.
 void require_able(const EngineDescription& engine, const Scene& scene);
 
 /// The wall at a side of a block as it stands, −1 left, 1 right: flush with it, twice as high and as thick.
@@ -49,7 +50,7 @@ bool moves_ground(const Parameters& parameters);
 
 /// A scene, shaken in the way that the setting `shaking` asks for, as an engine is told it; dt in s.
 /// `cancelled` is asked now and then where steps are many.
-/// @throws std::invalid_argument as check_step(); std::runtime_error as place(); Stopped where cancelled.
+/// @throws std::invalid_argument as check_step(); Stopped where cancelled.
 Setup set_up(const Scene& scene, double dt, const Parameters& parameters,
              const std::function<bool()>* cancelled = nullptr);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,32 @@ struct FixedBox {
   double width = 0, height = 0, depth = 0;  ///< full sizes, m
 };
 
+/// A point that a block holds, from its centre of mass, in its axes; or of the ground, block 0, from below
+/// the middle of the stack. m, to the right and up.
+struct BodyPoint {
+  std::size_t block = 0;  ///< from 1, bottom to top
+  double x = 0, y = 0;
+};
+
+/// A force at a point of a block, in a direction that stays.
+struct AppliedPush {
+  BodyPoint point;
+  double direction_x = 1, direction_y = 0;  ///< of length 1, to the right and up
+  std::vector<double> forces = {};          ///< mean over each step, N
+};
+
+/// A tendon or a damper between two points. It pulls them together by prestress + stiffness × (l − length −
+/// what it has yielded) + damping × dl/dt, with l their distance; the first two by no less than 0 and no more
+/// than yield.
+struct AppliedRestraint {
+  BodyPoint from, to;
+  double length = 0;                                       ///< m
+  double stiffness = 0;                                    ///< N/m; 0 of a damper
+  double prestress = 0;                                    ///< N
+  double yield = std::numeric_limits<double>::infinity();  ///< N
+  double damping = 0;                                      ///< N·s/m
+};
+
 /// A scene as an engine is told it: boxes on the ground y = 0, and what every time step does to them.
 struct Setup {
   std::vector<Placement> blocks;              ///< bottom to top
@@ -56,7 +83,18 @@ struct Setup {
   std::vector<BodyAcceleration> accelerations;
   /// Motion of the ground in each step, where it really moves; else empty.
   std::vector<GroundStep> ground;
+  std::vector<AppliedPush> pushes = {};
+  std::vector<AppliedRestraint> restraints = {};
+  /// For how long blocks go on with their velocities before a step's loads are found, s: so that the force of
+  /// a step belongs to places as the engine's scheme has them. See lookahead().
+  double lookahead = 0;
 };
+
+/// Half a step less the engine's lead, in s: a force that goes with the place of a step's middle makes no
+/// energy. Semi-implicit Euler has that place as a step begins.
+inline double lookahead(double dt, double lead) {
+  return (0.5 - lead) * dt;
+}
 
 /// The coefficient of each interface where it slides, of engines that have a second one.
 inline const std::vector<double>& kinetic_friction_of(const Setup& setup) {

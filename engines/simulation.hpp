@@ -1,22 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
-#include "engines/setup.hpp"
+#include "engines/applied_loads.hpp"
 
 namespace rockstack {
-
-/// Where a block is and how it moves, in the frame in which the engine works: the ground's, or where the
-/// ground really moves, that of its start. SI units; z is out of the plane.
-struct BodyState {
-  double x = 0, y = 0;                    ///< of the centre of mass, m
-  double velocity_x = 0, velocity_y = 0;  ///< m/s
-  double angle = 0;                       ///< rad, clockwise positive, unwrapped from the block's start
-  double angular_velocity = 0;            ///< rad/s
-  double z = 0;                           ///< m
-  double tilt = 0;                        ///< sine of the angle out of the plane
-};
 
 /// A point at which an engine lets two bodies touch, as it was used in the last step. SI units.
 struct ContactPoint {
@@ -71,6 +62,7 @@ class ShakenSimulation : public Simulation {
     const std::size_t now = steps_++;
     if (now < setup_.ground.size()) place_ground(setup_.ground[now]);
     if (now < setup_.accelerations.size()) set_gravity(setup_.accelerations[now]);
+    if (loads_.any()) apply_loads(now);
     advance();
   }
   bool watch_contacts() override { return watched_ = true; }
@@ -78,7 +70,7 @@ class ShakenSimulation : public Simulation {
  protected:
   /// `mass_factor`: by what the adapter multiplies every mass; no angle depends on it.
   explicit ShakenSimulation(const Setup& setup, double mass_factor = 1)
-      : mass_factor_(mass_factor), setup_(setup) {}
+      : mass_factor_(mass_factor), setup_(setup), loads_(setup) {}
 
   double dt() const { return setup_.dt; }
   bool watches_contacts() const { return watched_; }
@@ -96,9 +88,26 @@ class ShakenSimulation : public Simulation {
   /// Puts a ground that really moves where the step under way starts, where most engines find contacts.
   virtual void place_ground(const GroundStep& /*ground*/) {}
   virtual void set_gravity(const BodyAcceleration& acceleration) = 0;
+  /// Has a load, in the adapter's own masses, act over the step under way; engines that have pushes and
+  /// restraints get one for every block in each step.
+  virtual void apply_load(std::size_t /*block*/, const BodyLoad& /*load*/) {
+    throw std::logic_error("no forces can be applied to blocks");
+  }
   virtual void advance() = 0;
 
+  void apply_loads(std::size_t step) {
+    std::vector<BodyState> blocks;
+    blocks.reserve(setup_.blocks.size());
+    for (std::size_t k = 0; k < setup_.blocks.size(); ++k) blocks.push_back(body(k));
+    const GroundStep ground =
+        setup_.ground.empty() ? GroundStep{} : setup_.ground[std::min(step, setup_.ground.size() - 1)];
+    const std::vector<BodyLoad> loads = loads_.over_step(step, blocks, ground);
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      apply_load(k, {mass_factor_ * loads[k].x, mass_factor_ * loads[k].y, mass_factor_ * loads[k].moment});
+  }
+
   Setup setup_;
+  AppliedLoads loads_;
   std::size_t steps_ = 0;
   bool watched_ = false;
 };

@@ -178,15 +178,6 @@ Trajectory trajectory_of(const MotionTable& table, const Setup& setup, double du
   return made;
 }
 
-/// @throws InputError for a scene that no engine has.
-Setup setup_of(const Scene& scene, double dt, const std::string& file) {
-  try {
-    return set_up(scene, dt, {});
-  } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: {}", file, error.what()));
-  }
-}
-
 }  // namespace
 
 TrajectoryFile read_trajectory(const std::filesystem::path& file, const Scene& scene) {
@@ -195,7 +186,7 @@ TrajectoryFile read_trajectory(const std::filesystem::path& file, const Scene& s
       (table.times.back() - table.times.front()) / static_cast<double>(table.times.size() - 1);
   const double dt = std::min(std::stod(fmt::format("{:.9g}", mean)), scene.duration);
   start_clock(dt, table.times);
-  const Setup setup = setup_of(scene, dt, table.file);
+  const Setup setup = set_up(scene, dt, {});
   auto blocks = block_states(table, setup);
   double height = std::numeric_limits<double>::infinity();
   for (const Placement& block : setup.blocks) height = std::min(height, block.height);

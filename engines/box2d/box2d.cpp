@@ -136,6 +136,11 @@ class Box2DSimulation final : public ShakenSimulation {
     world_.SetGravity(unit_.to(acceleration.x, acceleration.y));
   }
 
+  void apply_load(std::size_t k, const BodyLoad& load) override {
+    bodies_[k + 1]->ApplyForceToCenter(unit_.to(load.x, load.y), true);
+    bodies_[k + 1]->ApplyTorque(unit_.to_inertia(-load.moment), true);
+  }
+
   /// A box whose upper face is at y = 0.
   void add_ground(double reach) {
     b2BodyDef definition;
@@ -204,7 +209,11 @@ std::vector<Engine> make_box2d() {
         .solver = "sequential-impulse",
         .version = BOX2D_VERSION ", single precision",
         .licence = "MIT",
-        .capabilities = {.wall = true, .single_precision = true, .planar = true, .center_of_mass = true},
+        .capabilities = {.wall = true,
+                         .applied_forces = true,
+                         .single_precision = true,
+                         .planar = true,
+                         .center_of_mass = true},
         .settings =
             {count_setting("velocityIterations", 8, 50),
              {.name = "positionIterations", .default_value = 3, .most = 1e6, .whole = true},

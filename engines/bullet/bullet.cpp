@@ -79,6 +79,7 @@ Engine with(BulletSolver solver, const char* name) {
                                   single_precision ? "single" : "double"),
            .licence = "Zlib",
            .capabilities = {.largest_friction = friction_clamp,
+                            .applied_forces = true,
                             .single_precision = single_precision,
                             .center_of_mass = true},
            .settings = settings_of(solver)},

@@ -117,6 +117,11 @@ class ChipmunkSimulation final : public ShakenSimulation {
     cpSpaceSetGravity(space_.get(), cpv(acceleration.x, acceleration.y));
   }
 
+  void apply_load(std::size_t k, const BodyLoad& load) override {
+    cpBodySetForce(bodies_[k + 1].get(), cpv(load.x, load.y));
+    cpBodySetTorque(bodies_[k + 1].get(), -load.moment);
+  }
+
   /// A segment without thickness; a body of its own, which can move.
   void add_ground(double reach) {
     cpBody* body = add_body(moves_ground() ? cpBodyNewKinematic() : cpBodyNewStatic());
@@ -182,7 +187,8 @@ std::vector<Engine> make_chipmunk() {
             .solver = "sequential-impulse",
             .version = fmt::format("{}, double precision", cpVersionString),
             .licence = "MIT",
-            .capabilities = {.wall = true, .planar = true, .center_of_mass = true, .lead = -0.5},
+            .capabilities =
+                {.wall = true, .applied_forces = true, .planar = true, .center_of_mass = true, .lead = -0.5},
             .settings = {count_setting("iterations", 10, 50),
                          {.name = "collisionSlop", .unit = "m", .default_value = 0.1F, .tuned = 1e-4},
                          {.name = "collisionBias", .default_value = bias, .most = 1},

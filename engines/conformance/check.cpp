@@ -39,7 +39,8 @@ Scene paper_scene(double duration) {
 }
 
 ObservedMotion run(const Adapter& adapter, const Scene& scene, double dt) {
-  const Setup setup = set_up(scene, dt, adapter.parameters);
+  Setup setup = set_up(scene, dt, adapter.parameters);
+  setup.lookahead = lookahead(dt, adapter.lead);
   Trajectory trajectory = adapter.run(setup, adapter.parameters);
   std::vector<BodyState> bodies = trajectory.bodies;
   return {engine_run_of(scene, setup, std::move(trajectory), false).history, std::move(bodies)};
@@ -98,6 +99,10 @@ const std::vector<Check>& checks() {
       {"EccentricBlockRocksBothWays", eccentric_block_rocks_both_ways},
       {"EccentricBlockLandsInTime", eccentric_block_lands_in_time},
       {"EccentricBlockBearsOffItsMiddle", eccentric_block_bears_off_its_middle},
+      {"PushMovesAndTurnsABlock", push_moves_and_turns_a_block},
+      {"BlockSwingsOnTendons", block_swings_on_tendons},
+      {"DamperSlowsABlock", damper_slows_a_block},
+      {"TendonYieldsAndGoesSlack", tendon_yields_and_goes_slack},
   };
   return list;
 }

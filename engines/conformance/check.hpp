@@ -10,6 +10,7 @@ namespace rockstack {
 struct Adapter {
   bool single_precision = false;
   bool center_of_mass = false;  ///< as Capabilities have it
+  bool applied_forces = false;  ///< likewise
   double lead = 0.5;            ///< as Capabilities have it, of these parameters
   Parameters parameters;
   /// Runs a scene and tells its bodies, and what interfaces bear where it can. @throws the engine's own
@@ -89,7 +90,7 @@ struct CheckWork {
 CheckWork work_of(const Check& check, Adapter adapter);
 
 /// All of them: promises, smooth motion, contact, planar motion of one block and of pairs, forces, a centre
-/// of mass off the middle.
+/// of mass off the middle, pushes and restraints.
 const std::vector<Check>& checks();
 
 // Under a constant acceleration the place after time t is that at t + lead × dt, less a constant of order
@@ -105,7 +106,8 @@ Judge initial_state_is_the_scenes, same_run_gives_the_same_bits, history_ends_wh
     motion_stays_in_the_plane, resting_block_presses_with_its_weight, block_on_a_slope_presses_by_its_tilt,
     sliding_block_rubs_by_its_friction, pivot_bears_a_turning_block, forces_are_what_moves_the_blocks,
     eccentric_block_falls_as_it_turns, eccentric_block_rocks_both_ways, eccentric_block_lands_in_time,
-    eccentric_block_bears_off_its_middle;
+    eccentric_block_bears_off_its_middle, push_moves_and_turns_a_block, block_swings_on_tendons,
+    damper_slows_a_block, tendon_yields_and_goes_slack;
 
 /// Why an engine with one of its solvers and a parameter set cannot pass a check, or an empty text.
 std::string known_limit(const std::string& engine, const std::string& solver, const std::string& settings,

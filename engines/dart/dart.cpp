@@ -129,6 +129,12 @@ class DartSimulation final : public ShakenSimulation {
     blocks_.push_back(body);
   }
 
+  /// Until the step is over: the library clears forces then.
+  void apply_load(std::size_t k, const BodyLoad& load) override {
+    blocks_[k]->addExtForce({load.x, load.y, 0}, Eigen::Vector3d::Zero(), false, true);
+    blocks_[k]->addExtTorque({0, 0, -load.moment}, false);
+  }
+
   void place_ground(const GroundStep& step) override {
     const auto skeleton = ground_->getSkeleton();
     const Eigen::Vector3d velocity{step.velocity_x, step.velocity_y, 0};
@@ -209,7 +215,7 @@ Engine with(DartSolver solver) {
            .solver = solver == DartSolver::dantzig ? "dantzig" : "pgs",
            .version = DART_VERSION ", double precision",
            .licence = "BSD-2-Clause",
-           .capabilities = {.planar = true, .center_of_mass = true},
+           .capabilities = {.applied_forces = true, .planar = true, .center_of_mass = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
             return std::make_unique<DartSimulation>(solver, setup, parameters);

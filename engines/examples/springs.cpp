@@ -17,6 +17,7 @@ constexpr int parts = 64;  ///< of a step
 struct Body {
   Placement shape;
   std::array<double, 3> force{};  ///< along x and y, N, and clockwise about the centre of mass, N m
+  BodyLoad load = {};             ///< over the step under way
 
   /// Between the world and the block's axes, from the middle of its box.
   std::pair<double, double> corner(double x, double y) const {
@@ -50,7 +51,7 @@ class Springs final : public ShakenSimulation {
     bodies_.push_back(ground);
     double mass = 0;
     for (const Placement& block : setup.blocks) {
-      bodies_.push_back({block, {}});
+      bodies_.push_back({block, {}, {}});
       mass += block.mass;
     }
     // Two corners bear the stack on Earth at the depth that was asked for.
@@ -68,6 +69,8 @@ class Springs final : public ShakenSimulation {
  private:
   void set_gravity(const BodyAcceleration& acceleration) override { pull_ = acceleration; }
 
+  void apply_load(std::size_t block, const BodyLoad& load) override { bodies_[block + 1].load = load; }
+
   void advance() override {
     for (int part = 0; part < parts; ++part) {
       for (std::size_t k = 1; k < bodies_.size(); ++k)
@@ -78,9 +81,9 @@ class Springs final : public ShakenSimulation {
 
   void move(Body& body, double time) const {
     Placement& now = body.shape;
-    now.velocity_x += time * (pull_.x + body.force[0] / now.mass);
-    now.velocity_y += time * (pull_.y + body.force[1] / now.mass);
-    now.angular_velocity += time * body.force[2] / now.inertia;
+    now.velocity_x += time * (pull_.x + (body.force[0] + body.load.x) / now.mass);
+    now.velocity_y += time * (pull_.y + (body.force[1] + body.load.y) / now.mass);
+    now.angular_velocity += time * (body.force[2] + body.load.moment) / now.inertia;
     now.x += time * now.velocity_x;
     now.y += time * now.velocity_y;
     now.angle += time * now.angular_velocity;
@@ -128,7 +131,8 @@ int main() {
                   .solver = "euler",
                   .version = "1",
                   .licence = "same as rockstack",
-                  .capabilities = {.planar = true, .center_of_mass = true, .lead = 0.5 / parts},
+                  .capabilities =
+                      {.applied_forces = true, .planar = true, .center_of_mass = true, .lead = 0.5 / parts},
                   .settings = {{.name = "sinking",
                                 .unit = "m",
                                 .default_value = 1e-4,

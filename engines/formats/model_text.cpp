@@ -66,6 +66,8 @@ std::vector<std::string> left_out_everywhere(const ModelScene& scene, bool bounc
   if (!scene.ground.empty()) list.emplace_back("the ground's motion");
   if (const auto& sliding = scene.setup.kinetic_friction; !sliding.empty())
     list.push_back(fmt::format("kinetic_friction {}", fmt::join(sliding, " ")));
+  if (!scene.setup.pushes.empty()) list.emplace_back("pushes");
+  if (!scene.setup.restraints.empty()) list.emplace_back("tendons and dampers");
   if (scene.restitution > 0 && !bounces) list.push_back(fmt::format("restitution {}", scene.restitution));
   return list;
 }

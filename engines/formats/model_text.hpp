@@ -19,8 +19,8 @@ std::string middle_text(const Placement& block);
 /// True where the scene has a block that moves at the start.
 bool starts_in_motion(const Setup& setup);
 
-/// What no format here holds: the ground's motion, a second coefficient of friction and, unless `bounces`,
-/// restitution.
+/// What no format here holds: the ground's motion, a second coefficient of friction, pushes, restraints and,
+/// unless `bounces`, restitution.
 std::vector<std::string> left_out_everywhere(const ModelScene& scene, bool bounces);
 
 /// A comment at the head of a file: what the scene is, its axes, how to run it, how to come back, and what is

@@ -219,6 +219,12 @@ class MujocoSimulation final : public ShakenSimulation {
     std::copy(gravity.begin(), gravity.end(), model_->opt.gravity);
   }
 
+  /// Coordinates are those of the centre of mass.
+  void apply_load(std::size_t k, const BodyLoad& load) override {
+    const std::array<double, 3> force{load.x, load.y, -load.moment};
+    std::copy(force.begin(), force.end(), data_->qfrc_applied + first(k));
+  }
+
   void place(const Placement& block, std::size_t k) {
     const std::array<double, 3> place{block.x, block.y, -block.angle};
     const std::array<double, 3> velocity{block.velocity_x, block.velocity_y, -block.angular_velocity};
@@ -288,7 +294,7 @@ Engine with(MujocoSolver solver, const char* name) {
            .solver = name,
            .version = std::string(mj_versionString()) + ", double precision",
            .licence = "Apache-2.0",
-           .capabilities = {.planar = true, .center_of_mass = true},
+           .capabilities = {.applied_forces = true, .planar = true, .center_of_mass = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
             // MuJoCo would end the process, or write a file into the working folder; its data count warnings.

@@ -218,6 +218,11 @@ class OdeSimulation final : public ShakenSimulation {
     dWorldSetGravity(world_.get(), acceleration.x, acceleration.y, 0);
   }
 
+  void apply_load(std::size_t k, const BodyLoad& load) override {
+    dBodyAddForce(bodies_[k], load.x, load.y, 0);
+    dBodyAddTorque(bodies_[k], 0, 0, -load.moment);
+  }
+
   void add_block(const Placement& placement, bool finite) {
     const dBodyID body = dBodyCreate(world_.get());
     dMass mass;
@@ -300,7 +305,7 @@ Engine with(OdeSolver solver) {
            .solver = solver == OdeSolver::step ? "step" : "quickstep",
            .version = dODE_VERSION ", double precision",
            .licence = "BSD-3-Clause OR LGPL-2.1-or-later",
-           .capabilities = {.wall = true, .center_of_mass = true},
+           .capabilities = {.wall = true, .applied_forces = true, .center_of_mass = true},
            .settings = settings_of(solver)},
           [solver](const Setup& setup, const Parameters& parameters) {
             initialise();

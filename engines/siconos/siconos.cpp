@@ -27,7 +27,7 @@ std::vector<Engine> make_siconos() {
             .solver = "nsgs",
             .version = "4.4.0, double precision",  // of Debian 12: its headers do not tell
             .licence = "Apache-2.0",
-            .capabilities = {.planar = true, .center_of_mass = true, .lead = 0},
+            .capabilities = {.applied_forces = true, .planar = true, .center_of_mass = true, .lead = 0},
             .settings = settings},
            start_siconos}};
 }

@@ -154,7 +154,8 @@ class SiconosSimulation final : public ShakenSimulation {
   SiconosSimulation(const Setup& setup, const Parameters& parameters)
       : ShakenSimulation(setup, mass_factor(setup, parameters)),
         system_(std::make_shared<NonSmoothDynamicalSystem>(0, (static_cast<double>(setup.steps) + 2) * dt())),
-        acceleration_(setup.gravity) {
+        acceleration_(setup.gravity),
+        loads_(setup.blocks.size()) {
     // OpenBLAS, where it is the BLAS, shares matrices of this size among threads that wait for each other.
     if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
     for (const Placement& block : setup.blocks) add_body(block);
@@ -241,11 +242,15 @@ class SiconosSimulation final : public ShakenSimulation {
     ground_.y += dt() * step.velocity_y;
   }
 
+  void apply_load(std::size_t k, const BodyLoad& load) override { loads_[k] = load; }
+
   void advance() override {
-    for (const auto& body : bodies_) {
-      const double mass = body->mass()->getValue(0, 0);
-      body->fExt()->setValue(0, mass * acceleration_.x);
-      body->fExt()->setValue(1, mass * acceleration_.y);
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      const double mass = bodies_[k]->mass()->getValue(0, 0);
+      SiconosVector& force = *bodies_[k]->fExt();
+      force.setValue(0, mass * acceleration_.x + loads_[k].x);
+      force.setValue(1, mass * acceleration_.y + loads_[k].y);
+      force.setValue(2, -loads_[k].moment);
     }
     std::vector<double> gaps;
     if (watches_contacts())
@@ -280,7 +285,8 @@ class SiconosSimulation final : public ShakenSimulation {
   std::shared_ptr<FrictionContact> problem_;
   std::shared_ptr<TimeStepping> simulation_;
   BodyAcceleration acceleration_;
-  GroundStep ground_;  ///< where it is at the end of the step under way
+  std::vector<BodyLoad> loads_;  ///< over the step under way
+  GroundStep ground_;            ///< where it is at the end of the step under way
   std::vector<ContactPoint> contacts_;
   std::size_t failures_ = 0;
 };

@@ -33,7 +33,8 @@ class SimbodySimulation final : public ShakenSimulation {
       : ShakenSimulation(setup, mass_factor(setup, parameters)),
         stiffness_(parameters.at("stiffness")),
         dissipation_(parameters.at("dissipation")),
-        gravity_(forces_, matter_, Vec3(setup.gravity.x, setup.gravity.y, 0)) {
+        gravity_(forces_, matter_, Vec3(setup.gravity.x, setup.gravity.y, 0)),
+        loads_(forces_, matter_) {
     contact_.setTransitionVelocity(parameters.at("transition_velocity"));
     std::vector<SimTK::Body> bodies{matter_.Ground().getBody()};
     for (const Placement& block : setup.blocks)
@@ -83,6 +84,13 @@ class SimbodySimulation final : public ShakenSimulation {
  private:
   void set_gravity(const BodyAcceleration& acceleration) override {
     gravity_.setGravityVector(integrator_->updAdvancedState(), Vec3(acceleration.x, acceleration.y, 0));
+  }
+
+  /// Coordinates are the angle, anticlockwise, and those of the centre of mass.
+  void apply_load(std::size_t k, const BodyLoad& load) override {
+    SimTK::State& state = integrator_->updAdvancedState();
+    for (const auto& [coordinate, force] : {std::pair{0, -load.moment}, {1, load.x}, {2, load.y}})
+      loads_.setOneMobilityForce(state, blocks_[k], SimTK::MobilizerUIndex(coordinate), force);
   }
 
   void advance() override {
@@ -146,6 +154,7 @@ class SimbodySimulation final : public ShakenSimulation {
   SimTK::ContactTrackerSubsystem tracker_{system_};
   SimTK::CompliantContactSubsystem contact_{system_, tracker_};
   SimTK::Force::Gravity gravity_;
+  SimTK::Force::DiscreteForces loads_;
   std::vector<SimTK::MobilizedBody::Planar> blocks_;
   std::unique_ptr<SimTK::Integrator> integrator_;
 };

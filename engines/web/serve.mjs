@@ -4,7 +4,8 @@
 // An engine is an object. `name`, `module` (the package) and `licence` say what it is; `note` follows the package's version;
 // `capabilities` and `solvers` are those of the description: each solver has its list of settings. `load()` gives the library,
 // which all runs of a process share. `start(library, question)` gives a simulation: `step(pull)` takes one step under the body
-// force `pull`, m/s²; `state(k)` is block k's [x, y, angle, velocity_x, velocity_y, angular_velocity], angles clockwise, in space
+// force `pull`, m/s²; `load(k, { x, y, moment })` has a force through the centre of mass of block k, N, and a clockwise moment, N m, act
+// over the next step; `state(k)` is block k's [x, y, angle, velocity_x, velocity_y, angular_velocity], angles clockwise, in space
 // also z and the sine of the tilt. Optional are `warnings()`, how many there were so far, `end()`, which gives back what it
 // holds, and `contacts(states)`, the points that bore in the last step, from these states of the blocks on: `interface`, from 0; `along`, on the
 // upper block's lower face from below its centre of mass to the right, m; `push`, the impulse across the faces, and `x`, `y`, all of it on the
@@ -13,7 +14,7 @@
 import { readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
 import { setFlagsFromString } from 'node:v8';
 
-import { NotFinite, pullOf, record } from './simulation.mjs';
+import { AppliedLoads, applyLoads, NotFinite, pullOf, record } from './simulation.mjs';
 
 export * from './simulation.mjs';
 
@@ -28,8 +29,13 @@ const mostRuns = 20;
 /** Wall time of the steps alone, s. */
 function timeOf(simulation, question, steps) {
   const pulls = Array.from({ length: steps }, (_, step) => pullOf(question, step));
+  const loads = new AppliedLoads(question);
+  const states = () => question.blocks.map((_, k) => simulation.state(k));
   const start = performance.now();
-  for (const pull of pulls) simulation.step(pull);
+  pulls.forEach((pull, step) => {
+    if (loads.any) applyLoads(simulation, loads, step, states());
+    simulation.step(pull);
+  });
   return (performance.now() - start) / 1000;
 }
 
@@ -99,7 +105,7 @@ function versionOf(engine) {
 function describe(engine) {
   return engine.solvers.map(({ solver, settings }) => ({
     name: engine.name, solver, version: `${versionOf(engine)}${engine.note}`, licence: engine.licence,
-    ...engine.capabilities, warm_up: warmUp, runs_per_process: mostRuns, settings,
+    applied_forces: true, ...engine.capabilities, warm_up: warmUp, runs_per_process: mostRuns, settings,
   }));
 }
 

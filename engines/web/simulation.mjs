@@ -91,11 +91,84 @@ function reactionsOf(question, points, turned) {
 
 const forces = ['normal', 'tangential', 'centre'];
 
+/** A number as messages have it. */
+const numberOf = (value) => (value === 'inf' ? Infinity : value);
+
+/** A vector of a block, where the block has turned clockwise. */
+function turned({ x, y }, angle) {
+  const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
+  return { x: x * cosine + y * sine, y: y * cosine - x * sine };
+}
+
+/**
+ * Pushes and restraints of a question, step by step: forces at points of blocks, as one load on each block (../applied_loads.cpp
+ * has the same). Tendons remember how far they have yielded.
+ */
+export class AppliedLoads {
+  constructor({ pushes = [], restraints = [], lookahead = 0 }) {
+    this.pushes = pushes;
+    this.restraints = restraints.map((given) => ({ ...given, yield: numberOf(given.yield), drawn: 0 }));
+    this.lookahead = lookahead;
+    this.any = pushes.length + restraints.length > 0;
+  }
+
+  /** Force through each block's centre of mass, N, and clockwise moment, N m, over a step that begins with blocks in these states. */
+  overStep(step, states) {
+    const loads = states.map(() => ({ x: 0, y: 0, moment: 0 }));
+    const add = (block, arm, x, y) => {
+      if (block === 0) return;
+      const load = loads[block - 1];
+      load.x += x;
+      load.y += y;
+      load.moment += arm.y * x - arm.x * y;
+    };
+    for (const { point, direction_x: x, direction_y: y, forces } of this.pushes) {
+      const size = forces[step] ?? 0;
+      add(point.block, this.motion(point, states).arm, size * x, size * y);
+    }
+    for (const restraint of this.restraints) this.pull(restraint, states, add);
+    return loads;
+  }
+
+  /** A tendon is slack where it would push, and yields where it would pull more than it can. */
+  pull(restraint, states, add) {
+    const [from, to] = [restraint.from, restraint.to].map((point) => this.motion(point, states));
+    const apart = { x: to.x - from.x, y: to.y - from.y };
+    const length = Math.hypot(apart.x, apart.y);
+    const unit = { x: apart.x / length, y: apart.y / length };
+    const stretch = length - restraint.length;
+    const elastic = () => restraint.prestress + restraint.stiffness * (stretch - restraint.drawn);
+    if (restraint.stiffness > 0 && elastic() > restraint.yield)
+      restraint.drawn = stretch - (restraint.yield - restraint.prestress) / restraint.stiffness;
+    const rate = unit.x * (to.rateX - from.rateX) + unit.y * (to.rateY - from.rateY);
+    const force = Math.max(0, elastic()) + restraint.damping * rate;
+    add(restraint.from.block, from.arm, force * unit.x, force * unit.y);
+    add(restraint.to.block, to.arm, -force * unit.x, -force * unit.y);
+  }
+
+  /** A point, moved on by the velocities of its block; the ground does not move. */
+  motion(point, states) {
+    if (point.block === 0) return { x: point.x, y: point.y, rateX: 0, rateY: 0, arm: point };
+    const [x, y, angle, velocityX, velocityY, spin] = states[point.block - 1];
+    const time = this.lookahead;
+    const arm = turned(point, angle + time * spin);
+    return {
+      x: x + time * velocityX + arm.x, y: y + time * velocityY + arm.y, rateX: velocityX + spin * arm.y, rateY: velocityY - spin * arm.x, arm,
+    };
+  }
+}
+
+/** Has the loads of a step act on blocks in these states. */
+export function applyLoads(simulation, loads, step, states) {
+  if (loads.any) loads.overStep(step, states).forEach((load, k) => simulation.load(k, load));
+}
+
 /** All samples, the first at the start. Ends with the first in which a block has toppled. */
 export function record(simulation, question) {
   const lists = columns.map(() => []);
   const borne = forces.map(() => []);
   const tells = question.reactions && simulation.contacts !== undefined;
+  const loads = new AppliedLoads(question);
   let warnings = 0;
   for (let step = 0; ; ++step) {
     const states = question.blocks.map((_, k) => simulation.state(k));
@@ -106,6 +179,7 @@ export function record(simulation, question) {
     const toppled = states.some((state, k) => Math.abs(state[2]) > question.toppling_angles[k]);
     if (step === question.steps || toppled) break;
     const before = simulation.warnings?.();
+    applyLoads(simulation, loads, step, states);
     simulation.step(pullOf(question, step));
     if (simulation.warnings?.() > before) ++warnings;
     if (!tells) continue;

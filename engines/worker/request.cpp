@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "engines/worker/load_fields.hpp"
+
 namespace rockstack {
 namespace {
 
@@ -97,6 +99,7 @@ json fields_of(const RunRequest& run, Form form) {
   if (!setup.accelerations.empty())
     write_columns(object["accelerations"], setup.accelerations, acceleration_fields, form);
   if (!setup.ground.empty()) write_columns(object["ground"], setup.ground, ground_fields, form);
+  write_loads(setup, form, object);
   return object;
 }
 
@@ -128,6 +131,7 @@ RunRequest read_run_request(const json& object) {
   if (has_field(object, "accelerations"))
     read_columns(object["accelerations"], setup.accelerations, acceleration_fields);
   if (has_field(object, "ground")) read_columns(object["ground"], setup.ground, ground_fields);
+  read_loads(object, setup);
   return run;
 }
 
@@ -144,6 +148,7 @@ json fields_of(const EngineDescription& engine) {
               {"tuned_lead", engine.capabilities.tuned_lead},
               {"settings", json::array()}};
   if (engine.capabilities.wall) object["wall"] = true;
+  if (engine.capabilities.applied_forces) object["applied_forces"] = true;
   if (engine.capabilities.kinetic_friction) object["kinetic_friction"] = true;
   if (engine.warm_up > 0) object["warm_up"] = engine.warm_up;
   if (engine.runs_per_process > 1) object["runs_per_process"] = engine.runs_per_process;
@@ -182,6 +187,7 @@ EngineDescription read_engine(const json& object) {
   Capabilities& able = engine.capabilities;
   if (has_field(object, "largest_friction")) able.largest_friction = number_field(object, "largest_friction");
   if (has_field(object, "wall")) able.wall = flag_field(object, "wall");
+  if (has_field(object, "applied_forces")) able.applied_forces = flag_field(object, "applied_forces");
   if (has_field(object, "kinetic_friction")) able.kinetic_friction = flag_field(object, "kinetic_friction");
   if (has_field(object, "single_precision")) able.single_precision = flag_field(object, "single_precision");
   if (has_field(object, "planar")) able.planar = flag_field(object, "planar");

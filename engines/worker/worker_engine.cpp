@@ -41,12 +41,21 @@ RunReply explain(const ProcessEnd& end, const Limits& limits) {
   return {status, with_last_words(reason, end)};
 }
 
-/// The memory in which a worker can read a question, bytes: the numbers of a shaken ground as they are
-/// written, as fields, as the list that it takes, and as a list that grows.
+/// As capabilities have it, of the set that these parameters are, but for a scene's restitution.
+double lead_of(const EngineDescription& engine, const Parameters& given) {
+  const bool tuned = std::ranges::all_of(engine.settings, [&](const Setting& setting) {
+    const auto value = given.find(setting.name);
+    return setting.role != SettingRole::own || value == given.end() || value->second == setting.tuned;
+  });
+  return tuned ? engine.capabilities.tuned_lead : engine.capabilities.lead;
+}
+
+/// The memory in which a worker can read a question, bytes: the numbers of a shaken ground and of pushes as
+/// they are written, as fields, as the list that it takes, and as a list that grows.
 double question_memory(const WorkerEngine& engine, const Scene& scene, double dt,
                        const Parameters& parameters) {
-  if (!is_shaken(scene)) return 0;
-  const double numbers = moves_ground(parameters) ? 4 : 2;
+  const double shaken = is_shaken(scene) ? (moves_ground(parameters) ? 4 : 2) : 0;
+  const double numbers = shaken + static_cast<double>(scene.pushes.size());
   const double bytes = engine.form == Form::messagepack ? 8 : 20;
   return 4 * bytes * numbers * step_count(scene.duration, dt);
 }
@@ -183,9 +192,11 @@ RunReply ask(const WorkerEngine& engine, const Scene& scene, double dt, const Pa
     const double memory = question_memory(engine, scene, dt, parameters);
     if (const auto most = static_cast<double>(limits.memory); memory > most)
       return {"memory limit",
-              fmt::format("{:.4g} steps of a shaken ground: a worker takes {:.3g} GB to read them, of {:.3g}",
-                          step_count(scene.duration, dt), memory * 1e-9, most * 1e-9)};
+              fmt::format("{:.4g} steps of {}: a worker takes {:.3g} GB to read them, of {:.3g}",
+                          step_count(scene.duration, dt), is_shaken(scene) ? "a shaken ground" : "pushes",
+                          memory * 1e-9, most * 1e-9)};
     asked.setup = set_up(scene, dt, parameters, limits.cancelled);
+    asked.setup.lookahead = lookahead(dt, lead_of(engine, parameters));
     return ask(engine, asked, limits);
   } catch (const Stopped&) {
     return stopped();

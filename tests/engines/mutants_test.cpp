@@ -142,6 +142,36 @@ const std::vector<Mistake>& mistakes() {
              for (Reaction& reaction : trajectory.reactions) reaction.centre -= 0.06;
            },
        .forces = true},
+      {.name = "PushThroughTheCentreOfMass",
+       .seen_by = "PushMovesAndTurnsABlock",
+       .question =
+           [](Setup& setup) {
+             for (AppliedPush& push : setup.pushes) push.point.y = 0;
+           }},
+      {.name = "PushesAStepLate",
+       .seen_by = "PushMovesAndTurnsABlock",
+       .question =
+           [](Setup& setup) {
+             for (AppliedPush& push : setup.pushes) push.forces.insert(push.forces.begin(), 0);
+           }},
+      {.name = "OneTendonWithoutPrestress",
+       .seen_by = "BlockSwingsOnTendons",
+       .question =
+           [](Setup& setup) {
+             if (!setup.restraints.empty()) setup.restraints.front().prestress = 0;
+           }},
+      {.name = "DampingWrongByATwentieth",
+       .seen_by = "DamperSlowsABlock",
+       .question =
+           [](Setup& setup) {
+             for (AppliedRestraint& restraint : setup.restraints) restraint.damping *= 1.05;
+           }},
+      {.name = "TendonsThatDoNotYield",
+       .seen_by = "TendonYieldsAndGoesSlack",
+       .question =
+           [](Setup& setup) {
+             for (AppliedRestraint& restraint : setup.restraints) restraint.yield *= 100;
+           }},
       {.name = "AnglesCounterClockwise",
        .seen_by = "StrongPushRocks",
        .answer =
@@ -164,7 +194,11 @@ Judgement judge(const Check& check, const Adapter& adapter) {
 /// The engine with its tuned set, as `mistake` has it, if any.
 Adapter adapter_of(const WorkerEngine& engine, const Mistake& mistake) {
   const Capabilities& able = engine.capabilities;
-  return {able.single_precision, able.center_of_mass, able.tuned_lead, engine.tuned_parameters(),
+  return {able.single_precision,
+          able.center_of_mass,
+          able.applied_forces,
+          able.tuned_lead,
+          engine.tuned_parameters(),
           [&](Setup setup, Parameters parameters) {
             if (mistake.question) mistake.question(setup);
             for (const auto& [name, value] : mistake.settings) {

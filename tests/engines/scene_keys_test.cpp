@@ -24,6 +24,19 @@ void add(const Setup& setup, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {setup.gravity.x, setup.gravity.y, static_cast<double>(setup.steps)});
   if (setup.wall) numbers.push_back(setup.wall->x);
   for (const BodyAcceleration& step : setup.accelerations) numbers.insert(numbers.end(), {step.x, step.y});
+  const auto add_point = [&](const BodyPoint& point) {
+    numbers.insert(numbers.end(), {static_cast<double>(point.block), point.x, point.y});
+  };
+  for (const AppliedPush& push : setup.pushes) {
+    add_point(push.point);
+    numbers.insert(numbers.end(), {push.direction_x, push.direction_y});
+    numbers.insert(numbers.end(), push.forces.begin(), push.forces.end());
+  }
+  for (const AppliedRestraint& one : setup.restraints) {
+    add_point(one.from);
+    add_point(one.to);
+    numbers.insert(numbers.end(), {one.length, one.stiffness, one.prestress, one.yield, one.damping});
+  }
 }
 
 /// What comes of a scene: the exact motion, and what an engine is told.
@@ -32,8 +45,7 @@ std::string outcome(const Scene& scene) {
   std::vector<double> numbers = history.times;
   numbers.insert(numbers.end(), history.angles.begin(), history.angles.end());
   numbers.insert(numbers.end(), history.centres.begin(), history.centres.end());
-  // Engines take no others.
-  if (scene.pushes.empty() && scene.restraints.empty()) add(set_up(scene, 0.01, {}), numbers);
+  add(set_up(scene, 0.01, {}), numbers);
   std::string text = scene.title;
   for (const double number : numbers) text += " " + number_text(number);
   return text;

@@ -29,7 +29,10 @@ const Limits limits;
 /// `warnings` counts those of all runs.
 Adapter adapter_of(const WorkerEngine& engine, const std::string& settings, std::size_t& warnings) {
   const Capabilities& able = engine.capabilities;
-  return {able.single_precision, able.center_of_mass, settings == "tuned" ? able.tuned_lead : able.lead,
+  return {able.single_precision,
+          able.center_of_mass,
+          able.applied_forces,
+          settings == "tuned" ? able.tuned_lead : able.lead,
           make_series(engine, settings, {}).parameters,
           [&engine, &warnings](const Setup& setup, const Parameters& given) {
             Trajectory made = run(engine, setup, given, true, limits, 0, true);
@@ -98,6 +101,7 @@ Json capabilities_json(const WorkerEngine& engine, const std::string& settings) 
           {"single_precision", able.single_precision},
           {"planar", able.planar},
           {"center_of_mass", able.center_of_mass},
+          {"applied_forces", able.applied_forces},
           {"lead", able.lead},
           {"tuned_lead", able.tuned_lead},
           {"moves_ground", engine.default_parameters().count("shaking") != 0},
@@ -115,13 +119,14 @@ void print_capabilities(const Json& able) {
   const auto yes = [&](const char* key) { return able[key].get<bool>() ? "yes" : "no"; };
   fmt::print("{}  {}\n", able["engine"].get<std::string>(), able["version"].get<std::string>());
   fmt::print(
-      "  friction up to {}, {}; {} precision; planar {}; centre of mass off the middle: {}; places lead by {} "
+      "  friction up to {}, {}; {} precision; planar {}; centre of mass off the middle: {}; pushes and restraints: {}; places lead by {} "
       "steps; really moves the ground: {}; tells contacts: {}; {} settings\n  a step takes {}, the whole worker "
       "for two hundred {}{}\n",
       able["largest_friction"].is_null() ? "any" : able["largest_friction"].dump(),
       able["kinetic_friction"].get<bool>() ? "static and kinetic" : "one coefficient",
       able["single_precision"].get<bool>() ? "single" : "double",
       able["planar"].get<bool>() ? "by nature" : "by constraint", yes("center_of_mass"),
+      yes("applied_forces"),
       able["lead"] == able["tuned_lead"] ? able["lead"].dump()
                                          : able["lead"].dump() + ", tuned " + able["tuned_lead"].dump(),
       yes("moves_ground"), yes("tells_contacts"), able["settings"].size(),
@@ -205,7 +210,7 @@ Json check_sets(const WorkerEngine& engine, const CheckEngineArguments& argument
   return able;
 }
 
-/// The short form: some thirty laws.
+/// The short form: some forty laws.
 int check_laws(const CheckEngineArguments& arguments, const Common& common) {
   refuse_overrides(common, "its scenes are its own");
   const std::vector<Check> chosen = chosen_from(checks(), arguments.scenes, std::mem_fn(&Check::name));

@@ -135,6 +135,12 @@ class Simulation {
     return body;
   }
 
+  /** The package's interface has impulses alone; they come before the step. */
+  load(k, { x, y, moment }) {
+    this.with(this.dt * x, this.dt * y, 0, (impulse) => this.bodies[k].applyCentralImpulse(impulse));
+    this.with(0, 0, -this.dt * moment, (impulse) => this.bodies[k].applyTorqueImpulse(impulse));
+  }
+
   step(pull) {
     this.gravity.setValue(pull.x, pull.y, 0);
     this.world.setGravity(this.gravity);

@@ -89,6 +89,15 @@ class Simulation {
     velocity.delete();
   }
 
+  /** Until the step is over: the library clears forces then. */
+  load(k, { x, y, moment }) {
+    const { box2d } = this;
+    const body = this.bodies[k + 1];
+    this.pull.Set(x, y);
+    box2d.b2Body_ApplyForceToCenter(body, this.pull, true);
+    box2d.b2Body_ApplyTorque(body, -moment, true);
+  }
+
   step(pull) {
     this.pull.Set(pull.x, pull.y);
     this.box2d.b2World_SetGravity(this.world, this.pull);

@@ -22,9 +22,9 @@ class Simulation {
     this.world = new cannon.World({ allowSleep: false });
     this.world.solver.iterations = this.given.iterations;
     this.world.solver.tolerance = this.given.tolerance;
-    const masses = massFactor(question);
+    this.masses = massFactor(question);
     this.addGround();
-    for (const block of question.blocks) this.addBlock(block, masses);
+    for (const block of question.blocks) this.addBlock(block);
     question.friction.forEach((friction, k) => this.rub(k, friction));
   }
 
@@ -46,7 +46,8 @@ class Simulation {
     this.add(new this.cannon.Plane(), { mass: 0, quaternion: new this.cannon.Quaternion(-Math.SQRT1_2, 0, 0, Math.SQRT1_2) });
   }
 
-  addBlock(block, masses) {
+  addBlock(block) {
+    const { masses } = this;
     const { Box, Quaternion, Vec3 } = this.cannon;
     const body = this.add(new Box(new Vec3(block.width / 2, block.height / 2, block.depth / 2)), {
       mass: masses * block.mass,
@@ -61,6 +62,13 @@ class Simulation {
     body.inertia.set(...inertia);
     body.invInertia.set(...inertia.map((value) => 1 / value));
     body.updateInertiaWorld(true);
+  }
+
+  /** Until the step is over: the library clears forces then. */
+  load(k, { x, y, moment }) {
+    const body = this.world.bodies[k + 1];
+    body.force.set(this.masses * x, this.masses * y, 0);
+    body.torque.set(0, 0, -this.masses * moment);
   }
 
   step(pull) {

@@ -37,6 +37,7 @@ class Simulation {
     this.havok = havok;
     this.dt = question.dt;
     this.given = question.parameters;
+    this.blocks = question.blocks;
     this.owned = [];
     this.world = got(havok.HP_World_Create(), havok);
     require(havok.HP_World_SetIdealStepTime(this.world, this.given.idealStepTime), havok);
@@ -75,6 +76,16 @@ class Simulation {
     require(havok.HP_Body_SetLinearVelocity(body, [block.velocity_x, block.velocity_y, 0]), havok);
     require(havok.HP_Body_SetAngularVelocity(body, [0, 0, -block.angular_velocity]), havok);
     return body;
+  }
+
+  /** Changes velocities before the step: the library's impulses act by a mass of some ten bits. */
+  load(k, { x, y, moment }) {
+    const { havok, dt } = this;
+    const [body, { mass, inertia }] = [this.bodies[k], this.blocks[k]];
+    const [vx, vy, vz] = got(havok.HP_Body_GetLinearVelocity(body), havok);
+    const [wx, wy, wz] = got(havok.HP_Body_GetAngularVelocity(body), havok);
+    require(havok.HP_Body_SetLinearVelocity(body, [vx + dt * x / mass, vy + dt * y / mass, vz]), havok);
+    require(havok.HP_Body_SetAngularVelocity(body, [wx, wy, wz - dt * moment / inertia]), havok);
   }
 
   step(pull) {

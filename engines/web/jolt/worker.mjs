@@ -136,6 +136,13 @@ class Simulation {
     this.system.SetContactListener(this.listener);
   }
 
+  /** Until the step is over: the library clears forces then. */
+  load(k, { x, y, moment }) {
+    const { jolt } = this;
+    using(jolt, new jolt.Vec3(x, y, 0), (force) => this.bodies[k].AddForce(force));
+    using(jolt, new jolt.Vec3(0, 0, -moment), (torque) => this.bodies[k].AddTorque(torque));
+  }
+
   step(pull) {
     this.gravity.Set(pull.x, pull.y, 0);
     this.system.SetGravity(this.gravity);

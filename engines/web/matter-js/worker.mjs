@@ -30,8 +30,8 @@ class Simulation {
     this.bodies = [];
     this.add({ x: 0, y: -reach, width: 2 * reach, height: 2 * reach }, { isStatic: true });
     if (question.wall) this.addWall(question.wall);
-    const masses = massFactor(question);
-    for (const block of question.blocks) this.addBlock(block, masses);
+    this.masses = massFactor(question);
+    for (const block of question.blocks) this.addBlock(block);
   }
 
   /** Bodies are numbered from 0, the ground. */
@@ -53,7 +53,8 @@ class Simulation {
     this.bodies.pop();
   }
 
-  addBlock(block, masses) {
+  addBlock(block) {
+    const { masses } = this;
     const body = this.add(block, {
       angle: -block.angle,
       mass: masses * block.mass,
@@ -67,6 +68,14 @@ class Simulation {
     const base = 1 / 60;
     this.matter.Body.setVelocity(body, { x: block.velocity_x * this.scale * base, y: block.velocity_y * this.scale * base });
     this.matter.Body.setAngularVelocity(body, -block.angular_velocity * base);
+  }
+
+  /** The library's time is in ms, its force clears with the step. */
+  load(k, { x, y, moment }) {
+    const body = this.bodies[k + 1];
+    const factor = 1e-6 * this.masses * this.scale;
+    body.force = { x: factor * x, y: factor * y };
+    body.torque = -factor * this.scale * this.given.inertiaScale * moment;
   }
 
   step(pull) {

@@ -110,6 +110,11 @@ class Simulation {
     });
   }
 
+  /** Coordinates are those of the centre of mass. */
+  load(k, { x, y, moment }) {
+    this.data.qfrc_applied.set([x, y, -moment].map((value) => this.masses * value), 3 * k);
+  }
+
   step(pull) {
     this.model.opt.gravity.set([pull.x, pull.y, 0]);
     this.mujoco.mj_step(this.model, this.data);

@@ -48,6 +48,7 @@ class Simulation {
     this.dt = question.dt;
     this.given = question.parameters;
     this.gravity = new px.PxVec3(0, 0, 0);
+    this.vector = new px.PxVec3(0, 0, 0);
     this.scene = physics.createScene(this.describe(question.solver, dispatcher));
     const sliding = neighbourMeans(kineticFriction(question));
     const [ground, ...friction] = neighbourMeans(question.friction).map((sticking, k) => [sticking, sliding[k]]);
@@ -121,6 +122,17 @@ class Simulation {
     body.setLinearVelocity(new px.PxVec3(block.velocity_x, block.velocity_y, 0));
     body.setAngularVelocity(new px.PxVec3(0, 0, -block.angular_velocity));
     return body;
+  }
+
+  /** Until the step is over: the library clears forces then. */
+  load(k, { x, y, moment }) {
+    this.vector.x = x;
+    this.vector.y = y;
+    this.vector.z = 0;
+    this.bodies[k].addForce(this.vector);
+    this.vector.x = this.vector.y = 0;
+    this.vector.z = -moment;
+    this.bodies[k].addTorque(this.vector);
   }
 
   step(pull) {

@@ -92,6 +92,13 @@ class Simulation {
     body.setMassData({ mass: block.mass, center: { x: 0, y: 0 }, I: block.inertia });
   }
 
+  /** Until the step is over: the library clears forces then. */
+  load(k, { x, y, moment }) {
+    const body = this.bodies[k + 1];
+    body.applyForceToCenter({ x, y }, true);
+    body.applyTorque(-moment, true);
+  }
+
   step(pull) {
     this.touches.clear();
     this.world.setGravity(pull);

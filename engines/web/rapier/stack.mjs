@@ -16,7 +16,7 @@ const settings = (tunedHooks) => [
 ];
 
 /**
- * Those derived from it know their dimensions: `vector(x, y)`; `cuboid(block)`, a box of its size; `turned(body, block)`, a body as it
+ * Those derived from it know their dimensions: `vector(x, y)`; `torque(moment)`, about the axis out of the plane; `cuboid(block)`, a box of its size; `turned(body, block)`, a body as it
  * starts to turn; `weighed(box, block)`, a box with its place in the body, its mass and inertia; and `state(k)`.
  */
 export class RapierStack {
@@ -65,6 +65,15 @@ export class RapierStack {
       .setLinvel(...this.numbers(block.velocity_x, block.velocity_y))
       .setCanSleep(false);
     return this.add(this.turned(body, block), this.weighed(this.cuboid(block), block), friction);
+  }
+
+  /** The library keeps forces until they are reset. */
+  load(k, { x, y, moment }) {
+    const body = this.bodies[k];
+    body.resetForces(true);
+    body.resetTorques(true);
+    body.addForce(this.vector(x, y), true);
+    body.addTorque(this.torque(-moment), true);
   }
 
   step(pull) {

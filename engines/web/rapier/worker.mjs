@@ -9,6 +9,10 @@ class Stack extends RapierStack {
     return { x, y };
   }
 
+  torque(moment) {
+    return moment;
+  }
+
   cuboid({ width, height }) {
     return this.rapier.ColliderDesc.cuboid(width / 2, height / 2);
   }

@@ -9,6 +9,10 @@ class Stack extends RapierStack {
     return { x, y, z: 0 };
   }
 
+  torque(moment) {
+    return { x: 0, y: 0, z: moment };
+  }
+
   cuboid({ width, height, depth }) {
     return this.rapier.ColliderDesc.cuboid(width / 2, height / 2, depth / 2);
   }

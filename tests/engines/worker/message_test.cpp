@@ -26,7 +26,10 @@ Request full_request() {
                .dt = 1e-3,
                .steps = 2,
                .accelerations = {{1, -9}, {2, -8}},
-               .ground = {{1, 2, 3, 4}, {5, 6, 7, 8}}};
+               .ground = {{1, 2, 3, 4}, {5, 6, 7, 8}},
+               .pushes = {{{1, 0.1, 0.2}, 0.6, 0.8, {5, 6}}},
+               .restraints = {{.from = {2, 0.3, 0.4}, .to = {0, 0.5, -0.6}, .length = 2, .stiffness = 3}},
+               .lookahead = 5e-4};
   run.warm_up = 4000;
   run.reactions = true;
   return {run};
@@ -112,6 +115,23 @@ TEST_P(Messages, HaveEveryFieldOfARequest) {
         run.setup.wall = FixedBox{-1, 2, 2, 4, 1};
       },
       [](RunRequest& run) { run.setup.kinetic_friction = {0.1}; },
+      [](RunRequest& run) { run.setup.pushes[0].point.block = 2; },
+      [](RunRequest& run) { run.setup.pushes[0].point.x = 7; },
+      [](RunRequest& run) { run.setup.pushes[0].point.y = 7; },
+      [](RunRequest& run) { run.setup.pushes[0].direction_x = 7; },
+      [](RunRequest& run) { run.setup.pushes[0].direction_y = 7; },
+      [](RunRequest& run) { run.setup.pushes[0].forces[1] = 7; },
+      [](RunRequest& run) { run.setup.pushes.clear(); },
+      [](RunRequest& run) { run.setup.restraints[0].from.block = 1; },
+      [](RunRequest& run) { run.setup.restraints[0].to.block = 1; },
+      [](RunRequest& run) { run.setup.restraints[0].to.y = 7; },
+      [](RunRequest& run) { run.setup.restraints[0].length = 7; },
+      [](RunRequest& run) { run.setup.restraints[0].stiffness = 7; },
+      [](RunRequest& run) { run.setup.restraints[0].prestress = 7; },
+      [](RunRequest& run) { run.setup.restraints[0].yield = 7; },
+      [](RunRequest& run) { run.setup.restraints[0].damping = 7; },
+      [](RunRequest& run) { run.setup.restraints.clear(); },
+      [](RunRequest& run) { run.setup.lookahead = 7; },
       [](RunRequest& run) { run.repeats = 4; },
       [](RunRequest& run) { run.bodies = false; },
       [](RunRequest& run) { run.reactions = false; },
