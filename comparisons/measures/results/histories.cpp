@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analytic/scene/lists.hpp"
+#include "analytic/scene/restraint_law.hpp"
 #include "comparisons/measures/metrics/bodies.hpp"
 #include "comparisons/measures/metrics/contact.hpp"
 #include "comparisons/measures/results/csv.hpp"
@@ -48,6 +49,37 @@ std::vector<double> corners_of(const Scene& scene, const Points<double>& places,
   return result;
 }
 
+/// Tendons of a scene, followed from sample to sample.
+class Tendons {
+ public:
+  explicit Tendons(const Scene& scene) : laws_(restraint_laws<double>(scene)) {
+    std::erase_if(laws_, [](const RestraintLaw<double>& law) { return law.stiffness == 0; });
+  }
+
+  int size() const { return static_cast<int>(laws_.size()); }
+
+  /// What each holds with blocks at these places, J: F²/2k, with F its force. One that yields is drawn by
+  /// then as far as samples tell.
+  std::vector<double> energies(const Points<double>& places, std::span<const double> angles) {
+    const auto place = [&](int body, const Point<double>& arm) -> Point<double> {
+      if (body < 0) return arm;
+      const double angle = angles[static_cast<std::size_t>(body)];
+      return places.col(body) + turned(arm.x(), arm.y(), std::cos(angle), std::sin(angle));
+    };
+    std::vector<double> list;
+    for (RestraintLaw<double>& law : laws_) {
+      const double length = (place(law.to, law.to_arm) - place(law.from, law.from_arm)).norm();
+      law.follow(length);
+      const double force = law.force(length, 0);
+      list.push_back(force * force / (2 * law.stiffness));
+    }
+    return list;
+  }
+
+ private:
+  std::vector<RestraintLaw<double>> laws_;
+};
+
 }  // namespace
 
 std::string reactions_csv(const Scene& scene, const History& history) {
@@ -92,10 +124,12 @@ std::string energies_csv(const Scene& scene, const History& history) {
   if (springs)
     csv.add(numbered("elastic_", history.blocks), numbered("damped_", history.blocks),
             numbered("rubbed_", history.blocks));
+  Tendons tendons(scene);
+  csv.add(numbered("tendon_", tendons.size()));
   csv.end_line();
   for (std::size_t i = 0; i < history.size(); ++i) {
     const Vector<double> velocities = vector_of(history.velocities_at(i));
-    const Points<double> speeds = centres_at(stack, history, i).rate;
+    const auto [places, speeds] = centres_at(stack, history, i);
     const Points<double> moved = centre_displacements(stack, history, i);
     csv.add(history.times[i]);
     for (int k = 0; k < stack.size(); ++k)
@@ -106,6 +140,7 @@ std::string energies_csv(const Scene& scene, const History& history) {
     for (const auto part : {&SpringEnergy::elastic, &SpringEnergy::damped, &SpringEnergy::rubbed})
       if (springs)
         for (const SpringEnergy& energy : history.row(history.spring_energies, i)) csv.add(energy.*part);
+    csv.add(tendons.energies(places, history.angles_at(i)));
     csv.end_line();
   }
   return csv.text();

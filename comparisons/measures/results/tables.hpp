@@ -73,7 +73,8 @@ std::map<std::string, std::string> histories_csv(const Scene& scene, const Histo
 
 /// time,kinetic_1,…,potential_1,…: of each block, J; the potential energy is that of its weight above the
 /// place where it rests. Under law `compliant` also elastic_k, damped_k and rubbed_k: what the springs of
-/// each interface hold, and what has been lost there in dashpots and by friction, J.
+/// each interface hold, and what has been lost there in dashpots and by friction; of a scene with tendons
+/// tendon_i, what each holds, J.
 std::string energies_csv(const Scene& scene, const History& history);
 
 /// time, then of each block k lower_left_x_k,lower_left_y_k and so on for lower_right, upper_left and

@@ -52,6 +52,24 @@ TEST(Histories, OfEnergiesAddUpToAConstantInFreeMotion) {
   }
 }
 
+/// Beside gravity the tendon alone does work on the block, which stays over its pivot.
+TEST(Histories, OfEnergiesAddUpToAConstantWithThoseOfTendons) {
+  Scene scene = rocking();
+  Restraint tendon;
+  tendon.from = {1, 0.1, 2};
+  tendon.to = {0, -0.2, -0.5};
+  tendon.stiffness = 1e5;
+  tendon.prestress = 5e3;
+  scene.restraints = {tendon};
+  const History history = solve(scene, {.sample_times = {0, 0.1, 0.2}});
+  ASSERT_TRUE(history.events.empty()) << "an impact would lose energy";
+  const auto columns = columns_of(energies_csv(scene, history), {"kinetic_1", "potential_1", "tendon_1"});
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    EXPECT_GT(std::abs(columns[2][i] - columns[2][0]), 10);
+    EXPECT_NEAR(columns[0][i] + columns[1][i] + columns[2][i], columns[1][0] + columns[2][0], 1e-8);
+  }
+}
+
 TEST(Histories, AreThoseThatAreAskedFor) {
   const Scene scene = rocking();
   const History history = solve(scene, {.sample_times = {0, 0.1}});
