@@ -107,6 +107,25 @@ Json blows_of(const Scene& scene, const History& history) {
   return list;
 }
 
+/// A point of a block, from 1; 0 is the ground.
+Json point_json(const BlockPoint& point) {
+  return {point.block, point.x, point.y};
+}
+
+/// Where a push acts, which way, its force at these times, N, and its impulses by their times, N·s.
+Json push_json(const Push& push, const std::vector<double>& times) {
+  constexpr std::size_t most = 5000;
+  const std::size_t stride = stride_for(times.size(), most);
+  const auto forces = mapped(times, [&](double time) { return acceleration(push.force, time); });
+  Json impulses = Json::array();
+  for (const VelocityStep& step : push.force.steps) impulses.push_back({step.time, step.size});
+  return {{"point", point_json(push.point)},
+          {"direction", {std::cos(push.direction), std::sin(push.direction)}},
+          {"times", packed(times, 1, stride)},
+          {"forces", packed(forces, 1, stride)},
+          {"impulses", std::move(impulses)}};
+}
+
 }  // namespace
 
 std::string packed(const std::vector<double>& rows, std::size_t width, std::size_t stride) {
@@ -188,9 +207,10 @@ Json player_scene(const Scene& scene, const History& history) {
   stage["events"] = {{"spans", spans_of(history)}, {"stops", stops_of(scene, history)}};
   if (leaves_pivots(scene.law)) stage["friction"] = friction_of(scene);
   if (scene.wall.side != 0) stage["wall"] = scene.wall.side;
-  const auto end = [](const BlockPoint& point) -> Json { return {point.block, point.x, point.y}; };
   for (const Restraint& restraint : scene.restraints)
-    stage["restraints"].push_back({end(restraint.from), end(restraint.to)});
+    stage["restraints"].push_back({point_json(restraint.from), point_json(restraint.to)});
+  if (!history.times.empty())
+    for (const Push& push : scene.pushes) stage["pushes"].push_back(push_json(push, history.times));
   return stage;
 }
 

@@ -69,6 +69,7 @@ class Player {
     this.friction = data.friction;
     this.wall = data.wall;
     this.restraints = data.restraints ?? [];
+    this.pushes = (data.pushes ?? []).map((push) => ({ ...push, times: unpack(push.times), forces: unpack(push.forces) }));
     this.horizon = data.horizon;
     this.title = data.title;
     this.end = Math.max(...this.tracks.map((track) => track.end));
@@ -445,6 +446,16 @@ class Player {
     pen.stroke();
   }
 
+  // An arrow up to its point, as long as the force is a share of all weight; an impulse is shown for a tenth of a second.
+  drawPush({ pen, x, y }, parts, { point: [block, a, c], direction: [right, up], times, forces, impulses }) {
+    const blow = impulses.find(([time]) => time <= this.time && this.time < time + 0.1);
+    const force = forces[Math.max(0, lastBefore(times, this.time))] / this.weight, most = 120;
+    const length = blow ? 50 * Math.sign(blow[1]) : Math.max(-most, Math.min(most, 160 * force));
+    if (!length) return;
+    const [right0, up0] = parts[block - 1].at(a, c);
+    arrow(pen, x(right0) - length * right, y(up0) + length * up, x(right0), y(up0), "#6b4e00", 2);
+  }
+
   // As far as there is room, and twice as high as the block that stands against it.
   drawWall({ pen, x, y }, middle, room) {
     const [half, high] = this.stack.half[0], face = x(this.wall * half), end = middle + this.wall * (room / 2 - 4);
@@ -511,6 +522,7 @@ class Player {
     }
     parts.forEach((part, k) => this.drawContact({ pen, x, y }, part, contacts[k].side, track.colour));
     for (const ends of this.restraints) this.drawRestraint({ pen, x, y }, parts, ends);
+    for (const push of this.pushes) this.drawPush({ pen, x, y }, parts, push);
     parts.forEach((part, k) => this.drawMass({ pen, x, y }, this.stack.centre(part, k), track.colour));
     if (track.forces && this.find("forces").checked) this.drawForces({ pen, x, y, scale, left }, track, parts, contacts);
   }
