@@ -7,6 +7,7 @@
 
 #include "comparisons/interfaces/python/convert.hpp"
 #include "comparisons/measures/statistics/fragility.hpp"
+#include "comparisons/studies/sweep/make_runs.hpp"
 #include "comparisons/studies/threshold/threshold.hpp"
 #include "comparisons/suites/shipped.hpp"
 
