@@ -195,17 +195,17 @@ struct NpzColumn::Source {
 
   /// So many bytes; fewer at the end alone.
   std::string read(std::size_t count) {
-    std::string bytes(count, '\0');
+    std::string piece(count, '\0');
     std::size_t there = 0;
     while (there < count) {
       const int got =
-          unzReadCurrentFile(zip.get(), bytes.data() + there, static_cast<unsigned>(count - there));
+          unzReadCurrentFile(zip.get(), piece.data() + there, static_cast<unsigned>(count - there));
       if (got < 0) throw damaged(file, name);
       if (got == 0) break;
       there += static_cast<std::size_t>(got);
     }
-    bytes.resize(there);
-    return bytes;
+    piece.resize(there);
+    return piece;
   }
 
   void read_head() {
