@@ -31,6 +31,7 @@ struct RoundScene {
   double tilt_rate = 0;  ///< θ̇, rad/s
   double precession = 0, spin = 0;  ///< ψ̇, and ω₃ along the axis, rad/s
   bool steady = false;     ///< ψ̇ and ω₃ are those of steady precession about a centre of mass at rest
+  double scale = 1;        ///< that x, y and z have been multiplied by
   GroundMotion x, y, z{};  ///< accelerations of the ground, z up, without steps of the velocity
 
   Cylinder body() const { return {radius, height / 2, gravity}; }

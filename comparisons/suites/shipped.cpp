@@ -18,6 +18,7 @@ struct Kind {
 };
 constexpr std::array kinds{Kind{"scenes", "a scene", "solve"}, Kind{"suites", "a suite", "compare"},
                            Kind{"ensembles", "an ensemble", "sweep"},
+                           Kind{"cylinders", "a cylinder", "round"},
                            Kind{"studies/lessons", "a lesson", "teach"}};
 
 /// Says what an input is that a command does not take.

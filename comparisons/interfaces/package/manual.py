@@ -6,7 +6,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-KINDS = ("scenes", "suites", "ensembles", "lessons", "engines")  # of `rockstack list`
+KINDS = ("scenes", "suites", "ensembles", "cylinders", "lessons", "engines")  # of `rockstack list`
 
 
 @dataclass

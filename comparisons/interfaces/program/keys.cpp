@@ -4,6 +4,7 @@
 #include "analytic/scene/input/scene_keys.hpp"
 #include "comparisons/interfaces/program/commands.hpp"
 #include "comparisons/studies/impact_laws/study.hpp"
+#include "comparisons/studies/round/study.hpp"
 #include "comparisons/studies/stability/study.hpp"
 #include "comparisons/studies/sweep/ensemble.hpp"
 #include "comparisons/suites/suite_keys.hpp"
@@ -16,7 +17,8 @@ constexpr std::initializer_list<const KeyTable*> measured_tables{&measured_keys}
 /// The kinds of input files with their tables.
 constexpr std::initializer_list<std::pair<const char*, std::initializer_list<const KeyTable*>>> files{
     {"scene", scene_tables},     {"scene", measured_tables},   {"suite", suite_tables},
-    {"suite", stability_tables}, {"suite", impact_law_tables}, {"ensemble", ensemble_tables}};
+    {"suite", stability_tables}, {"suite", impact_law_tables}, {"ensemble", ensemble_tables},
+    {"cylinder", round_tables}};
 
 void print_table(const KeyTable& table) {
   const std::string_view header = table.header;
@@ -57,8 +59,8 @@ int run_keys(const KeysArguments& arguments, const Common& common) {
 }
 
 void add_keys(CLI::App& command, KeysArguments& arguments) {
-  command.add_option("kind", arguments.kind, "scene, suite or ensemble; left out: all")
-      ->check(one_of({"scene", "suite", "ensemble"}));
+  command.add_option("kind", arguments.kind, "scene, suite, ensemble or cylinder; left out: all")
+      ->check(one_of({"scene", "suite", "ensemble", "cylinder"}));
 }
 
 }  // namespace

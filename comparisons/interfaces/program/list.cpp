@@ -13,7 +13,7 @@ namespace rockstack {
 namespace {
 
 const std::vector<std::string>& listed_kinds() {
-  static const std::vector<std::string> kinds{"scenes",  "suites", "ensembles",
+  static const std::vector<std::string> kinds{"scenes",  "suites", "ensembles", "cylinders",
                                               "lessons", "proved", "engines"};
   return kinds;
 }

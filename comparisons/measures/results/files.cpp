@@ -70,6 +70,8 @@ constexpr Kind kinds[]{
     {"a threshold",
      {"threshold.json", "threshold.csv", "threshold-ranges.csv", "threshold-spectrum.csv", "figures",
       "report.html"}},
+    {"a round column",
+     {"round.json", "history.csv", "events.csv", "threshold.csv", "figures", "report.html"}},
 };
 
 namespace fs = std::filesystem;

@@ -72,7 +72,8 @@ enum class Results {
   course,
   sheets,
   fit,
-  threshold
+  threshold,
+  round
 };
 
 /// A folder that this process alone fills, with results of one kind. Runs that are there stay for the command
