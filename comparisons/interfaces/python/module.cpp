@@ -113,6 +113,6 @@ PYBIND11_MODULE(_core, core) {
   core.def("keys", &python::keys);
   python::add_errors(core);
   for (const auto add : {python::add_scene, python::add_motion, python::add_solve, python::add_ground,
-                         python::add_sweep, python::add_engines, python::add_player})
+                         python::add_sweep, python::add_round, python::add_engines, python::add_player})
     add(core);
 }

@@ -53,6 +53,7 @@ void add_motion(py::module_& core);
 void add_solve(py::module_& core);
 void add_ground(py::module_& core);
 void add_sweep(py::module_& core);
+void add_round(py::module_& core);
 void add_engines(py::module_& core);  ///< and comparisons
 void add_player(py::module_& core);   ///< and figures for print, where figures are built
 

@@ -4,6 +4,7 @@ SI units; angles in rad, clockwise positive. Keys of scenes are those of scene f
 """
 from rockstack._core import version as __version__
 from rockstack.compare import Comparison, compare
+from rockstack.cylinder import RoundMotion, round_motion
 from rockstack.engines import Canon, Simulation, canon, engines, simulate
 from rockstack.errors import EngineError, InputError, Unfinished
 from rockstack.figures import draw
@@ -17,8 +18,8 @@ from rockstack.sweep import Fragility, SobolIndices, SweepTable, Threshold, frag
 from rockstack.worker import Setting, Setup, Worker
 
 __all__ = [
-    "Block", "Canon", "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Player", "Proved",
+    "Block", "Canon", "Comparison", "EngineError", "Fragility", "GroundMotion", "InputError", "Motion", "Player", "Proved", "RoundMotion",
     "Scene", "Setting", "Setup", "Simulation", "SobolIndices", "Solution", "SweepTable", "Threshold", "Unfinished", "Worker", "__version__",
-    "canon", "compare", "draw", "engines", "fragility", "keys", "player", "proved", "read_sweep", "shipped", "simulate", "sobol_indices",
-    "solve", "solve_many", "sweep", "threshold",
+    "canon", "compare", "draw", "engines", "fragility", "keys", "player", "proved", "read_sweep", "round_motion", "shipped", "simulate",
+    "sobol_indices", "solve", "solve_many", "sweep", "threshold",
 ]

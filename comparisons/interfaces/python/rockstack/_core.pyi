@@ -139,6 +139,9 @@ def sweep_made(
 def threshold(
     mapping: Mapping[str, Any], folder: str, vary: str, outcome: str, values: int
 ) -> tuple[float | None, list[tuple[float, float, bool]]]: ...
+def round_motion(
+    cylinder: str | Mapping[str, Any], interval: float
+) -> tuple[dict[str, np.ndarray], list[str], dict[str, np.ndarray], bool]: ...
 def fit_fragility(
     intensities: Sequence[float] | np.ndarray, runs: Sequence[int] | np.ndarray, toppled: Sequence[int] | np.ndarray
 ) -> tuple[float, float] | None: ...
