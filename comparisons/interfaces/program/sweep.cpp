@@ -59,7 +59,7 @@ int serve(Executor& executor, const SweepArguments& arguments, const Common& com
   std::optional<Ensemble> ensemble;
   executor.serve([&](std::size_t block) {
     if (!ensemble) ensemble = read_ensemble(arguments, common, library);
-    return block_text(*ensemble, block, library, format_of(*ensemble, arguments));
+    return journal_part(*ensemble, block, library, format_of(*ensemble, arguments));
   });
   return 0;
 }

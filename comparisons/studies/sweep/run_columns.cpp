@@ -200,8 +200,8 @@ std::size_t length_of(std::size_t block, std::size_t runs) {
   return std::min(block_size(runs), runs - block * block_size(runs));
 }
 
-std::string block_text(const Ensemble& ensemble, std::size_t block, MotionLibrary& library,
-                       RunsFormat format) {
+std::string journal_part(const Ensemble& ensemble, std::size_t block, MotionLibrary& library,
+                         RunsFormat format) {
   const std::size_t runs = run_count(ensemble), first = block * block_size(runs);
   RunRows rows(length_of(block, runs));
   const std::vector<OutcomeColumn> outcomes = outcome_columns(block_count(ensemble));

@@ -35,8 +35,8 @@ std::size_t length_of(std::size_t block, std::size_t runs);
 
 /// A block of runs as a part of the journal: a line each, or columns that are compressed. A run whose scene
 /// is out of range or that the solver cannot finish says so. May be called from several threads at once.
-std::string block_text(const Ensemble& ensemble, std::size_t block, MotionLibrary& library,
-                       RunsFormat format);
+std::string journal_part(const Ensemble& ensemble, std::size_t block, MotionLibrary& library,
+                         RunsFormat format);
 
 /// Writes runs.csv, or runs.npz and failures.csv, from a journal that has all blocks; `job` is the archive's
 /// comment. A few blocks are in memory at a time.

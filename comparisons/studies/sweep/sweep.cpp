@@ -80,7 +80,7 @@ void make_blocks(const Ensemble& ensemble, Journal& journal, RunsFormat format, 
   const std::size_t begun_with = result.done;
   options.progress(result.done, begun_with, result.runs);
   const auto start = std::chrono::steady_clock::now();
-  executor.run(blocks, {[&](std::size_t block) { return block_text(ensemble, block, library, format); },
+  executor.run(blocks, {[&](std::size_t block) { return journal_part(ensemble, block, library, format); },
                         [&](std::size_t block, const std::string& text) {
                           journal.append(block, text);
                           result.done += length_of(block, result.runs);
