@@ -26,7 +26,7 @@ double seconds(const Ensemble& ensemble, MotionLibrary& library, std::size_t thr
   std::iota(blocks.begin(), blocks.end(), std::size_t{0});
   const auto start = std::chrono::steady_clock::now();
   make_threads(threads)->run(
-      blocks, {[&](std::size_t block) { return block_text(ensemble, block, library, RunsFormat::csv); },
+      blocks, {[&](std::size_t block) { return journal_part(ensemble, block, library, RunsFormat::csv); },
                [](std::size_t, const std::string& lines) { benchmark::DoNotOptimize(lines.size()); },
                [] { return false; }});
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
