@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from rockstack import _core
+from rockstack.arguments import checked
 from rockstack.tables import Table
 
 
@@ -21,6 +22,7 @@ class RoundMotion(Table):
         self.topples = topples
 
 
+@checked
 def round_motion(cylinder: str | Mapping[str, Any], *, interval: float = 0.01) -> RoundMotion:
     """The exact motion of a cylinder: a mapping of the keys of `rockstack keys cylinder`, a file, or a name of one that comes with
     rockstack. interval: of samples, s. Raises InputError as the program does."""
