@@ -166,7 +166,7 @@ TableForm named_table_form(const std::string& name) {
 
 std::string table_head(const std::vector<TableColumn>& columns, TableForm form) {
   const TableCells headings = mapped(columns, &TableColumn::heading);
-  const std::string line = table_line(columns, headings, form);
+  std::string line = table_line(columns, headings, form);
   if (form == TableForm::text) return line;
   if (form == TableForm::markdown)
     return line + markdown_line(mapped(columns, [](const TableColumn& column) {
