@@ -118,13 +118,15 @@ Json write_round_threshold(const std::string& title, const VariedKey& vary, cons
   csv.line("value", "topples_in_space", "topples_in_plane");
   for (const RoundOutcome& one : found.tried) csv.line(one.value, one.space ? 1 : 0, one.plane ? 1 : 0);
   write_file(folder / "threshold.csv", csv.text());
-  const auto words = [&](const std::optional<double>& least) {
-    return least ? fmt::format("{} = {:.10g}", vary.key, *least) : "no value above the lowest that was tried";
+  const auto words = [&](const std::optional<double>& least, bool RoundOutcome::*topples) -> std::string {
+    if (found.tried.front().*topples) return "topples at the lowest value tried already";
+    return least ? fmt::format("topples first at {} = {:.10g}", vary.key, *least)
+                 : "topples at none of the values tried";
   };
   Json json{{"title", title},
             {"headline",
-             {fmt::format("The column topples first at {} in space, and at {} in the plane of x and z.",
-                          words(found.space), words(found.plane)),
+             {fmt::format("In space the column {}; in the plane of x and z it {}.",
+                          words(found.space, &RoundOutcome::space), words(found.plane, &RoundOutcome::plane)),
               fmt::format("{} were tried: what is narrower than their distance may be missed.",
                           counted(found.tried.size(), "value"))}},
             {"space", found.space ? Json(*found.space) : Json()},
