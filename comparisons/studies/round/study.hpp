@@ -11,8 +11,8 @@ namespace rockstack {
 /// Keys of the file of a round column, and of its tables; [ground.x], [ground.y] and [ground.z] have those of
 /// a scene's [ground.horizontal].
 extern const KeysOf<RoundScene> round_keys, round_initial_keys, round_ground_keys;
-inline const std::initializer_list<const KeyTable*> round_tables{&round_keys, &round_initial_keys,
-                                                                 &round_ground_keys};
+inline constexpr std::initializer_list<const KeyTable*> round_tables{&round_keys, &round_initial_keys,
+                                                                     &round_ground_keys};
 
 /// The column that a document describes. @throws InputError with place, key, value and what is allowed.
 RoundScene make_round(const SceneDocument& document, MotionLibrary& library);
