@@ -183,7 +183,7 @@ TEST(SweepColumns, ATornJournalCostsItsLastBlockAlone) {
   const std::string runs = bytes_in(torn.path() / "runs.npz");
   ASSERT_FALSE(runs.empty());
   const auto last = journal.rfind("\npart ") + 1;
-  for (std::size_t length = last; length < journal.size(); length += 8 * testing::stride) {
+  for (std::size_t length = last; length < journal.size(); length += std::size_t{8} * testing::stride) {
     std::filesystem::remove(torn.path() / "runs.npz");
     torn.write("runs.journal", journal.substr(0, length));
     EXPECT_EQ(sweep_into(torn.path(), ensemble, {.format = as_columns}).computed, 132U - 3 * 32U);
