@@ -43,9 +43,9 @@ def widen_radius(claim: Claim, choice: Choice) -> None:
     scaled(claim, "radius", Fraction(2))
 
 
-def halve_reach(claim: Claim, choice: Choice) -> None:
+def shrink_reach(claim: Claim, choice: Choice) -> None:
     reaches = claim[choice.choice(("angle_reach", "rate_reach"))]
-    scaled(reaches, choice.choice([k for k, reach in enumerate(reaches) if exact(reach)]), Fraction(1, 2))
+    scaled(reaches, choice.choice([k for k, reach in enumerate(reaches) if exact(reach)]), Fraction(1, 1024))
 
 
 def exchange_pattern(claim: Claim, choice: Choice) -> None:
@@ -75,7 +75,7 @@ MUTATIONS: dict[Callable[[Claim, Choice], None], Callable[[Claim], bool]] = {
     turn_event: lambda claim: "event" in claim,
     leave_out_event: lambda claim: "event" in claim,
     widen_radius: lambda claim: claim["kind"] == "step" and moves(claim),
-    halve_reach: lambda claim: claim["kind"] == "step" and moves(claim),
+    shrink_reach: lambda claim: claim["kind"] == "step" and moves(claim),
     exchange_pattern: lambda claim: claim["kind"] == "impact",
     forget_trial: lambda claim: bool(claim.get("tried")),
     shrink_box: lambda claim: claim["kind"] == "accumulation",
