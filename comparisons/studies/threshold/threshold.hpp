@@ -1,5 +1,6 @@
 #pragma once
 
+#include "comparisons/measures/metrics/run_outcome.hpp"
 #include "comparisons/studies/sweep/sweep.hpp"
 #include "comparisons/suites/varied_key.hpp"
 
