@@ -47,8 +47,8 @@ class ZipWriter {
 
   void begin(const std::string& name) {
     zip_fileinfo about{};
-    about.tmz_date.tm_year = 1980,
-    about.tmz_date.tm_mday = 1;  // the first that archives know, whatever the clock
+    about.tmz_date.tm_year = 1980;  // the first date that archives know, whatever the clock
+    about.tmz_date.tm_mday = 1;
     check(zipOpenNewFileInZip64(zip_, name.c_str(), &about, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
                                 Z_BEST_SPEED, 1) == ZIP_OK);
   }
