@@ -2,16 +2,16 @@
 
 import { groundReach, middle, neighbourMeans, onOff, restitution, serve, setting, whole } from '../serve.mjs';
 
-const settings = (tunedHooks) => [
+const settings = (tunedIterations) => [
   setting('lengthUnit', 1, 0.05, 1e-6, 1e6, { unit: 'm' }),
-  setting('numSolverIterations', 4, 20, 1, 1e4, whole),  // each is a substep
+  setting('numSolverIterations', 4, tunedIterations, 1, 1e4, whole),  // each is a substep
   setting('numInternalPgsIterations', 1, 1, 1, 1e4, whole),
   setting('contact_natural_frequency', 30, 30, 0, 1e9, { unit: '1/s' }),
   setting('normalizedAllowedLinearError', 0.005, 0.005, 0, 1),
   setting('normalizedPredictionDistance', 0.02, 0.02, 0, 1),
   setting('maxCcdSubsteps', 1, 1, 0, 100, whole),
   setting('contactSkin', 0, 0, 0, 1, { unit: 'm' }),
-  onOff('activeHooks', 0, tunedHooks),  // contacts of a collider with hooks are found anew in each step
+  onOff('activeHooks', 0, 1),  // contacts of a collider with hooks are found anew in each step
   restitution('restitution'),
 ];
 
@@ -86,15 +86,15 @@ export class RapierStack {
   }
 }
 
-/** Answers for an engine as serve() has it, of which `tunedHooks` is what suits rocking blocks, and `Stack` its class. */
-export async function serveRapier({ name, module, capabilities, tunedHooks, Stack }) {
+/** Answers for an engine as serve() has it, which suits rocking blocks with `tunedIterations`; `Stack` is its class. */
+export async function serveRapier({ name, module, capabilities, tunedIterations, Stack }) {
   await serve({
     name,
     module,
     note: ' of npm, WebAssembly, single precision',
     licence: 'Apache-2.0',
-    capabilities: { wall: true, single_precision: true, center_of_mass: true, lead: 0.5 / 4, tuned_lead: 0.5 / 20, ...capabilities },
-    solvers: [{ solver: 'sequential-impulse', settings: settings(tunedHooks) }],
+    capabilities: { wall: true, single_precision: true, center_of_mass: true, lead: 0.5 / 4, tuned_lead: 0.5 / tunedIterations, ...capabilities },
+    solvers: [{ solver: 'sequential-impulse', settings: settings(tunedIterations) }],
     load: async () => {
       const rapier = (await import(module)).default;
       await rapier.init();

@@ -54,6 +54,6 @@ await serveRapier({
   name: 'rapier',
   module: '@dimforge/rapier2d-deterministic-compat',
   capabilities: { planar: true },
-  tunedHooks: 0,
+  tunedIterations: 100,
   Stack,
 });

@@ -39,4 +39,4 @@ class Stack extends RapierStack {
   }
 }
 
-await serveRapier({ name: 'rapier3d', module: '@dimforge/rapier3d-compat', tunedHooks: 1, Stack });
+await serveRapier({ name: 'rapier3d', module: '@dimforge/rapier3d-compat', tunedIterations: 20, Stack });
