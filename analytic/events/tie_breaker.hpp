@@ -91,26 +91,31 @@ class TieBreaker {
   /// Interfaces that touch along their whole width at this instant, and may open or close.
   template <int N>
   Interfaces touching(const State<Real, N>& state) const {
-    Interfaces result = fresh_;
-    for (int k = 0; k < state.size(); ++k) {
-      // An impact may since have parted what has just opened.
-      if (state.velocities[k] != 0) result.reset(k);
-    }
-    result |= state.closed();
+    const Interfaces result = fresh(state) | state.closed();
     return undecided() ? result & ~held_ : result;
   }
 
   /// Lets fresh interfaces accelerate towards their sides.
   template <int N>
   void keep_fresh_open(DenseOutput<Real, N>& output) const {
+    const Interfaces starting = fresh(output.start);
     for (int k = 0; k < output.start.size(); ++k) {
       Polynomial<Real>& angle = output.angles[k];
-      if (fresh_.test(k) && angle.terms > 2 && angle[2] * Real(sign(output.start.pattern[k])) < 0)
+      if (starting.test(k) && angle.terms > 2 && angle[2] * Real(sign(output.start.pattern[k])) < 0)
         angle[2] = 0;
     }
   }
 
  private:
+  /// An impulse may since have parted what has just opened: it moves on by that.
+  template <int N>
+  Interfaces fresh(const State<Real, N>& state) const {
+    Interfaces result = fresh_;
+    for (int k = 0; k < state.size(); ++k)
+      if (state.velocities[k] != 0) result.reset(k);
+    return result;
+  }
+
   int few_;
   int openings_ = 0;  ///< in a row
   int instant_events_ = 0;

@@ -37,6 +37,9 @@ struct StepStart {
 
 /// Follows the orders of a series until what is left out is below a tolerance, relative to the step's motion:
 /// estimated by the last coefficients, as they may be small by chance at least by a 64th of those before.
+/// Where an interface starts from rest, three are looked at: if the weight vanishes just then, as a vertical
+/// acceleration of the ground comes to −g along a line, φ̈ starts with t, φ with t³, the moment of weight goes
+/// on with t · t³, and so forth: two orders of three are zero.
 template <class Real>
 class Convergence {
  public:
@@ -49,12 +52,19 @@ class Convergence {
     for (std::size_t k = 0; k < series.size(); ++k) {
       const Real size = abs(series.relative(k, order));
       last = max(last, size);
+      if (order == 0) {
+        const Real zero = 0, side = start.sides[k], angle = start.angles[k], advance = start.advances[k];
+        const auto rests = (side != zero) & (angle == zero) & (advance == zero);
+        third_share_ = max(third_share_, select(rests, Real(1.0 / 4096), zero));
+      }
       if (order < 2)
         scale_ =
             max(scale_, abs(start.advances[k]) + size + abs(start.angles[k]) * start.length * start.rate);
     }
     rest_ = max(last, earlier_ / 64);
+    if (order >= 2) rest_ = max(rest_, third_share_ * before_earlier_);
     allowed_ = tolerance_ * Real(counting<Number<Real>>[order + 1]) * scale_;
+    before_earlier_ = earlier_;
     earlier_ = last;
     return rest_ <= allowed_;
   }
@@ -66,8 +76,10 @@ class Convergence {
   Real tolerance_;
   Real scale_ = 0;
   Real earlier_ = std::numeric_limits<Number<Real>>::infinity();
+  Real before_earlier_ = earlier_;
   Real rest_ = 0;
   Real allowed_ = 0;
+  Real third_share_ = 0;  ///< that the last coefficient but two counts by
 };
 
 /// Makes steps from Taylor series: as long as the ground's acceleration is smooth, or as the highest order

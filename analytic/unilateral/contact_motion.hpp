@@ -100,7 +100,7 @@ class ContactMotion {
     const Joints<Real> joined = time_ahead > 0 ? fresh_.joined(stack_, state_.bodies, touching, time(),
                                                                window, Real(scene_.gravity) * window)
                                                : touching;
-    Joints<Real> joints = joined;
+    Joints<Real> joints = time_ahead > 0 ? slid_on(joined, bodies) : joined;
     ContactProblem<Real> problem{stack_, bodies, free, ContactLevel::accelerations};
     std::optional<TouchingContacts<Real>> contacts(std::in_place, problem, joints);
     auto mode = find_mode_in_cones(problem, joints, contacts);
@@ -117,6 +117,7 @@ class ContactMotion {
         (branching_ != nullptr || !same_modes(before, *mode)) && choose_branch(*contacts, joints, *mode);
     const Poses<Real> rates = state_.bodies.velocity;
     state_.joints = *mode;
+    for (std::size_t k = 0; k < joined.size(); ++k) state_.joints[k].offset = joined[k].offset;
     fresh_.mark(touching, joined, state_.joints, time());
     const bool stays = same_modes(touching, *mode) && same_modes(joints, *mode) &&
                        std::ranges::all_of(*mode, [](const Joint<Real>& joint) { return joint.slip == 0; });
@@ -131,6 +132,14 @@ class ContactMotion {
     if (!same_modes(before, state_.joints))
       note(kind_of(before, state_.joints), lowest_change(before, state_.joints), springs_.shown(before),
            rates, others ? Consistency::several : Consistency::consistent);
+  }
+
+  /// Joints with the offsets that those which slide have come to at `bodies`.
+  Joints<Real> slid_on(Joints<Real> joints, const Bodies<Real>& bodies) const {
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      if (joints[k].touches() && joints[k].slip != 0)
+        joints[k].offset = offset_of(stack_, bodies, static_cast<int>(k), joints[k]);
+    return joints;
   }
 
   /// Calls choose_branch() of contact_decision.hpp, which chatter does not come to.

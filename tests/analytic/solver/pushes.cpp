@@ -121,6 +121,24 @@ TEST(Impulses, TurnABlockAboutTheCornerAhead) {
   }
 }
 
+// An impulse at 0 against a force that has opened the block to the other side: the motion is that of a block
+// let go with the rate which the impulse gives, and the force bends it from the first instant on.
+TEST(Impulses, AgainstAnOpeningLeaveTheMotionOfABlockLetGoWithTheirRates) {
+  const Block own = block(0.5, 2);
+  for (const Integrator integrator : {Integrator::taylor, Integrator::rk4}) {
+    Scene scene = released({own}, {0}, 0.05);
+    scene.pushes = {steady_push(-3000, 1)};
+    scene.pushes[0].force.steps = {{0, 300}};
+    const SolveOptions options{.integrator = integrator, .sample_times = {0.05}, .step = 1e-4};
+    const History kicked = solve(scene, options);
+    scene.pushes[0].force.steps.clear();
+    scene.initial.velocities = {300 / corner_inertia(own)};
+    const History let_go = solve(scene, options);
+    EXPECT_NEAR(kicked.angles[0], let_go.angles[0], 1e-15);
+    EXPECT_NEAR(kicked.velocities[0], let_go.velocities[0], 1e-14);
+  }
+}
+
 // A step of the ground's velocity is an impulse on all masses, the other way: I₀ω = −m h V, whatever the
 // equations.
 TEST(Impulses, OfTheGroundActOnAllMasses) {

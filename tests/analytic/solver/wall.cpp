@@ -111,6 +111,34 @@ TEST(Wall, TheRatioLeftOutIsThatOfThreeImpacts) {
   }
 }
 
+/// Values between `samples`, `parts` for each interval.
+std::vector<double> refined(const std::vector<double>& samples, int parts) {
+  std::vector<double> finer;
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+    for (int part = 0; part < parts; ++part)
+      finer.push_back(samples[i] + (samples[i + 1] - samples[i]) * part / parts);
+  finer.push_back(samples.back());
+  return finer;
+}
+
+// Where the ground falls faster than bodies do, and slows down along a line, the block opens as weight comes
+// back: its acceleration starts with t, and two of each three orders of its series are zero.
+TEST(Wall, OpensAsWeightComesBackOnARampHoweverOftenThatIsSampled) {
+  for (const double height : {0.4, 0.7}) {
+    Scene scene = one_sided(0.8, height, 0, 0, 0.3);
+    scene.vertical = {.interval = 0.05, .samples = {0, -20, 20, 20}};
+    const std::vector<Event> coarse = strikes_of(scene);
+    scene.vertical = {.interval = 0.05 / 16, .samples = refined({0, -20, 20, 20}, 16)};
+    const std::vector<Event> fine = strikes_of(scene);
+    ASSERT_GE(coarse.size(), 2U);
+    ASSERT_EQ(coarse.size(), fine.size());
+    for (std::size_t i = 0; i < coarse.size(); ++i) {
+      EXPECT_NEAR(coarse[i].time, fine[i].time, 1e-14) << height << ' ' << i;
+      EXPECT_NEAR(coarse[i].before[0], fine[i].before[0], 1e-13) << height << ' ' << i;
+    }
+  }
+}
+
 TEST(Wall, TheOtherSideIsTheMirrorImage) {
   Scene left = one_sided(0.6, 2, 0, 0.4, 4), right = left;
   left.horizontal.pulse = Pulse{.shape = PulseShape::sine, .amplitude = 5, .period = 0.6, .cycles = 3};

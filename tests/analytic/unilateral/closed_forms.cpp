@@ -163,6 +163,26 @@ TEST(UnilateralClosedForms, TheLastEventsOfASlowDescentAreThoseOfHousner) {
   EXPECT_EQ(history.events.back().kind, EventKind::rest);
 }
 
+// Without friction a block glides at its speed, and tips as its centre passes the end of the face below.
+TEST(UnilateralClosedForms, AGlidingBlockTipsAsItsCentrePassesAnEnd) {
+  for (const double size : {0.01, 1.0, 30.0}) {
+    for (const double speed : {1.2, 2.0, 8.0}) {
+      Scene scene = testing::released(
+          {testing::block(1.2 * size, 0.4 * size), testing::block(0.8 * size, 0.5 * size)}, {0, 0}, 1);
+      const double own = speed * std::sqrt(size);
+      scene.initial.slip_velocities = {0, own};
+      scene.duration = 0.7 * size / own;
+      const std::vector<Event> events = solve_unilateral(with_friction(scene, 0)).events;
+      const auto tips = std::find_if(events.begin(), events.end(),
+                                     [](const Event& event) { return event.kind == EventKind::opening; });
+      ASSERT_NE(tips, events.end()) << size << ' ' << speed;
+      const double passes = 0.6 * size / own;
+      EXPECT_NEAR(tips->time, passes, 8 * std::numeric_limits<double>::epsilon() * passes)
+          << size << ' ' << speed;
+    }
+  }
+}
+
 // A block that slides over another, v t − μ g t²/2 far, has its end over that of the other once.
 TEST(UnilateralClosedForms, AnEndPassesAnotherOnce) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
