@@ -36,9 +36,12 @@ class NoCrossingBound {
     least_ = min(sum_, least_);
   }
 
+  /// Sum of the sizes of all coefficients.
+  Real size() const { return abs(start_) + reach_; }
+
   Mask holds() const {
-    const Real size = select(touching_, Real(0), abs(start_) + reach_);
-    return least_ > 16 * std::numeric_limits<double>::epsilon() * size;
+    const Real told = select(touching_, Real(0), size());
+    return least_ > 16 * std::numeric_limits<double>::epsilon() * told;
   }
 
  private:

@@ -74,6 +74,7 @@ class StepKernel {
       store(select(moves, ends_[k].angle, load(rows_.angle[k])), rows_.angle[k]);
       store(select(moves, ends_[k].velocity, load(rows_.velocity[k])), rows_.velocity[k]);
       store(select(plain_, ends_[k].peak, load(rows_.peak[k])), rows_.peak[k]);
+      store(select(plain_, ends_[k].opening, load(rows_.opening[k])), rows_.opening[k]);
     }
   }
 
@@ -152,58 +153,13 @@ class StepKernel {
     return select(has_[order], coefficient, Real(0));
   }
 
-  void follow_angles(const Chain& series) {
-    Coefficients absolute;
-    for (std::size_t k = 0; k < blocks; ++k) {
-      angles_[k].terms = orders_ + 2;
-      const auto keep = [&](std::size_t i, const Real& coefficient) {
-        angles_[k][i] = coefficient;
-        absolute[i] = k > 0 ? absolute[i] + coefficient : coefficient;
-      };
-      const Real& side = start_.sides[k];
-      keep(0, start_.angles[k]);
-      keep(1, start_.advances[k]);
-      NoCrossingBound<Real> clearance(start_.angles[k] * side);
-      PartialSums<Real> heights;
-      heights.add(absolute[0]);
-      clearance.add(start_.advances[k] * side);
-      heights.add(absolute[1]);
-      for (std::size_t n = 0; n < orders_; ++n) {
-        const Real coefficient = own(n, series.angle(k, n));
-        keep(n + 2, coefficient);
-        clearance.add(coefficient * side);
-        heights.add(absolute[n + 2]);
-      }
-      const Mask stays = clearance.holds();
-      closes_[k] = ~stays & (side != Real(0));
-      plain_ = plain_ & ~closes_[k];
-      store_truth(stays, rows_.stays[k]);
-      end(absolute, max(heights.greatest, -heights.least), k);
-    }
-  }
-
-  /// Where the step leads, in which the block leans by `most` at most, its peak known or at an end.
-  void end(const Coefficients& absolute, const Real& most, std::size_t k) {
-    Real angle = 0;
-    Real height = 0;
-    Real steepness = 0;
-    for (std::size_t i = orders_ + 2; i-- > 0;) {
-      const Real& coefficient = angles_[k][i];
-      angle += coefficient;
-      height += absolute[i];
-      if (i > 0) steepness += counting<double>[i] * coefficient;
-    }
-    const Real peak = load(rows_.peak[k]);
-    const Mask known = most <= peak;
-    const Mask stands = most < load(rows_.toppling[k]);
-    plain_ = plain_ & stands;
-    if (any(plain_ & ~known)) plain_ = plain_ & (known | monotone(absolute.data(), orders_ + 2));
-    lands_ = lands_ & stands;
-    silent_ = silent_ & known;
-    store_truth(stands & known, rows_.upright[k]);
-    ends_[k] = {angle, steepness / start_.length,
-                select(known, peak, max(max(peak, abs(absolute[0])), abs(height)))};
-  }
+  // Where angles lead: kernel_angles.hpp.
+  void follow_angles(const Chain& series);
+  struct Most {
+    Real relative, absolute;  ///< no angle is larger over the step, rad
+  };
+  void end(const Coefficients& absolute, const Most& most, std::size_t k);
+  Mask opens_no_further(const Real& most, std::size_t k);
 
   // Where interfaces carry forces: kernel_forces.hpp.
   void follow_margins(const Chain& series);
@@ -276,7 +232,7 @@ class StepKernel {
   std::array<MarginPolynomials<Real>, blocks> margins_;
   std::array<ForcePolynomials<Real>, blocks> forces_;
   struct End {
-    Real angle, velocity, peak;
+    Real angle, velocity, peak, opening;
   };
   std::array<End, blocks> ends_;
   Coefficients pushes_;          ///< normal force at the last interface, along the face below it

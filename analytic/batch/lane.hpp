@@ -45,7 +45,7 @@ class Lane {
   }
 
   /// History so far of a motion that cannot go on.
-  const History& so_far(StepRows<N>& rows, std::size_t lane) {
+  History so_far(StepRows<N>& rows, std::size_t lane) {
     catch_up(rows, lane);
     arrive(rows, lane);
     return solver_.recorder().so_far();
@@ -113,13 +113,14 @@ class Lane {
     if (!passing_) return;
     passing_ = false;
     Vector<double, blocks> angles, velocities;
-    PerBlock<double, blocks> peaks;
+    PerBlock<double, blocks> peaks, openings;
     for (std::size_t k = 0; k < N; ++k) {
       angles[k] = rows.angle[k][lane];
       velocities[k] = rows.velocity[k][lane];
       peaks[k] = rows.peak[k][lane];
+      openings[k] = rows.opening[k][lane];
     }
-    solver_.set_state(angles, velocities, peaks);
+    solver_.set_state(angles, velocities, peaks, openings);
   }
 
   /// A step that the kernel could not tell all about.
@@ -212,13 +213,14 @@ class Lane {
   void describe_state(StepRows<N>& rows, std::size_t lane) const {
     const State<double, blocks>& state = solver_.state();
     const Interfaces watched = solver_.ties().may_open(state);
-    const History& known = solver_.recorder().so_far();
+    const History& known = solver_.recorder().known();
     for (std::size_t k = 0; k < N; ++k) {
       rows.side[k][lane] = sign(state.pattern[k]);
       rows.watched[k][lane] = watched.test(k) ? 1 : 0;
       rows.angle[k][lane] = state.angles[k];
       rows.velocity[k][lane] = state.velocities[k];
       rows.peak[k][lane] = known.peaks.empty() ? std::numeric_limits<double>::infinity() : known.peaks[k];
+      rows.opening[k][lane] = solver_.recorder().openings().angles()[k];
       if (known.forces.empty()) continue;
       rows.least_normal[k][lane] = known.forces[k].least_normal;
       rows.friction[k][lane] = known.forces[k].friction;

@@ -1,3 +1,4 @@
+#include "analytic/batch/kernel_angles.hpp"
 #include "analytic/batch/kernel_forces.hpp"
 
 namespace rockstack {

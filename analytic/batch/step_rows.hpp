@@ -54,6 +54,8 @@ struct StepRows {
 
   // where the step starts from and, where it is plain or lands, has led
   PerBlock<LaneRow> angle, velocity, peak;
+  PerBlock<LaneRow>
+      opening;  ///< largest relative angle so far, rad; of the lowest interface its block's peak
 
   // what comes out
   LaneRow plain;            ///< whether nothing happens in the step, and nothing is to be recorded but peaks
@@ -63,11 +65,12 @@ struct StepRows {
   LaneRow foreseen;         ///< whether it is known what follows the impact: these, as in PredictedImpact
   PerBlock<LaneRow> cosine, sine, rotation, centre_speed_x, centre_speed_y;
   PerBlock<LaneRow> after, negligible, impulse_normal, impulse_tangential, impulse_moment;
-  LaneRow orders;             ///< of the series
-  LaneRow excess;             ///< how many times the tolerance is left out, 0 where none
-  PerBlock<LaneRow> stays;    ///< whether an open interface stays open, or a watched one closed
-  PerBlock<LaneRow> upright;  ///< whether a block does not topple, nor lean more than before
-  PerBlock<LaneRow> borne;    ///< whether an interface demands no more than before
+  LaneRow orders;           ///< of the series
+  LaneRow excess;           ///< how many times the tolerance is left out, 0 where none
+  PerBlock<LaneRow> stays;  ///< whether an open interface stays open, or a watched one closed
+  PerBlock<LaneRow>
+      upright;  ///< whether a block neither topples, nor leans more or comes further off than before
+  PerBlock<LaneRow> borne;  ///< whether an interface demands no more than before
   /// Coefficients of the dense output, in lanes whose step is neither plain nor lands silently.
   PerBlock<CoefficientRows> angles, right, left, normal, tangential;
 };

@@ -49,6 +49,16 @@ template <class Real, int N>
 using AngleHulls = std::array<Hull<Real>, capacity(N)>;
 
 template <class Real, int N>
+AngleHulls<Real, N> angle_hulls(const DenseOutput<Real, N>& output) {
+  AngleHulls<Real, N> hulls{};
+  for (int k = 0; k < output.start.size(); ++k) {
+    const Polynomial<Real>& angle = output.angles[k];
+    if (angle.terms > 0) hulls[k] = hull_beyond_zero(angle);
+  }
+  return hulls;
+}
+
+template <class Real, int N>
 void find_closing(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>& hulls,
                   const Interfaces& cleared, FirstEvent<Real>& event) {
   const Pattern& pattern = output.start.pattern;
@@ -105,17 +115,13 @@ void find_toppling(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>
   }
 }
 
+/// `hulls`: angle_hulls() of the step.
 template <class Real, int N>
-FirstEvent<Real> first_event(const DenseOutput<Real, N>& output,
+FirstEvent<Real> first_event(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>& hulls,
                              const std::array<Real, max_blocks>& toppling_angles,
                              const ExcludedEvents& cleared = {}) {
   FirstEvent<Real> event;
   event.opened = output.start.pattern;
-  AngleHulls<Real, N> hulls{};
-  for (int k = 0; k < output.start.size(); ++k) {
-    const Polynomial<Real>& angle = output.angles[k];
-    if (angle.terms > 0) hulls[k] = hull_beyond_zero(angle);
-  }
   find_closing(output, hulls, cleared.contacts, event);
   find_opening(output, event);
   find_toppling(output, hulls, toppling_angles, cleared.angles, event);

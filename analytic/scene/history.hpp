@@ -142,8 +142,11 @@ struct BasicHistory {
   std::vector<BasicReaction<Real>> reactions;            ///< times.size() × blocks
   std::vector<BasicSpringEnergy<Real>> spring_energies;  ///< likewise, of law `compliant`; else empty
   std::vector<Real> peaks;  ///< largest |θ| of each block at any time, rad; empty unless asked for
-  /// Slips in the end and largest gaps, m, of laws that leave pivots, with peaks.
-  std::vector<Real> slips_left, lifts;
+  /// Largest uplift of each block at any time, with peaks: how far a corner of its lower face comes off the
+  /// face below, or off that one's plane, m.
+  std::vector<Real> uplifts;
+  /// Slips in the end, largest |slips| and largest gaps, m, of laws that leave pivots, with peaks.
+  std::vector<Real> slips_left, largest_slips, lifts;
   std::vector<BasicDemand<Real>> forces;    ///< one an interface, of the motion; empty unless asked for
   std::vector<BasicDemand<Real>> impulses;  ///< likewise, of the impacts
 

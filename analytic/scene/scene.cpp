@@ -16,6 +16,12 @@ double interface_half_width(const Scene& scene, int interface) {
   return k == 0 ? own : std::min(own, scene.blocks[k - 1].half_width);
 }
 
+double corner_rise(const Scene& scene, int interface, double angle) {
+  const double own = scene.blocks[static_cast<std::size_t>(interface)].half_width;
+  return (own + interface_half_width(scene, interface)) *
+         std::sin(std::min(std::abs(angle), 0.5 * std::numbers::pi));
+}
+
 double stack_height(const Scene& scene) {
   double height = 0;
   for (const Block& block : scene.blocks) height += 2 * block.half_height;

@@ -229,6 +229,11 @@ inline Gravity gravity_of(const Scene& scene) {
 /// Half-width of interface k, from 0: that of the narrower block that meets there; the ground is endless.
 double interface_half_width(const Scene& scene, int interface);
 
+/// How far off the face below it the far corner of a block's lower face is where the block has turned by an
+/// angle over the end of the interface, no more than a right angle, b of the block and w of the interface:
+/// (b + w) sin |φ|. m.
+double corner_rise(const Scene& scene, int interface, double angle);
+
 /// Height of all blocks on each other, H, m.
 double stack_height(const Scene& scene);
 

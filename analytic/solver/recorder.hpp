@@ -1,9 +1,8 @@
 #pragma once
 
-#include "analytic/events/first_event.hpp"
 #include "analytic/events/rest.hpp"
-#include "analytic/events/zeno_summation.hpp"
 #include "analytic/scene/event_limit.hpp"
+#include "analytic/solver/openings.hpp"
 #include "analytic/solver/validity.hpp"
 
 namespace rockstack {
@@ -12,11 +11,12 @@ namespace rockstack {
 template <class Real, int N>
 class Recorder {
  public:
-  /// Keeps references to `model` and `options`; `friction` is what each interface has.
-  Recorder(const Model<Real, N>& model, const SolveOptions& options, const std::vector<double>& friction)
-      : model_(model),
+  /// Keeps references to all.
+  Recorder(const Scene& scene, const Model<Real, N>& model, const SolveOptions& options)
+      : scene_(scene),
+        model_(model),
         options_(options),
-        friction_(friction.begin(), friction.end()),
+        openings_(options.peaks),
         event_limit_(model.stack.size(), sqrt(2 * model.stack.half_height.sum() / model.gravity)) {
     const int size = model.stack.size();
     history_.blocks = size;
@@ -27,20 +27,25 @@ class Recorder {
     history_.velocities.reserve(samples * static_cast<std::size_t>(size));
     if (options.peaks) history_.peaks.assign(static_cast<std::size_t>(size), Real(0));
     if (options.validity) {
+      const std::vector<double> friction = friction_of(scene);
+      friction_.assign(friction.begin(), friction.end());
       history_.forces.resize(static_cast<std::size_t>(size));
       history_.impulses.resize(static_cast<std::size_t>(size));
     }
   }
 
   /// A step from `offset` into a ground piece up to its event. What ends as it starts bears nothing.
-  void note_step(const DenseOutput<Real, N>& output, const GroundPiece<Real>& piece, const Real& offset,
-                 const FirstEvent<Real>& event, const ExcludedEvents& cleared) {
+  void note_step(const DenseOutput<Real, N>& output, const AngleHulls<Real, N>& hulls,
+                 const GroundPiece<Real>& piece, const Real& offset, const FirstEvent<Real>& event,
+                 const ExcludedEvents& cleared) {
     const Real start = piece.start + offset;
     for (const auto& [s, kind, interface] : event.grazes)
       if (s <= event.s) history_.grazes.push_back({start + s * output.length, kind, interface});
     sample(output, piece, offset, event.s);
     if (options_.validity && event.s > 0) note_forces(output, piece, offset, event.s, cleared.forces);
-    if (options_.peaks) note_peaks(output, event.s, cleared.angles);
+    if (!options_.peaks) return;
+    note_peaks(output, event.s, cleared.angles);
+    openings_.note_step(output, hulls, event.s, cleared.angles, history_.peaks[0]);
   }
 
   /// Whether there is something to keep of a stretch of time through which the stack stands still.
@@ -57,7 +62,7 @@ class Recorder {
   /// Whether what is left of chatter from a time on may hold something to keep.
   bool wants(const RestOfChatter<Real, N>& rest, const Real& time) const {
     if (sample_due() && Real(options_.sample_times[next_sample_]) <= time + rest.duration) return true;
-    if (options_.peaks && may_peak(rest)) return true;
+    if (options_.peaks && (may_peak(rest) || openings_.may_rise(rest))) return true;
     return options_.validity && may_demand_more(rest);
   }
 
@@ -134,15 +139,21 @@ class Recorder {
     if (options_.end) add_sample(state, end);
   }
 
-  /// Raises peaks to those of a whole step.
-  void raise_peaks(const PerBlock<Real, N>& peaks) {
+  /// Raises peaks of blocks and of interfaces to those of a whole step.
+  void raise_peaks(const PerBlock<Real, N>& peaks, const PerBlock<Real, N>& openings) {
     std::copy_n(peaks.begin(), history_.peaks.size(), history_.peaks.begin());
+    openings_.raise(openings);
   }
 
-  const BasicHistory<Real>& so_far() const { return history_; }
+  const BasicHistory<Real>& known() const { return history_; }  ///< so far, but for uplifts
+  const Openings<Real, N>& openings() const { return openings_; }
   std::size_t events() const { return events_; }      ///< so far, each by itself
   const Real& rounding() const { return rounding_; }  ///< of forces, N
-  BasicHistory<Real> history() && { return std::move(history_); }
+  BasicHistory<Real> history() && {
+    if (options_.peaks) history_.uplifts = openings_.uplifts(scene_);
+    return std::move(history_);
+  }
+  BasicHistory<Real> so_far() const { return Recorder(*this).history(); }
 
  private:
   /// Whether an impact throws its interface to the other side, and changes no other.
@@ -252,9 +263,11 @@ class Recorder {
                           output.length);
   }
 
+  const Scene& scene_;
   const Model<Real, N>& model_;
   const SolveOptions& options_;
-  std::vector<Real> friction_;  ///< that each interface has
+  std::vector<Real> friction_;  ///< that each interface has, with validity
+  Openings<Real, N> openings_;
   /// Rounding of forces, N.
   Real rounding_ = 1024 * std::numeric_limits<Real>::epsilon() * (model_.gravity * model_.stack.mass.sum());
   Real negligible_impulse_ =  ///< N·s

@@ -16,7 +16,7 @@ class Solver {
   Solver(const Scene& scene, const SolveOptions& options, Branching* branching = nullptr)
       : scene_(scene),
         steps_(model_, options),
-        recorder_(model_, options, options.validity ? friction_of(scene) : std::vector<double>()),
+        recorder_(scene, model_, options),
         cancelled_(options.cancelled),
         branching_(branching),
         collisions_(scene, model_, options) {
@@ -87,7 +87,8 @@ class Solver {
     ties_.keep_fresh_open(output);
     if (scene_.wall.side != 0)  // never opens there
       (scene_.wall.side < 0 ? output.margins[0].left : output.margins[0].right) = Polynomial<Real>{Real(1)};
-    FirstEvent<Real> event = first_event(output, toppling_angles_, cleared);
+    const AngleHulls<Real, N> hulls = angle_hulls(output);
+    FirstEvent<Real> event = first_event(output, hulls, toppling_angles_, cleared);
     RestraintChange<Real> change;
     if (!model_.restraints.empty()) change = rockstack::first_change(model_.restraints, output.lengths);
     if (change.restraint >= 0 && (change.s < event.s || !event.happens())) {
@@ -98,7 +99,7 @@ class Solver {
     }
     state_ = output.at(event.s);
     require_numbers();
-    recorder_.note_step(output, pieces_.current(), pieces_.offset(), event, cleared);
+    recorder_.note_step(output, hulls, pieces_.current(), pieces_.offset(), event, cleared);
     directed_ = false;
     ties_.note_step(event, time());
     go(event.s, output.length);
@@ -121,12 +122,13 @@ class Solver {
     pieces_.advance_by(pieces);
   }
 
-  /// Where steps that were passed have led: relative angles and velocities, and all peaks so far.
+  /// Where steps that were passed have led: relative angles and velocities, and all peaks so far, of blocks
+  /// and of interfaces.
   void set_state(const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
-                 const PerBlock<Real, N>& peaks) {
+                 const PerBlock<Real, N>& peaks, const PerBlock<Real, N>& openings) {
     state_.angles = angles;
     state_.velocities = velocities;
-    recorder_.raise_peaks(peaks);
+    recorder_.raise_peaks(peaks, openings);
     directed_ = false;
   }
 
@@ -134,7 +136,7 @@ class Solver {
   void record(const DenseOutput<Real, N>& output, const Real& s, const ExcludedEvents& cleared) {
     FirstEvent<Real> event;
     event.s = s;
-    recorder_.note_step(output, pieces_.current(), pieces_.offset(), event, cleared);
+    recorder_.note_step(output, angle_hulls(output), pieces_.current(), pieces_.offset(), event, cleared);
   }
 
   /// Goes through the impact of an interface at s of a step, where the stack has arrived. `foreseen` is what

@@ -71,7 +71,9 @@ History to_double(const BasicHistory<Real>& history) {
   result.reactions = in_double(history.reactions);
   result.spring_energies = in_double(history.spring_energies);
   result.peaks = in_double(history.peaks);
+  result.uplifts = in_double(history.uplifts);
   result.slips_left = in_double(history.slips_left);
+  result.largest_slips = in_double(history.largest_slips);
   result.lifts = in_double(history.lifts);
   result.forces = in_double(history.forces);
   result.impulses = in_double(history.impulses);

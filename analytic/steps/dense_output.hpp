@@ -17,7 +17,7 @@ struct ForcePolynomials {
 /// What bounds on a whole step have told before it is looked at: where there is nothing to find.
 struct ExcludedEvents {
   Interfaces contacts;  ///< of interfaces that stay open, or closed
-  Interfaces angles;    ///< of blocks that do not topple, nor lean more than before
+  Interfaces angles;    ///< of blocks that neither topple, nor lean more or come further off than before
   Interfaces forces;    ///< that demand no more than before
 };
 

@@ -69,7 +69,9 @@ class ContactRecorder {
     negligible_impulse_ = Real(1e-6) * mass * sqrt(scene.gravity * stack.height());
     if (options.validity)
       history_.forces = history_.impulses = std::vector<BasicDemand<Real>>(scene.blocks.size());
-    if (options.peaks) history_.peaks = history_.lifts = std::vector<Real>(scene.blocks.size(), Real(0));
+    if (options.peaks)
+      history_.peaks = history_.uplifts = history_.largest_slips = history_.lifts =
+          std::vector<Real>(scene.blocks.size(), Real(0));
   }
 
   /// A step up to `end_s` of its length; it starts at `start` s. A mode that ends as it starts bears nothing.
@@ -94,8 +96,15 @@ class ContactRecorder {
     if (options_.validity && end_s > 0) note_demands(joints, series, end_s, start);
     if (!options_.peaks) return;
     note_peaks(series, end_s);
-    for (std::size_t k = 0; k < joints.size(); ++k)
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      if (joints[k].touch != Contact::closed) note_uplift(k, joints[k], series, end_s);
       if (!joints[k].touches()) note_lift(k, series, end_s);
+    }
+  }
+
+  /// Where a step has led: what slides does so one way all through it.
+  void note_slips(const Joints<Real>& rigid, const SpringContacts<Real>& springs) {
+    if (options_.peaks) note_slips(springs.shown(rigid));
   }
 
   /// Impulses that bring about a mode.
@@ -120,10 +129,9 @@ class ContactRecorder {
 
   /// The motion up to where it has come, with the joints as they are shown there.
   BasicHistory<Real> history(const Joints<Real>& last) && {
-    const std::vector<double>& offsets = scene_.initial.offsets;
-    if (options_.peaks)
-      for (std::size_t k = 0; k < last.size(); ++k)
-        history_.slips_left.push_back(last[k].offset - (offsets.empty() ? Real(0) : Real(offsets[k])));
+    if (!options_.peaks) return std::move(history_);
+    note_slips(last);
+    for (std::size_t k = 0; k < last.size(); ++k) history_.slips_left.push_back(slip_of(last, k));
     return std::move(history_);
   }
 
@@ -166,6 +174,17 @@ class ContactRecorder {
     ModeSeries<Real> others = series;
     for (const int k : pairs) others.forces[k] = on_upper_face(series, k, series.forces[k]);
     note_forces(joints, others, end_s, start);
+  }
+
+  /// Since the start, m.
+  Real slip_of(const Joints<Real>& joints, std::size_t k) const {
+    const std::vector<double>& offsets = scene_.initial.offsets;
+    return joints[k].offset - (offsets.empty() ? Real(0) : Real(offsets[k]));
+  }
+
+  void note_slips(const Joints<Real>& shown) {
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      history_.largest_slips[k] = std::max<Real>(history_.largest_slips[k], abs(slip_of(shown, k)));
   }
 
   bool sample_due() const { return next_sample_ < options_.sample_times.size(); }
@@ -220,6 +239,29 @@ class ContactRecorder {
     }
   }
 
+  /// The upper block's corners over the face below. Over a pivot the other one rises by the width of its face
+  /// times the sine of the angle at most.
+  void note_uplift(std::size_t interface, const Joint<Real>& joint, const ModeSeries<Real>& series,
+                   const Real& end_s) {
+    const int k = static_cast<int>(interface);
+    Real& uplift = history_.uplifts[interface];
+    if (joint.pivots() && 2 * stack_.half_width(k) * hull(turn_of(k, series)).size() <= uplift) return;
+    for (const int side : {-1, 1}) {
+      const CornerOnFace<Real> point = stack_.corner(k, side, false);
+      Polynomial<Real> rise =
+          line(-stack_.half_height(point.face), 1, corner_series(stack_, series, point).above);
+      rescale(rise, end_s);
+      if (const auto top = maximum(rise, uplift)) uplift = top->height;
+    }
+  }
+
+  /// The relative angle of an interface.
+  static Polynomial<Real> turn_of(int interface, const ModeSeries<Real>& series) {
+    Polynomial<Real> angle = series.bodies[interface].angle;
+    if (interface > 0) add(series.bodies[interface - 1].angle, Real(-1), angle);
+    return angle;
+  }
+
   /// The gap is greatest at the end, where a corner is highest over its face, or where faces are parallel.
   void note_lift(int interface, const ModeSeries<Real>& series, const Real& end_s) {
     Real& lift = history_.lifts[interface];
@@ -238,8 +280,7 @@ class ContactRecorder {
         if (const auto top = maximum(gap, lift)) note_at(top->s * end_s);
       }
     for (const int side : {-1, 1}) {
-      Polynomial<Real> angle = times(side, series.bodies[interface].angle);
-      if (interface > 0) add(series.bodies[interface - 1].angle, Real(-side), angle);
+      Polynomial<Real> angle = times(side, turn_of(interface, series));
       rescale(angle, end_s);
       if (angle[0] <= 0) continue;
       if (const auto level = first_crossing(angle)) note_at(*level * end_s);

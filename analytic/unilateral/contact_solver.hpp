@@ -120,6 +120,7 @@ class ContactSolver : ContactMotion<Real> {
     const Bodies<Real> before = std::exchange(state_.bodies, std::move(next));
     place(stack_, state_.joints, state_.bodies);
     if (!springs_.empty()) springs_.go(springs, s, before, state_.bodies);
+    recorder_.note_slips(state_.joints, springs_);
     pieces_.go(s * series.length);
     if (s > 0) decided_ = false;
     if (s > 0)

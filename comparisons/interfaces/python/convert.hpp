@@ -57,7 +57,8 @@ auto fields_of(A<History> auto& history) {
   return std::tie(history.blocks, history.times, history.angles, history.velocities, history.patterns,
                   history.events, history.grazes, history.choices, history.slips, history.gaps,
                   history.centres, history.centre_velocities, history.reactions, history.spring_energies,
-                  history.peaks, history.slips_left, history.lifts, history.forces, history.impulses);
+                  history.peaks, history.uplifts, history.slips_left, history.largest_slips, history.lifts,
+                  history.forces, history.impulses);
 }
 
 /// Without its scene.

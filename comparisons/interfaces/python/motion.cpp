@@ -136,8 +136,9 @@ bool is_of(const History& history, std::size_t blocks) {
          std::ranges::all_of(history.grazes, numbered) && std::ranges::all_of(history.choices, numbered) &&
          rows(history.slips) && rows(history.gaps) && has(history.centres, 2 * samples * blocks) &&
          has(history.centre_velocities, 2 * samples * blocks) && rows(history.reactions) &&
-         rows(history.spring_energies) && each(history.peaks) && each(history.slips_left) &&
-         each(history.lifts) && each(history.forces) && each(history.impulses);
+         rows(history.spring_energies) && each(history.peaks) && each(history.uplifts) &&
+         each(history.slips_left) && each(history.largest_slips) && each(history.lifts) &&
+         each(history.forces) && each(history.impulses);
 }
 
 /// Times and interfaces of what the numbers could not tell.
@@ -201,7 +202,9 @@ void add_motion(py::module_& core) {
       .def_property_readonly("place_rates", samples(&History::centre_velocities, 2))
       .def_property_readonly("spring_energies", samples(&History::spring_energies))
       .def_property_readonly("peaks", of_each(&History::peaks))
+      .def_property_readonly("uplifts", of_each(&History::uplifts))
       .def_property_readonly("slips_left", of_each(&History::slips_left))
+      .def_property_readonly("largest_slips", of_each(&History::largest_slips))
       .def_property_readonly("lifts", of_each(&History::lifts))
       .def_property_readonly("forces", of_each(&History::forces))
       .def_property_readonly("impulses", of_each(&History::impulses))

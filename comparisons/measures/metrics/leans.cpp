@@ -109,6 +109,19 @@ std::vector<double> peak_angles(const History& history) {
   return result;
 }
 
+std::vector<double> uplifts_of(const Scene& scene, const History& history) {
+  if (!history.uplifts.empty()) return history.uplifts;
+  std::vector<double> openings(scene.blocks.size(), 0);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const Vector<double> angles = relative(vector_of(history.angles_at(i)));
+    for (std::size_t k = 0; k < openings.size(); ++k)
+      openings[k] = std::max(openings[k], std::abs(angles[static_cast<Eigen::Index>(k)]));
+  }
+  for (std::size_t k = 0; k < openings.size(); ++k)
+    openings[k] = corner_rise(scene, static_cast<int>(k), openings[k]);
+  return openings;
+}
+
 Lean largest_lean(const Scene& scene, const History& history) {
   const std::vector<double> peaks = peak_angles(history);
   Lean largest;

@@ -21,6 +21,10 @@ Swing largest_swing(const History& history, std::size_t block);
 /// The largest angle of each block, rad; of samples where the history does not keep it.
 std::vector<double> peak_angles(const History& history);
 
+/// The largest uplift of each block, m; where the history does not keep it, that of blocks that turn over
+/// ends of interfaces as samples tell.
+std::vector<double> uplifts_of(const Scene& scene, const History& history);
+
 /// How near to its balance something comes: 1 there, 0 upright.
 struct Lean {
   std::size_t block = 0;

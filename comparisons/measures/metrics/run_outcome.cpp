@@ -88,8 +88,12 @@ RunOutcome run_outcome(const Scene& scene, const History& history) {
   outcome.frictions = mapped(history.forces, &Demand::friction);
   outcome.slips = history.slips_left;
   outcome.lifts = history.lifts;
+  outcome.uplifts = uplifts_of(scene, history);
+  outcome.uplift = largest_magnitude(outcome.uplifts);
+  outcome.largest_slips = history.largest_slips;
   if (!history.slips_left.empty()) outcome.slip = largest_magnitude(history.slips_left);
   if (!history.lifts.empty()) outcome.lift = largest_magnitude(history.lifts);
+  if (!history.largest_slips.empty()) outcome.largest_slip = largest_magnitude(history.largest_slips);
   return outcome;
 }
 

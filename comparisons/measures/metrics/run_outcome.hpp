@@ -41,6 +41,8 @@ struct RunOutcome {
   std::vector<double> frictions;      ///< largest coefficient needed between impacts
   std::vector<double> slips;          ///< left at the end, to the right, m
   std::vector<double> lifts;          ///< highest, m
+  std::vector<double> uplifts;        ///< largest, m
+  std::vector<double> largest_slips;  ///< to either side at any time, m
   double peak_ratio = 0;              ///< the largest of these
   int toppled = 0;                    ///< number of the block that toppled or fell off first, from 1; 0: none
   std::optional<double> topple_time;  ///< s, where one has
@@ -56,6 +58,8 @@ struct RunOutcome {
   /// Under law unilateral: the largest slip that is left at the end, and the highest lift, of any interface,
   /// m.
   std::optional<double> slip, lift;
+  double uplift = 0;                   ///< the largest of uplifts, m
+  std::optional<double> largest_slip;  ///< the largest of those, under law unilateral, m
 };
 
 /// How the runs of a sweep are solved: exactly, or to a tolerance that also ends chatter.

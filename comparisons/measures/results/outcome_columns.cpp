@@ -31,7 +31,9 @@ const std::map<std::string, std::vector<double> RunOutcome::*> values_of_blocks{
     {"peak_ratio", &RunOutcome::peak_ratios},
     {"force_friction", &RunOutcome::frictions},
     {"slip", &RunOutcome::slips},
-    {"lift", &RunOutcome::lifts}};
+    {"lift", &RunOutcome::lifts},
+    {"uplift", &RunOutcome::uplifts},
+    {"largest_slip", &RunOutcome::largest_slips}};
 
 Json field_of(const OutcomeColumn& column, const RunOutcome& outcome) {
   if (const auto* count = std::get_if<OutcomeColumn::Count>(&column.value)) return (*count)(outcome);
@@ -64,7 +66,9 @@ std::vector<OutcomeColumn> outcome_columns(std::size_t blocks) {
       {"status", {}},
       {"reason", {}},
       {"slip", Measure(&RunOutcome::slip)},
-      {"lift", Measure(&RunOutcome::lift)}};
+      {"lift", Measure(&RunOutcome::lift)},
+      {"uplift", Measure(&RunOutcome::uplift)},
+      {"largest_slip", Measure(&RunOutcome::largest_slip)}};
   std::vector<OutcomeColumn> columns;
   for (const Paragraph& column : paragraphs(outcome_columns_txt)) {
     const bool sampled = column.kind.find("sampled") != std::string::npos;

@@ -27,7 +27,8 @@ class Bits {
   }
   void add(const History& history) {
     text_ << history.blocks << '\n';
-    for (const auto* numbers : {&history.times, &history.angles, &history.velocities, &history.peaks})
+    for (const auto* numbers :
+         {&history.times, &history.angles, &history.velocities, &history.peaks, &history.uplifts})
       add(*numbers);
     for (const Pattern& pattern : history.patterns) text_ << name(pattern) << ' ';
     for (const Event& event : history.events) {

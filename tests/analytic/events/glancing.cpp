@@ -16,7 +16,7 @@ FirstEvent<double> first_in_step(double a, double b) {
   output.angles[0] = {0.01 * a * b, -0.01 * (a + b), 0.01};
   std::array<double, max_blocks> toppling{};
   toppling.fill(1);
-  return first_event(output, toppling);
+  return first_event(output, angle_hulls(output), toppling);
 }
 
 // A depth d of the dip is 0.01 d² rad; rounding of coefficients up to 0.02 rad is 16 ε × 0.02 = 7e-17 rad, so

@@ -156,10 +156,11 @@ TEST(ZenoSummation, TheMotionAfterItIsOffByTheResolutionAtMost) {
 // A top that turns round while its base chatters may lean most within the chatter; one that moves on, or has
 // leant more, does not.
 TEST(ZenoSummation, WhereABlockMayLeanMostInItItIsFollowed) {
-  const auto model = make_model<double>(testing::paper_example());
+  const Scene scene = testing::paper_example();
+  const auto model = make_model<double>(scene);
   const SolveOptions options{.peaks = true};
-  Recorder<double, Eigen::Dynamic> recorder(model, options, {});
-  recorder.raise_peaks({0.05, 0.1});
+  Recorder<double, Eigen::Dynamic> recorder(scene, model, options);
+  recorder.raise_peaks({0.05, 0.1}, {0.05, 0.1});
   const auto wants = [&](double angle, double velocity) {
     RestOfChatter<double, Eigen::Dynamic> rest{};
     rest.duration = 1e-5;

@@ -37,6 +37,24 @@ TEST(UnilateralClosedForms, RockingSlidesBelowShentonsFriction) {
   }
 }
 
+// Friction μ stops a block of speed v after v²/(2μg). Ground that then has an acceleration a for a time T
+// makes it slide back, by (a − μg) T²/2 up to its end and by ((a − μg) T)²/(2μg) from there on.
+TEST(UnilateralClosedForms, TheLargestSlipIsTheLongerOfTwoStoppingDistances) {
+  constexpr double friction = 0.4, speed = 2;
+  for (const double time : {0.3, 0.9}) {
+    Scene scene = with_friction(single(1, 0.05, 4), friction);
+    const double holds = friction * scene.gravity, push = 1.5 * holds;
+    scene.initial.slip_velocities = {speed};
+    scene.horizontal = pulse_of(PulseShape::rectangle, push, time, 1);
+    const double on = speed * speed / (2 * holds), fastest = (push - holds) * time;
+    const double back = fastest * time / 2 + fastest * fastest / (2 * holds);
+    const History history = solve_unilateral(scene, {.peaks = true});
+    EXPECT_NEAR(history.slips_left[0], on - back, round_off);
+    EXPECT_NEAR(history.largest_slips[0], std::max(on, back - on), round_off);
+    EXPECT_EQ(history.uplifts[0], 0);
+  }
+}
+
 TEST(UnilateralClosedForms, SlideRockFromRestHasItsAccelerations) {
   const Scene scene = single(1, 2, 1);
   const double g = scene.gravity;

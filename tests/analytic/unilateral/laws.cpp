@@ -111,6 +111,23 @@ TEST(UnilateralLaws, FrictionWithoutBoundsLetsMotionsGoOn) {
   }
 }
 
+/// How far the higher corner of a block's lower face is off the plane of the face below, m.
+double corner_rise_at(const Scene& scene, const Poses<>& poses, std::size_t k) {
+  const Pose<> below = pose_of(poses, static_cast<int>(k) - 1);
+  const Block& own = scene.blocks[k];
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const int side : {-1, 1}) {
+    const Point<double> corner =
+        turned<double>(side * own.half_width - own.offset_x, -own.half_height - own.offset_y,
+                       std::cos(poses[k].angle), std::sin(poses[k].angle));
+    const double up = (poses[k].x + corner.x() - below.x) * std::sin(below.angle) +
+                      (poses[k].y + corner.y() - below.y) * std::cos(below.angle);
+    const double face = k > 0 ? scene.blocks[k - 1].half_height - scene.blocks[k - 1].offset_y : 0;
+    highest = std::max(highest, up - face);
+  }
+  return highest;
+}
+
 TEST(UnilateralLaws, NothingPullsNorRubsMoreThanItsFriction) {
   int partings = 0;
   int slips = 0;
@@ -129,8 +146,13 @@ TEST(UnilateralLaws, NothingPullsNorRubsMoreThanItsFriction) {
         if (demand.least_normal == 0) ++partings;
         if (demand.friction > 0.99 * scene.friction[k]) ++slips;
       }
-      for (const auto& sample : samples_of(history))
+      EXPECT_LE(std::abs(history.slips_left[k]), history.largest_slips[k]) << seed;
+      for (const auto& sample : samples_of(history)) {
         EXPECT_LE(std::abs(sample.bodies.pose[k].angle), history.peaks[k] + 1e-15) << seed;
+        // Places round to some units in the last place of metres.
+        EXPECT_LE(std::abs(sample.slips[k]), history.largest_slips[k] + 1e-13) << seed;
+        EXPECT_LE(corner_rise_at(scene, sample.bodies.pose, k), history.uplifts[k] + 1e-13) << seed;
+      }
     }
   }
   EXPECT_GT(partings, 20);

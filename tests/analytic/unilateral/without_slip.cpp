@@ -77,8 +77,11 @@ TEST(UnilateralWithoutSlip, DemandsAndPeaksAreThoseOfLawConsistent) {
     ++scenes;
     expect_same_demands(one.forces, other.forces, seed);
     expect_same_demands(one.impulses, other.impulses, seed);
-    for (std::size_t k = 0; k < one.peaks.size(); ++k)
+    for (std::size_t k = 0; k < one.peaks.size(); ++k) {
       EXPECT_NEAR(one.peaks[k], other.peaks[k], 1e-8) << seed;
+      // A face of twice the half-width turns by the difference of two such angles.
+      EXPECT_NEAR(one.uplifts[k], other.uplifts[k], 4e-8 * scene.blocks[k].half_width) << seed;
+    }
   }
   EXPECT_GT(testing::stride * scenes, 20);
 }

@@ -186,9 +186,19 @@ class Solution(Motion):
         return self._core.peaks
 
     @property
+    def uplifts(self) -> np.ndarray:
+        """How far a corner of each block's lower face has come off the face below at most, m; shape (blocks,)."""
+        return self._core.uplifts
+
+    @property
     def slips_left(self) -> np.ndarray | None:
         """How far each block has slipped in the end, m; shape (blocks,), or None as slips."""
         return self._core.slips_left
+
+    @property
+    def largest_slips(self) -> np.ndarray | None:
+        """Largest |slip| of each block at any time, m; shape (blocks,), or None as slips."""
+        return self._core.largest_slips
 
     @property
     def lifts(self) -> np.ndarray | None:

@@ -29,8 +29,8 @@ class SweepTable(Table):
     that key's value from B), then peak_1, … (largest |angle| of each block, rad), peak_ratio (over slenderness, of the
     block where that is largest), toppled (number of the block, 0: none), topple_time (s), falling (at the end), impacts,
     events, last_event_time and rest_time (s), least_normal_force (N), force_friction, least_normal_impulse (N·s), impulse_friction,
-    slip and lift (m), onset and motion (rest, slide, rock, slide-rock, free flight, topple or fall); peak_ratio,
-    force_friction, slip and lift of each block too, as peak_ratio_1. What a run does not have is nan, or "" where a column is of texts.
+    slip, lift, uplift and largest_slip (m), onset and motion (rest, slide, rock, slide-rock, free flight, topple or
+    fall); peak_ratio, force_friction, slip, lift, uplift and largest_slip of each block too, as peak_ratio_1. What a run does not have is nan, or "" where a column is of texts.
 
     failures: why runs have no outcome, by their number from 0. shape: how many runs each direction of the grid has.
     dimensions: its name, that of the first key that varies along it, or "sample"; coordinates: the keys that vary along

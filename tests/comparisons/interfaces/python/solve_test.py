@@ -39,7 +39,7 @@ class SolveTest(unittest.TestCase):
                 np.testing.assert_array_equal(solution.events["after"][:, 0], events["omega_after_1"])
                 summary = json.loads((folder / "summary.json").read_text())
                 self.assertEqual(solution.outcome, {name: summary[name] for name in solution.outcome})
-                for name in ("toppled", "topple_time", "peak_ratio", "force_friction", "ground_left"):
+                for name in ("toppled", "topple_time", "peak_ratio", "force_friction", "ground_left", "uplift_1"):
                     self.assertEqual(getattr(solution, name), summary[name])
                 self.assertEqual(pickle.loads(pickle.dumps(solution)).peak_ratio, solution.peak_ratio)
                 with self.assertRaisesRegex(AttributeError, "no attribute 'peak_ration'"):
@@ -52,7 +52,7 @@ class SolveTest(unittest.TestCase):
             self.assertEqual(getattr(solution, name).shape, (samples, blocks), name)
         for name in ("places", "place_rates"):
             self.assertEqual(getattr(solution, name).shape, (samples, blocks, 2), name)
-        for name in ("peaks", "slips_left", "lifts"):
+        for name in ("peaks", "uplifts", "slips_left", "largest_slips", "lifts"):
             self.assertEqual(getattr(solution, name).shape, (blocks,), name)
         self.assertEqual(solution.demands["forces"].dtype.names[0], "least_normal")
 

@@ -47,14 +47,19 @@ TEST(OutcomeColumns, OfEachBlockAddUpToThoseOfAll) {
     return std::max(std::abs(json.at(name + "_1").get<double>()),
                     std::abs(json.at(name + "_2").get<double>()));
   };
-  for (const char* name : {"peak_ratio", "slip", "lift"}) EXPECT_EQ(json.at(name), larger(name)) << name;
+  for (const char* name : {"peak_ratio", "slip", "lift", "uplift", "largest_slip"})
+    EXPECT_EQ(json.at(name), larger(name)) << name;
   EXPECT_GT(json.at("slip"), 0.0);
+  for (const char* block : {"_1", "_2"})
+    EXPECT_GE(json.at(std::string("largest_slip") + block),
+              std::abs(json.at(std::string("slip") + block).get<double>()));
   EXPECT_EQ(json.at("peak_ratio_2").get<double>(), json.at("peak_2").get<double>() / slenderness(scene, 1));
   const Scene held = free_rocking(2);
   const Json pivots = outcome_json(run_outcome(held, solve(held, run_options())));
   EXPECT_EQ(pivots.at("force_friction"), std::max(pivots.at("force_friction_1").get<double>(),
                                                   pivots.at("force_friction_2").get<double>()));
   EXPECT_TRUE(pivots.at("slip_1").is_null());
+  EXPECT_TRUE(pivots.at("largest_slip").is_null());
 }
 
 // A block that nothing moves rests from the start; one that is let go rests after its last impact, and does
