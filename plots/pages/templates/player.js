@@ -16,6 +16,7 @@ const { Stack, Part, Track, arrow, contactsOf, drawIcon, iconOf, lastBefore, unp
 const touching = 2e-4; // rad: engines have no patterns; a smaller relative angle counts as closed
 const clear = 5e-4; // of the stack's height: blocks that are further from each other do not touch
 const steepest = 1.45; // rad: angles are not exaggerated beyond
+const captionFont = "12px 'DejaVu Sans', sans-serif";
 const longest = 3; // weights: arrows of reactions are drawn no longer
 const bandHeight = 32; // of the patterns over the rows of impacts, pixels
 const tints = ["#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0", "#E3DDF3", "#E2E2E2", "#F7D3C5", "#CDE6EC"];
@@ -373,7 +374,10 @@ class Player {
     const columns = over ? 1 : Math.max(1, shown.length);
     const [across, up] = this.reach();
     const side = Math.max(across, this.stack.width / 2 + Math.max(this.stack.height * this.lean(), 0.35 * this.stack.width));
-    const scale = Math.min((width / columns - 12) / (2 * side), (height - 62) / (Math.max(up, this.stack.height * 1.03) + this.rise()));
+    const captions = shown.map((track) => this.captionOf(pen, track, width / columns)), ends = [0];
+    for (const lines of captions) ends.push((over ? ends.at(-1) : 0) + 3 + 14 * Math.max(1, lines.length));
+    const above = 11 + Math.max(17, ...ends);
+    const scale = Math.min((width / columns - 12) / (2 * side), (height - 34 - above) / (Math.max(up, this.tallest() * 1.03) + this.rise()));
     this.views.clear();
     shown.forEach((track, i) => {
       const column = over ? 0 : i;
@@ -384,7 +388,7 @@ class Player {
       if (!over || i === 0) this.drawGround(view, middle, width / columns, height);
       this.drawTrack(view, track, i);
       if (this.find("trace").checked) this.drawTrace(view, track);
-      this.caption(pen, track, over ? 12 : column * width / columns + 8, over ? 18 + 17 * i : 18, width / columns);
+      this.drawCaption(pen, track, captions[i], over ? 12 : column * width / columns + 8, over ? 18 + ends[i] : 18, width / columns);
     });
   }
 
@@ -393,6 +397,15 @@ class Player {
     this.most ??= Math.max(...this.tracks.map((track) =>
       track.values.reduce((most, angle) => Math.max(most, Math.abs(angle)), 0)));
     return Math.max(0.25, Math.sin(Math.min(steepest, this.most * this.gain())));
+  }
+
+  // How high the stack's uppermost corner comes at most where every block leans as far as any does.
+  tallest() {
+    const lean = Math.min(steepest, this.most * this.gain());
+    return this.stack.half.reduce((sum, [b, h]) => {
+      const angle = Math.min(lean, Math.atan2(b, h));
+      return sum + 2 * (h * Math.cos(angle) + b * Math.sin(angle));
+    }, 0);
   }
 
   // How far to the side and up blocks of the first motion with places come, but not beyond four heights.
@@ -408,8 +421,21 @@ class Player {
     return this.far;
   }
 
-  caption(pen, track, x, y, room) {
-    if (!track.label) return;
+  // The lines of a motion's name.
+  captionOf(pen, track, room) {
+    if (!track.label) return [];
+    pen.font = captionFont;
+    const lines = [""];
+    for (const word of (track.label + (this.time > track.end + 1e-9 ? " (ended)" : "")).split(" ")) {
+      const longer = lines.at(-1) ? `${lines.at(-1)} ${word}` : word;
+      if (lines.at(-1) && pen.measureText(longer).width > room - 30) lines.push(word);
+      else lines[lines.length - 1] = longer;
+    }
+    return lines;
+  }
+
+  drawCaption(pen, track, lines, x, y, room) {
+    if (lines.length === 0) return;
     pen.strokeStyle = track.colour;
     pen.lineWidth = 4;
     pen.setLineDash(track.dash);
@@ -419,20 +445,9 @@ class Player {
     pen.stroke();
     pen.setLineDash([]);
     pen.fillStyle = "#1a1a1a";
-    pen.font = "12px 'DejaVu Sans', sans-serif";
+    pen.font = captionFont;
     pen.textAlign = "left";
-    let line = "";
-    for (const word of (track.label + (this.time > track.end + 1e-9 ? " (ended)" : "")).split(" ")) {
-      const longer = line ? `${line} ${word}` : word;
-      if (line && pen.measureText(longer).width > room - 30) {
-        pen.fillText(line, x + 24, y, room - 30);
-        y += 14;
-        line = word;
-      } else {
-        line = longer;
-      }
-    }
-    pen.fillText(line, x + 24, y, room - 30);
+    lines.forEach((line, i) => pen.fillText(line, x + 24, y + 14 * i, room - 30));
   }
 
   // Each end is a block, from 1, 0 the ground, with a point from the middle of its lower face.

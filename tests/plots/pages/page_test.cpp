@@ -193,6 +193,40 @@ TEST_F(Page, ANameLeadsToTheParametersOfItsRun) {
   EXPECT_TRUE(answer.result["same"].get<bool>());
 }
 
+// In either view, at rest, leaning and with angles exaggerated; names are of one and of several lines.
+TEST_F(Page, NamesOfMotionsStandAboveAllBlocks) {
+  const Answer answer = ask_browser(page_, R"js(
+    const pen = CanvasRenderingContext2D.prototype, write = pen.fillText, found = [];
+    let lowest = 0, lines = 0;
+    pen.fillText = function (text, x, y, ...rest) {
+      if (this.canvas === player.find("stage") && text && player.tracks.some(({ label }) => label.includes(text)))
+        lowest = Math.max(lowest, y), ++lines;
+      return write.call(this, text, x, y, ...rest);
+    };
+    for (const view of ["side", "over"])
+      for (const gain of [0, 30, 100])
+        for (const time of [0, 0.25, 1.2]) {
+          player.find("view").value = view;
+          player.find("gain").value = gain;
+          player.time = time;
+          lowest = lines = 0;
+          player.drawStage();
+          const tops = player.shown().flatMap((track) => {
+            const { y } = player.views.get(track);
+            return player.stack.place(track, time, player.drawnAngles(track))
+              .flatMap(({ corners }) => corners.map((corner) => y(corner[1])));
+          });
+          found.push([lines, lowest, Math.min(...tops)]);
+        }
+    return found;)js");
+  EXPECT_EQ(answer.complaints.size(), 0u) << answer.complaints;
+  ASSERT_EQ(answer.result.size(), 18u);
+  for (const nlohmann::json& frame : answer.result) {
+    EXPECT_GE(frame[0].get<int>(), 2) << "motions have names";
+    EXPECT_LT(frame[1].get<double>(), frame[2].get<double>());
+  }
+}
+
 TEST_F(Page, EveryControlHasAName) {
   const Answer answer = ask_browser(page_, R"(
     const nameless = Array.from(document.querySelectorAll("button, input, select"), (one) =>
