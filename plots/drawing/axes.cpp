@@ -43,8 +43,8 @@ std::string in_decades(double value) {
   return fmt::format("{}10^{{{}}}", times < 1 + rounding ? "" : fmt::format("{:.2g}·", times), power);
 }
 
-/// Numbers up the left edge in units of a power of ten, which stands above them: with exponents of their own
-/// they would push the axis' words out of the figure.
+/// Numbers up the left edge in units of a power of ten, which stands in the panel's corner: with exponents of
+/// their own they would push the axis' words out of the figure.
 std::string tics_in_units(double low, double high, double step) {
   constexpr double rounding = 1e-9;
   const double power = std::floor(std::log10(std::max(std::abs(low), std::abs(high))) + rounding);
@@ -53,7 +53,7 @@ std::string tics_in_units(double low, double high, double step) {
   for (double k = std::ceil(low / step - rounding); k <= high / step + rounding; ++k)
     tics.push_back(fmt::format("'{:.4g}' {}", k == 0 ? 0 : k * step / unit, plain(k * step)));
   return fmt::format(
-      "set ytics ({})\nset label '×10^{{{:.0f}}}' at graph 0, graph 1 right offset -0.8,0.75 font ',11'\n",
+      "set ytics ({})\nset label '×10^{{{:.0f}}}' at graph 0, graph 1 left offset 0.5,-0.9 front\n",
       joined_texts(tics, std::identity(), ", "), power);
 }
 
@@ -169,6 +169,10 @@ TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs) {
   return scene.horizon() < scene.duration ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end};
 }
 
+Curve thin(const Curve& curve, const TimeAxis& axis, std::size_t bins) {
+  return thin(axis.begin > 0 ? from_time(curve, axis.begin) : curve, axis.end, bins);
+}
+
 std::string shade_beyond(const TimeAxis& axis) {
   if (!axis.is_shaded()) return "";
   return fmt::format(
@@ -178,7 +182,7 @@ std::string shade_beyond(const TimeAxis& axis) {
 }
 
 std::string time_range(const TimeAxis& axis, double room) {
-  return fmt::format("set xrange [0:{}]\n", plain(room * axis.end)) + shade_beyond(axis);
+  return fmt::format("set xrange [{}:{}]\n", plain(axis.begin), plain(room * axis.end)) + shade_beyond(axis);
 }
 
 void explain_shade(const TimeAxis& axis, Legend& legend) {

@@ -54,6 +54,7 @@ struct TimeAxis {
   double end = 0;  ///< s
   /// After it motions diverge by nature, s; infinite where they can be compared to the end.
   double horizon = std::numeric_limits<double>::infinity();
+  double begin = 0;  ///< s
 
   /// Whether there is something beyond the horizon to be seen.
   bool is_shaded() const { return horizon < end; }
@@ -62,6 +63,9 @@ struct TimeAxis {
 /// Up to when one of some motions still moves: until then an angle is further from where it ends than a small
 /// part of what the first motion, the exact one where there is one, goes through.
 TimeAxis time_axis(const ComparedScene& scene, const std::vector<Run>& runs);
+
+/// The part of a curve that an axis shows, in fewer points, as thin().
+Curve thin(const Curve& curve, const TimeAxis& axis, std::size_t bins);
 
 /// What lies beyond the horizon, shaded in a panel over time.
 std::string shade_beyond(const TimeAxis& axis);

@@ -10,6 +10,7 @@
 
 #include "comparisons/measures/results/csv.hpp"
 #include "comparisons/measures/results/files.hpp"
+#include "plots/drawing/words.hpp"
 
 namespace rockstack::plots {
 namespace {
@@ -35,11 +36,12 @@ std::string script(const Drawing& drawing) {
   constexpr double usual = 125, dots = 300;  // pixels of pages that take an inch on paper, and dots in print
   const Paper& paper = drawing.paper;
   const double finer = paper.alone ? dots / paper.per_inch : 1, smaller = usual / paper.per_inch;
+  const std::string commands = legible(drawing.commands, paper.least);
   std::string text = "set encoding utf8\n" + drawing.data;
   const auto add = [&](const std::string& terminal, double mark, const char* format) {
     text += terminal + (paper.alone ? "set minussign\n" : "") +
             fmt::format("mark = {:.6g}\nset output 'picture.{}'\n{}\nunset output\nreset\n", mark, format,
-                        drawing.commands);
+                        commands);
   };
   const auto size = [&](double scale, const char* unit) {
     return fmt::format("size {0:.{2}f}{3},{1:.{2}f}{3}", drawing.width * scale, drawing.height * scale,

@@ -26,6 +26,7 @@ struct Paper {
   std::string font = "DejaVu Sans";
   double per_inch = 125;
   bool alone = false;  ///< whether the picture is for print alone, and has its size on paper in every format
+  double least = 0;    ///< size of letters, in points of a screen
 };
 
 /// A picture in gnuplot's words. `commands` are run once a format; point sizes are multiples of `mark`.
@@ -37,6 +38,8 @@ struct Drawing {
   double time_limit = 300;              ///< of gnuplot, s
   std::vector<DrawnPanel> panels = {};  ///< what it shows as numbers
   Paper paper = {};
+  std::string nothing = {};                ///< the reason why there is nothing to show, if there is not
+  std::vector<std::string> left_out = {};  ///< what is not in it, with the reasons
 };
 
 /// Text as a gnuplot string, to be drawn with `noenhanced`: in single quotes, within which gnuplot runs no

@@ -15,6 +15,12 @@ inline std::string plot_of(const std::string& block, const std::string& style) {
   return "$" + block + " using 1:2 " + style + " notitle";
 }
 
+/// How wide a letter of an axis is on paper, pixels.
+inline constexpr double printed_letter = 11.2;
+
+/// Lines of words as one gnuplot string.
+std::string joined_lines(const std::vector<std::string>& lines);
+
 /// One entry of a legend: a gnuplot style ("with lines …") and its words.
 using Legend = std::vector<std::pair<std::string, std::string>>;
 
@@ -40,10 +46,13 @@ struct SidePanel {
 class Sheet {
  public:
   /// Question and answer, "How …? …", have a line each; without title or question there is no room for them.
+  /// `paper`: how it is printed.
   Sheet(const std::string& title, const Legend& legend, const std::string& question = "",
-        double width = full_width);
+        double width = full_width, const Paper& paper = {});
 
   double width() const { return width_; }  ///< pixels
+  bool printed() const { return paper_.alone; }
+  double least() const { return paper_.least; }  ///< size of letters, in points of a screen
   /// Where panels end, a share of the width: as many pixels from the edge in any.
   double right() const { return right_; }
   double panel_width() const { return 1056 - (full_width - width_); }  ///< of one that goes across, pixels
@@ -61,7 +70,7 @@ class Sheet {
   void leave_room_above(double height) { below_ += height; }
 
   /// Leaves room for a second axis along the right edge of all panels that follow.
-  void leave_room_beside() { right_ -= 0.07; }
+  void leave_room_beside() { right_ -= 84 / width_; }
 
   /// Adds a line of words, if any, in a colour, #rrggbb, under the last panel's axis.
   void note(const std::string& text, const std::string& colour = "#000000") {
@@ -73,9 +82,6 @@ class Sheet {
   /// Tells the curves of a panel as numbers.
   void tell(DrawnPanel panel) { drawn_.push_back(std::move(panel)); }
 
-  /// Has it printed so.
-  void print_on(const Paper& paper) { paper_ = paper; }
-
   /// The drawing with room for the last panel's axis label. Precondition: there is a panel.
   Drawing finish() const;
 
@@ -83,13 +89,15 @@ class Sheet {
   struct Panel {
     double top, bottom;  ///< pixels from the figure's top edge
     double left, right;  ///< shares of the figure's width
-    std::string settings, plots;
+    SidePanel cell;
   };
+
+  std::vector<DrawnPanel> numbers() const;
 
   double below_ = 0;  ///< pixels used so far
   double width_, right_;
-  std::string title_, blocks_;
-  std::vector<std::string> question_;
+  std::vector<std::string> title_, question_;
+  std::string blocks_;
   Legend legend_;
   std::vector<Panel> panels_;
   std::vector<DrawnPanel> drawn_;
@@ -109,12 +117,15 @@ struct Series {
 inline constexpr std::size_t most_series = 6;
 
 /// The size of their panels, pixels.
-inline constexpr double multiple_width = 328, multiple_height = 160;
+inline constexpr double multiple_width = 328, multiple_height = 160, multiples_apart = 0.03;
 
-/// Adds a panel for each series, three in a row or as many as there are from `left` on, over `context`, which
-/// all of them show. `settings` are of every panel, `across` and `up` the words of the axes.
+/// Ranges and numbers of a panel of that width and height in pixels.
+using PanelSettings = std::function<std::string(double, double)>;
+
+/// Adds a panel for each series, three in a row or as many as there are or have room from `left` on, over
+/// `context`, which all of them show. `settings` are of every panel, `across` and `up` the words of the axes.
 void add_multiples(Sheet& sheet, const std::vector<Series>& series, const std::vector<std::string>& context,
-                   const std::string& settings, const std::string& across, const std::string& up,
+                   const PanelSettings& settings, const std::string& across, const std::string& up,
                    double left = left_edge);
 
 /// How far from a whole number, of an impact or a row, a series stands, so that series do not hide each

@@ -10,6 +10,19 @@ namespace rockstack::plots {
 /// A page shows no more rows than these.
 inline constexpr std::size_t most_rows = 36;
 
+/// Words beside the rows of a panel, in as many lines as they need.
+struct RowWords {
+  std::string tics;       ///< "set ytics …"
+  std::string blank;      ///< the same without words, beside further panels
+  double left = 0;        ///< where panels begin, a share of the figure's width
+  std::size_t lines = 1;  ///< of the row that has most
+
+  double row_height() const { return 10 + 16 * static_cast<double>(lines); }  ///< pixels
+};
+
+/// Rows are at whole numbers from `first` on, or down where `step` is −1.
+RowWords row_words(const std::vector<std::string>& rows, const Sheet& sheet, int first = 0, int step = 1);
+
 /// Rows are counted from 0, downwards.
 struct RowColumn {
   std::string across;              ///< words of its axis

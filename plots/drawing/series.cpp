@@ -74,6 +74,13 @@ std::string few_settings(const SeriesPanel& panel, double width) {
                          : without_horizontal_labels);
 }
 
+/// All words where the panel is high enough for them.
+const std::string& words_up(const Sheet& sheet, const SeriesPanel& panel) {
+  constexpr double letter = 10.5;  // pixels
+  const bool fits = letter * static_cast<double>(panel.up.size()) < panel.height;
+  return sheet.width() == full_width || (sheet.printed() && fits) ? panel.up : panel.short_up;
+}
+
 /// The series of runs that have a curve, which the sheet tells.
 std::vector<Series> curve_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,
                                  const std::vector<Curve>& curves, const std::string& stem,
@@ -149,8 +156,7 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
     const double width = sheet.width();
     sheet.row(panel.height, panel.space,
               {{few_settings(panel, sheet.panel_width()) +
-                    fmt::format("set ylabel {} noenhanced offset 0.5\n",
-                                in_quotes(width < full_width ? panel.short_up : panel.up)) +
+                    fmt::format("set ylabel {} noenhanced offset 0.5\n", in_quotes(words_up(sheet, panel))) +
                     panel.few,
                 plots}},
               1, panel.left * full_width / width);
@@ -159,8 +165,8 @@ void add_series(Sheet& sheet, const SeriesPanel& panel, const std::vector<Series
   std::vector<Series> shown = series;
   std::erase_if(shown, [](const Series& one) { return one.alone.empty(); });
   for (const Series& one : series) append(one.context, plots);
-  add_multiples(sheet, shown, plots, panel.axes(multiple_width, multiple_height) + panel.many, panel.across,
-                panel.short_up, panel.left);
+  const auto settings = [&](double width, double height) { return panel.axes(width, height) + panel.many; };
+  add_multiples(sheet, shown, plots, settings, panel.across, panel.short_up, panel.left);
 }
 
 void add_curves(Sheet& sheet, const SeriesPanel& panel, const std::vector<Run>& runs,

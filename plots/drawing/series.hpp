@@ -12,8 +12,7 @@ struct SeriesPanel {
   std::string across, up;  ///< words of the axes
   std::string short_up;    ///< of small panels
   bool numbered = true;    ///< whether the one panel of few has numbers across, or another one below it
-  /// Ranges and numbers of a panel of that width and height in pixels.
-  std::function<std::string(double, double)> axes;
+  PanelSettings axes;
   double height = 0, space = 16;        ///< of the one panel of few, and above it, pixels
   std::vector<std::string> under = {};  ///< drawn before all series
   std::vector<std::string> over = {};   ///< and after, in the one panel of few

@@ -121,6 +121,13 @@ Curve simplified(const Curve& curve, double tolerance) {
   return pick(points, kept);
 }
 
+Curve from_time(const Curve& curve, double begin) {
+  const auto after = std::ranges::upper_bound(curve.times, begin) - curve.times.begin();
+  const auto skipped = std::max<std::ptrdiff_t>(after - 1, 0);
+  return {{curve.times.begin() + skipped, curve.times.end()},
+          {curve.values.begin() + skipped, curve.values.end()}};
+}
+
 Curve envelope(const Curve& curve, double end, std::size_t bins, double floor) {
   assert(bins >= 1 && floor > 0 && curve.times.size() == curve.values.size());
   Curve points = shown_points(curve, end);

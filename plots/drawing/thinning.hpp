@@ -25,6 +25,9 @@ bool lies_on(const Curve& curve, const Curve& other, double share);
 /// Values that are not finite are dropped. Precondition: bins ≥ 1.
 Curve thin(const Curve& curve, double end, std::size_t bins);
 
+/// The part from another time on, with the sample before it.
+Curve from_time(const Curve& curve, double begin);
+
 /// The largest absolute value of each of `bins` equal bins of the time that an axis shows up to `end`, at its
 /// own time, but not under `floor`: a logarithmic axis can show that of a curve that crosses zero.
 /// Preconditions: bins ≥ 1, floor > 0.

@@ -10,7 +10,6 @@ namespace rockstack::plots {
 using DrawScene = Drawing(const SceneSubject&);
 using DrawComparison = Drawings(const ComparisonSubject&);
 using DrawFolder = Drawings(const FolderSubject&);
-using DrawPrint = Printed(const PrintSubject&);
 #include "plots/figures/drawers.inc"
 DrawComparison solver_scores;
 
@@ -21,7 +20,7 @@ Figure figure(const std::string& name, const decltype(Figure::of)& of) {
   static const std::vector<Paragraph> list = paragraphs(figures_txt);
   const Paragraph& words = *std::ranges::find(list, name, &Paragraph::name);
   const std::size_t end = words.words.find("? ") + 1;
-  return {name, words.kind.substr(words.kind.find("| ") + 2), words.words.substr(0, end),
+  return {name, words.kind.substr(words.kind.find("} | ") + 4), words.words.substr(0, end),
           words.words.substr(end + 1), of};
 }
 
@@ -59,10 +58,6 @@ std::vector<Figure> all_figures() {
   return list;
 }
 
-Paper paper_of(const PrintStyle& style) {
-  return {style.font, pixels_per_inch(style), true};
-}
-
 void draw_all(const Figure& figure, const Drawings& drawings, const fs::path& results) {
   for (const auto& [part, drawing] : drawings)
     draw(drawing, results / "figures" / (part.empty() ? figure.name : figure.name + "." + part));
@@ -75,10 +70,11 @@ const std::vector<Figure>& figures() {
   return list;
 }
 
-std::vector<const Figure*> figures_of(const ComparedScene& scene) {
+std::vector<const Figure*> figures_of(const ComparedScene& scene, bool in_print) {
   std::vector<const Figure*> list;
   for (const Figure& figure : figures())
-    if (const auto* of = std::get_if<SceneFigure>(&figure.of); of != nullptr && of->needs(scene))
+    if (const auto* of = std::get_if<SceneFigure>(&figure.of);
+        of != nullptr && of->needs(scene) && (in_print || !figure.has(print_alone)))
       list.push_back(&figure);
   return list;
 }
@@ -94,40 +90,38 @@ const Figure* figure_in(const std::string& stem) {
 void draw_figures(const fs::path& results, const Comparison& comparison) {
   for (const ComparedScene& scene : comparison.scenes)
     for (const Figure* figure : figures_of(scene))
-      draw(std::get<SceneFigure>(figure->of).draw({*figure, comparison, scene}),
+      draw(std::get<SceneFigure>(figure->of).draw({{*figure}, comparison, scene}),
            figure_stem(results, scene, *figure));
   for (const Figure& figure : figures())
     if (const auto* of = std::get_if<ComparisonFigure>(&figure.of); of != nullptr)
-      draw_all(figure, of->draw({figure, comparison}), results);
+      draw_all(figure, of->draw({{figure}, comparison}), results);
 }
 
 void draw_figures(const fs::path& results) {
   for (const Figure& figure : figures()) {
     const auto* of = std::get_if<FolderFigure>(&figure.of);
     if (of == nullptr || !fs::exists(table_file(results / of->needs))) continue;
-    Drawings drawings = of->draw({figure, results});
-    if (of->narrow) drawings[narrow_part] = of->draw({figure, results, narrow_width}).at("");
+    Drawings drawings = of->draw({{figure}, results});
+    if (figure.has(narrow)) drawings[narrow_part] = of->draw({{figure}, results, narrow_width}).at("");
     draw_all(figure, drawings, results);
   }
 }
 
-Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
-                           const std::string& answer) const {
-  if (print == nullptr)
-    return width < full_width ? Sheet("", legend, "", width) : figure.sheet(heading, legend, answer);
-  Sheet sheet(print->titles ? heading : "", legend, "", width);
-  sheet.print_on(paper_of(*print));
-  return sheet;
+Sheet Subject::sheet(const std::string& heading, const Legend& legend, const std::string& answer,
+                     double width) const {
+  if (print == nullptr) return {heading, legend, figure.question + " " + answer, width};
+  return {print->titles ? heading : "", legend, "", print_width(*print),
+          Paper{print->font, pixels_per_inch(*print), true, least_size(*print)}};
 }
 
-Sheet PrintSubject::sheet(const Legend& legend) const {
-  Sheet sheet(style.titles ? scene.heading : "", legend, "", print_width(style));
-  sheet.print_on(paper_of(style));
-  return sheet;
+Sheet FolderSubject::sheet(const std::string& heading, const Legend& legend,
+                           const std::string& answer) const {
+  const bool is_narrow = print == nullptr && width < full_width;
+  return is_narrow ? Sheet("", legend, "", width) : Subject::sheet(heading, legend, answer);
 }
 
 Sheet SceneSubject::sheet(const Legend& legend, const std::string& answer) const {
-  return on_slide ? Sheet("", legend, "", slide_width) : figure.sheet(scene.heading, legend, answer);
+  return on_slide ? Sheet("", legend, "", slide_width) : Subject::sheet(scene.heading, legend, answer);
 }
 
 RunSelection SceneSubject::shown(const std::vector<std::string>& files) const {
@@ -139,8 +133,18 @@ RunSelection SceneSubject::shown(const std::vector<std::string>& files) const {
   return shown;
 }
 
+TimeAxis SceneSubject::asked(TimeAxis axis) const {
+  if (print == nullptr) return axis;
+  axis.begin = print->from;
+  axis.end = std::min(axis.end, print->to);
+  if (!(axis.begin < axis.end))
+    throw InputError(fmt::format("from = {}: must be before {:.4g} s, where the motion of {} ends",
+                                 number_text(axis.begin), axis.end, scene.title));
+  return axis;
+}
+
 TimeAxis SceneSubject::time_axis(const std::vector<Run>& runs, Legend& legend) const {
-  const TimeAxis axis = plots::time_axis(scene, runs);
+  const TimeAxis axis = time_axis(runs);
   explain_shade(axis, legend);
   return axis;
 }

@@ -52,9 +52,9 @@ double letter_width(char letter) {
   return std::string_view("fijlrtI .,:;'|!()-").find(letter) != std::string_view::npos ? 0.28 : 0.5;
 }
 
-Box box_of(const ShownText& text) {
+Box box_of(const ShownText& text, double wider) {
   double width = 0;
-  for (const char letter : text.words) width += letter_width(letter) * text.size;
+  for (const char letter : text.words) width += wider * letter_width(letter) * text.size;
   const double before = text.anchor == "start" ? 0 : text.anchor == "middle" ? width / 2 : width;
   const double height = 0.6 * text.size;
   return text.turned ? Box{text.x - height, text.x, text.y - width + before, text.y + before}
@@ -130,14 +130,14 @@ std::string shown_colour(const std::string& hexadecimal) {
   return text;
 }
 
-std::vector<std::string> collisions(const Picture& picture) {
+std::vector<std::string> collisions(const Picture& picture, double wider) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < picture.texts.size(); ++i) {
-    const Box one = box_of(picture.texts[i]);
+    const Box one = box_of(picture.texts[i], wider);
     if (one.left < 0 || one.right > picture.width || one.low < 0 || one.high > picture.height)
       list.push_back(picture.texts[i].words + " reaches over the edge");
     for (std::size_t j = 0; j < i; ++j)
-      if (meet(one, box_of(picture.texts[j])))
+      if (meet(one, box_of(picture.texts[j], wider)))
         list.push_back(picture.texts[i].words + " lies on " + picture.texts[j].words);
   }
   return list;

@@ -45,8 +45,8 @@ Picture read_picture(const std::filesystem::path& svg);
 std::string shown_colour(const std::string& hexadecimal);
 
 /// Texts that lie on each other or reach over the picture's edge, by their words. Letters are taken a little
-/// narrower than they are, so that what is told is so.
-std::vector<std::string> collisions(const Picture& picture);
+/// narrower than they are, so that what is told is so, times `wider`.
+std::vector<std::string> collisions(const Picture& picture, double wider = 1);
 
 /// An axis as its numbers say: value = at + slope × pixel. Of those numbers that stand at the left of a panel
 /// whose tics lie between two heights, or below it between two places.

@@ -8,7 +8,7 @@ namespace rockstack {
 namespace {
 
 std::vector<std::string> texts(const Node& array) {
-  return mapped(entries(array, "an array of at least one name, e.g. [\"θ2\", \"slip\"]"),
+  return mapped(entries(array, "an array of at least one name"),
                 [](const Node& child) { return text(child); });
 }
 
@@ -56,6 +56,9 @@ const KeysOf<PrintStyle> print_keys{
       [](const Node& node, PrintStyle& style) {
         style.titles = choice<bool>(node, {{"scene", true}, {"none", false}});
       }},
+     {{"figures", "[\"motion\", \"error-step\"]", "", "names of figures that the results have", no_default,
+       "which are drawn; left out: all for which the other keys have a meaning"},
+      [](const Node& node, PrintStyle& style) { style.figures = texts(node); }},
      {{"panels", "[\"θ2\", \"slip\"]", "", "quantities over time, θ2 of one block or θ of all", no_default,
        "what the figure of a motion shows; left out: all angles"},
       [](const Node& node, PrintStyle& style) { style.panels = texts(node); }},

@@ -10,14 +10,15 @@ struct PrintStyle {
   enum class Unit { automatic, rad, mrad, deg };
 
   Kind style = Kind::paper;
-  double width = 88;                     ///< mm, 50 to 400
-  std::string font = "DejaVu Sans";      ///< family
-  double font_size = 8;                  ///< pt, 4 to 24
-  Unit unit = Unit::automatic;           ///< of angles
-  bool titles = true;                    ///< whether a figure has its scene's title
-  std::vector<std::string> panels = {};  ///< over time, "θ2", or "slip" for all blocks; empty: all angles
-  double from = 0;                       ///< where axes of time begin, s
-  double to = HUGE_VAL;                  ///< and where they end at the latest, s
+  double width = 88;                      ///< mm, 50 to 400
+  std::string font = "DejaVu Sans";       ///< family
+  double font_size = 8;                   ///< pt, 4 to 24
+  Unit unit = Unit::automatic;            ///< of angles
+  bool titles = true;                     ///< whether a figure has its scene's title
+  std::vector<std::string> figures = {};  ///< names, "error-step"; empty: all that can show what is asked
+  std::vector<std::string> panels = {};   ///< over time, "θ2", or "slip" for all blocks; empty: all angles
+  double from = 0;                        ///< where axes of time begin, s
+  double to = HUGE_VAL;                   ///< and where they end at the latest, s
 };
 
 extern const KeysOf<PrintStyle> print_keys;

@@ -218,11 +218,16 @@ Drawings agreement(const ComparisonSubject& subject) {
   if (std::ranges::none_of(comparison.runs, [](const Run& run) { return is_shown(run) && run.error; }))
     return {};
   const Legend legend = legend_of(comparison, frame);
-  const std::string question = subject.figure.question + " " + answer(comparison);
   const bool player = std::ranges::any_of(
       comparison.scenes, [&](const ComparedScene& scene) { return has_motion(comparison, scene); });
-  return {{"", drawn(Sheet(comparison.title, legend, question, player ? shared_width : full_width),
-                     comparison, frame, player ? beside_a_player : scenes_in_a_row)},
+  const Sheet sheet =
+      subject.sheet(comparison.title, legend, answer(comparison), player ? shared_width : full_width);
+  if (sheet.printed()) {
+    constexpr double room = 300;  // pixels of a scene
+    return {
+        {"", drawn(sheet, comparison, frame, static_cast<std::size_t>(std::max(1.0, sheet.width() / room)))}};
+  }
+  return {{"", drawn(sheet, comparison, frame, player ? beside_a_player : scenes_in_a_row)},
           {narrow_part, drawn(Sheet("", legend, "", narrow_width), comparison, frame, 1)}};
 }
 

@@ -110,7 +110,8 @@ Drawing draw_errors(const SceneSubject& subject, const Errors& errors) {
     sheet.data(number_block(fmt::format("errors_{}", i), line.errors));
     if (line.fits()) sheet.data(data_block(fmt::format("fitted_{}", i), fitted_curve(line)));
   }
-  SeriesPanel panel{"time step (s)", errors.axis, errors.short_axis, true, axes_of(lines), 560, 0};
+  SeriesPanel panel{
+      "time step (s)", errors.axis, errors.short_axis, true, axes_of(lines), subject.height(560, 560), 0};
   if (many) panel.under = {context_marks(sheet, all)};
   add_series(sheet, panel, series, many);
   for (const ErrorLine& line : lines)

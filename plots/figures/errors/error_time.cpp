@@ -21,14 +21,18 @@ struct CostLine {
 /// An error of runs, with its quartiles.
 struct Measure {
   std::optional<double> RunMetrics::*value, RunMetrics::*lower, RunMetrics::*upper;
-  const char* words;  ///< of an axis
+  const char *words, *short_words;  ///< of an axis
   const char* unit;
 };
-constexpr Measure of_angles{&RunMetrics::rms_angle_difference, &RunMetrics::rms_angle_difference_lower,
-                            &RunMetrics::rms_angle_difference_upper, "RMS angle difference (rad)", "rad"};
-constexpr Measure of_both{&RunMetrics::error, &RunMetrics::error_lower, &RunMetrics::error_upper,
-                          "RMS error (rad; centres: over the least height)",
-                          "(rad, or of the least block height)"};
+constexpr Measure of_angles{&RunMetrics::rms_angle_difference,
+                            &RunMetrics::rms_angle_difference_lower,
+                            &RunMetrics::rms_angle_difference_upper,
+                            "RMS angle difference (rad)",
+                            "RMS (rad)",
+                            "rad"};
+constexpr Measure of_both{&RunMetrics::error,       &RunMetrics::error_lower,
+                          &RunMetrics::error_upper, "RMS error (rad; centres: over the least height)",
+                          "RMS (rad; –)",           "(rad, or of the least block height)"};
 
 /// Centres count as well where blocks fly in the exact motion, as angles do not tell where they are.
 const Measure& measure_of(const SceneSubject& subject) {
@@ -262,7 +266,7 @@ Drawing error_time(const SceneSubject& subject) {
   const auto axes = logarithmic_axes(frame.across, frame.up);
   const double height = subject.height(520, 520);
   const char* across = many ? "stepping time a second (s)" : "stepping time for one second of motion (s)";
-  SeriesPanel panel{across, measure.words, "RMS", true, axes, height, 0};
+  SeriesPanel panel{across, measure.words, measure.short_words, true, axes, height, 0};
   panel.under = many ? std::vector{context_marks(sheet, all)} : floors(lines);
   panel.few = guides + exact_line(exact, true) + labels(lines, slopes, frame, sheet.panel_width(), height);
   panel.many = guides + exact_line(exact, false);

@@ -1,4 +1,5 @@
 #include "plots/data/run_files.hpp"
+#include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 
 // Figures over slightly perturbed scenes.
@@ -100,7 +101,8 @@ Series series_of(const Sample& sample, const std::string& block, std::size_t ord
           {plot_of(block, fmt::format("with steps lw 1 lc rgb '{}'", context_colour))}};
 }
 
-void add_quantity(Sheet& sheet, const Quantity& quantity, const std::vector<Run>& runs) {
+void add_quantity(Sheet& sheet, const SceneSubject& subject, const Quantity& quantity,
+                  const std::vector<Run>& runs) {
   const std::vector<Sample> samples = samples_of(runs, quantity.block);
   if (samples.empty()) return;
   Extent reach;
@@ -117,17 +119,20 @@ void add_quantity(Sheet& sheet, const Quantity& quantity, const std::vector<Run>
     return linear_range("x", reach.low, reach.high, width) + "set yrange [-0.02:1.02]\nset ytics 0.2\n" +
            grid_lines;
   };
-  add_series(sheet, {quantity.axis, "share of scenes", "share", true, axes, 320, 84}, series, are_many(runs));
+  add_series(sheet, {quantity.axis, "share of scenes", "share", true, axes, subject.height(320, 320), 84},
+             series, are_many(runs));
 }
 
 /// Words over the row of a share, which stay inside the panel.
-std::string label_of(const Run& run, const Share& share, std::size_t row) {
+std::string label_of(const Run& run, const Share& share, std::size_t row, bool in_print) {
   const std::string count = fmt::format("{} of {}", share.toppled, share.of);
-  const bool right = share.value() > 0.5;
-  return fmt::format(
-      "set label {} noenhanced at {}, {} {} offset 0,0.9 font ',11' front\n",
-      in_quotes(run.exact() ? count : fmt::format("{}; {} as the exact solution says", count, share.agree)),
-      plain(right ? share.bounds().upper : share.bounds().lower), row, right ? "right" : "left");
+  const bool right = share.value() > 0.5 && !in_print;
+  const double place = in_print ? 0.02 : right ? share.bounds().upper : share.bounds().lower;
+  return fmt::format("set label {} noenhanced at {}, {} {} offset 0,0.9 font ',11' front\n",
+                     in_quotes(run.exact() ? count
+                                           : fmt::format("{}; {} as the exact {}", count, share.agree,
+                                                         in_print ? "one" : "solution says")),
+                     plain(place), row, right ? "right" : "left");
 }
 
 }  // namespace
@@ -138,7 +143,7 @@ Drawing distributions(const SceneSubject& subject) {
     return run.exact() ? style(run) : mark_style(run, 1.6);
   };
   Sheet sheet = subject.sheet(legend_of(runs, look), answer(subject));
-  for (const Quantity& quantity : quantities_of(subject.scene)) add_quantity(sheet, quantity, runs);
+  for (const Quantity& quantity : quantities_of(subject.scene)) add_quantity(sheet, subject, quantity, runs);
   add_distances(sheet, subject, runs);
   return sheet.finish();
 }
@@ -164,15 +169,16 @@ Drawing toppling(const SceneSubject& subject) {
     plots.add({{share.value(), static_cast<double>(row), share.bounds().lower, share.bounds().upper}},
               {fmt::format("using 1:2:3:4 with xerrorbars lw 2 lc rgb '{}' pt 0", style_of(run).colour),
                "using 1:2 " + mark_style(run, 1.8)});
-    settings += label_of(run, share, row);
+    settings += label_of(run, share, row, sheet.printed());
     names.push_back(run_label(run));
   }
   const auto rows = static_cast<double>(names.size());
+  const RowWords beside = row_words(names, sheet);
   settings += fmt::format(
-      "set xrange [0:1]\nset yrange [{}:-0.7]\nset ytics ({}) noenhanced\n"
+      "set xrange [0:1]\nset yrange [{}:-0.7]\n{}"
       "set grid x lt 1 dt solid lw 1 lc rgb '#E4E4E4'\nset xlabel 'share of scenes that topple'\n",
-      rows - 0.5, word_tics(names));
-  sheet.row(52 * rows, 0, {{settings, plots.list()}}, 1, 0.4);
+      rows - 0.5, beside.tics);
+  sheet.row(52 * rows, 0, {{settings, plots.list()}}, 1, beside.left);
   sheet.note("bars: 95 % bounds of each share; grey: those of the exact one");
   return sheet.finish();
 }

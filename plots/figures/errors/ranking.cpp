@@ -122,11 +122,11 @@ Drawing drawing(const ComparisonSubject& subject, const SolverQuestion& question
   const std::size_t all = list.size(), scenes = list.front().runs.size();
   list.resize(std::min(list.size(), most_rows));
   const Run& first = list.front().runs.front();
-  Sheet sheet = subject.figure.sheet(subject.comparison.title, {},
-                                     question.name == "accuracy"
-                                         ? first_of_all(subject.comparison)
-                                         : fmt::format("{}: {:.2g} in the median of {} scenes",
-                                                       line_label(first), list.front().median, scenes));
+  Sheet sheet = subject.sheet(subject.comparison.title, {},
+                              question.name == "accuracy"
+                                  ? first_of_all(subject.comparison)
+                                  : fmt::format("{}: {:.2g} in the median of {} scenes", line_label(first),
+                                                list.front().median, scenes));
   const Extent reach = reach_of(list);
   RowPanel panel{{}, reach.low, reach.high};
   Plots plots(sheet, "row");

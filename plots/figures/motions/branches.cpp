@@ -66,13 +66,12 @@ void add_tree(Sheet& sheet, const std::vector<BranchRow>& rows, const std::strin
     if (row.end > own_end) tree.add({{own_end, level}, {row.end, level}}, {line + "3 dt (4,4)"});
     label(row.words, row.end, level, "left offset 0.6,0");
     if (!row.takes.empty()) label(row.takes, start, level, "left offset 0.4,0.55");
-    numbers.push_back(std::to_string(i + 1));
+    numbers.push_back(fmt::format("branch {}", i + 1));
   }
   const auto size = static_cast<double>(rows.size());
   sheet.panel(34 * (size + 0.4), 16,
               range + time_numbers + labels +
-                  fmt::format("set yrange [{}:0.3]\nset ytics ({})\nset ylabel 'branch'\n", size + 0.7,
-                              word_tics(numbers, 1)),
+                  fmt::format("set yrange [{}:0.3]\nset ytics ({})\n", size + 0.7, word_tics(numbers, 1)),
               tree.list());
 }
 
@@ -85,9 +84,9 @@ Drawings branches(const FolderSubject& subject) {
     legend.emplace_back(fmt::format("with lines lw 3 lc rgb '{}'", colour_of(i)),
                         fmt::format("branch {}", i + 1));
   const auto unlike = std::ranges::count_if(rows, [](const BranchRow& row) { return std::isnan(row.like); });
-  Sheet sheet = subject.figure.sheet(
-      read_json(subject.folder / "summary.json").at("title"), legend,
-      fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike));
+  Sheet sheet =
+      subject.sheet(read_json(subject.folder / "summary.json").at("title"), legend,
+                    fmt::format("{} branches, {} of them unlike all before them", rows.size(), unlike));
   constexpr double room = 1.2;  // of time, for words behind the end
   double end = 0;
   for (const BranchRow& row : rows) end = std::max(end, row.end);
@@ -104,7 +103,7 @@ Drawings branches(const FolderSubject& subject) {
       told.curves.back().colour = colour_of(i);
     }
     sheet.tell(std::move(told));
-    sheet.panel(panel_height(blocks + 1), 16,
+    sheet.panel(subject.height(panel_height(blocks + 1)), 26,
                 range + without_horizontal_labels + grid_lines +
                     fmt::format("set ylabel '{} (rad)' offset 0.5\n", angle_name(k + 1)),
                 angles.list());

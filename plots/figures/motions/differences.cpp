@@ -1,9 +1,13 @@
 #include "comparisons/measures/results/csv.hpp"
 #include "plots/data/run_files.hpp"
+#include "plots/drawing/rows.hpp"
 #include "plots/figures/figure.hpp"
 
 namespace rockstack::plots {
 namespace {
+
+/// Behind the axis' end, so that marks of runs that agree to the end stand free.
+constexpr double room_for_marks = 1.012;
 
 /// Absolute differences of one engine run, one curve a block, and how long each replicate agrees.
 struct Departure {
@@ -12,8 +16,8 @@ struct Departure {
   std::vector<double> agreement_times;  ///< s, rising; one where there are no replicates
 };
 
-/// One curve a block up to `end`, or where `together` is set one of the largest of all of them.
-Departure read_departure(const Run& run, int blocks, double end, std::size_t bins, bool together) {
+/// One curve a block along the axis, or where `together` is set one of the largest of all of them.
+Departure read_departure(const Run& run, int blocks, const TimeAxis& axis, std::size_t bins, bool together) {
   std::vector<std::string> names = numbered("difference_", blocks);
   names.insert(names.begin(), "time");
   std::vector<std::vector<double>> columns = read_columns(run.shown_folder() / "difference.csv", names);
@@ -28,7 +32,8 @@ Departure read_departure(const Run& run, int blocks, double end, std::size_t bin
   if (departure.agreement_times.empty()) departure.agreement_times = {value_of(run.agreement_time)};
   constexpr double nothing = 1e-30;  // under every axis: a curve that is nearer leaves the panel
   for (std::size_t k = 1; k < columns.size(); ++k)
-    departure.sizes.push_back(envelope(Curve{columns[0], std::move(columns[k])}, end, bins, nothing));
+    departure.sizes.push_back(envelope(from_time({columns[0], std::move(columns[k])}, axis.begin),
+                                       room_for_marks * axis.end, bins, nothing));
   return departure;
 }
 
@@ -46,13 +51,11 @@ Extent range_of(const std::vector<Departure>& departures, double tolerance) {
           std::pow(10, std::ceil(std::log10(reach.high) - 1e-9))};
 }
 
-/// Behind the axis' end, so that marks of runs that agree to the end stand free.
-constexpr double room_for_marks = 1.012;
-
 /// One panel a curve of each run; small ones where runs are many, whose curve is that of all blocks.
 void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Departure>& departures,
                 const TimeAxis& axis, bool together) {
-  const double tolerance = subject.comparison.tolerance;
+  const AngleUnit unit = subject.unit(1);
+  const double tolerance = unit.scale * subject.comparison.tolerance;
   const Extent range = range_of(departures, tolerance);
   const std::size_t panels = departures.front().sizes.size();
   const double usual = panel_height(static_cast<int>(panels)),
@@ -60,8 +63,11 @@ void add_panels(Sheet& sheet, const SceneSubject& subject, const std::vector<Dep
   const std::vector<Run> runs = mapped(departures, &Departure::run);
   for (std::size_t k = 0; k < panels; ++k) {
     const auto sizes = mapped(departures, [&](const Departure& one) { return one.sizes[k]; });
-    const std::string words = together ? (subject.on_slide ? "|Δθ| (rad)" : "largest |Δθ| (rad)")
-                                       : fmt::format("|Δ{}| (rad)", angle_name(static_cast<int>(k) + 1));
+    const std::string words =
+        fmt::format("{} ({})",
+                    together ? (subject.on_slide ? "|Δθ|" : "largest |Δθ|")
+                             : fmt::format("|Δ{}|", angle_name(static_cast<int>(k) + 1)),
+                    unit.name);
     const auto axes = [&](double, double up) {
       return time_range(axis, room_for_marks) + logarithmic_range("y", range.low, range.high, up) +
              grid_lines;
@@ -83,7 +89,6 @@ double agreement_of(const Departure& one, double tolerance, double horizon) {
 /// does not up to the horizon, beyond which nothing is compared.
 void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, const TimeAxis& axis,
                     double tolerance, double horizon) {
-  const double row_height = sheet.width() < full_width ? 15 : 22;
   const auto rows = static_cast<double>(departures.size());
   const bool named = departures.size() > most_series;
   Plots plots(sheet, "agree");
@@ -99,18 +104,20 @@ void add_agreements(Sheet& sheet, const std::vector<Departure>& departures, cons
     if (agrees >= horizon) plots.add({mark(agrees)}, {"using 1:2:('≥') with labels right offset -1.2,0"});
     names.push_back(line_label(one.run));
   }
+  const RowWords beside = row_words(names, sheet, static_cast<int>(names.size()), -1);
   const std::string words =
       named
-          ? fmt::format("set ytics ({}) noenhanced font ',11'\n",
-                        word_tics(names, static_cast<int>(names.size()), -1))
+          ? beside.tics
           : "unset ytics\nset label 2 'agrees until' at graph 0, graph 0.5 right offset -0.6,0 font ',12'\n";
+  const double usual = sheet.width() == slide_width ? 15 : 22,
+               row_height = named && beside.lines > 1 ? beside.row_height() : usual;
   sheet.row(row_height * (rows + 1), named ? 84 : 20,
             {{time_range(axis, room_for_marks) +
                   fmt::format("set yrange [0:{}]\nset xlabel '{}time (s)'\n", rows + 1,
                               named ? "agrees until " : "") +
                   grid_lines + words,
               plots.list()}},
-            1, named ? 0.34 : left_edge * full_width / sheet.width());
+            1, named ? beside.left : left_edge * full_width / sheet.width());
 }
 
 std::string answer(const std::vector<Departure>& departures, const ComparedScene& scene, double tolerance) {
@@ -152,7 +159,9 @@ Drawing differences(const SceneSubject& subject) {
                         "below, where a replicate leaves it; large: their median");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   const std::vector<Departure> departures = mapped(runs, [&](const Run& run) {
-    return read_departure(run, scene.block_count(), room_for_marks * axis.end, bins_for(curves), together);
+    Departure one = read_departure(run, scene.block_count(), axis, bins_for(curves), together);
+    scale(one.sizes, subject.unit(1).scale);
+    return one;
   });
   Sheet sheet = subject.sheet(legend, answer(departures, scene, tolerance));
   add_panels(sheet, subject, departures, axis, together);

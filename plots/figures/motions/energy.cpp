@@ -45,13 +45,13 @@ Curve medians(const std::vector<double>& times, const std::vector<double>& value
   return levels;
 }
 
-Energies read_energies(const Run& run, const RunSelection& shown, double end, std::size_t bins) {
+Energies read_energies(const Run& run, const RunSelection& shown, const TimeAxis& axis, std::size_t bins) {
   const auto file = energies_of(run);
   std::vector<double> apart;
   for (std::size_t i = 0; i < file->times.size(); ++i)
     apart.push_back(file->balance[i] + file->input[i] - file->exact[i]);
-  const double last = file->times.empty() ? end : std::min(end, std::max(file->times.back(), 1e-9));
-  return {run, thin({file->times, file->exact}, end, bins), thin({file->times, file->engine}, end, bins),
+  const double last = file->times.empty() ? axis.end : std::min(axis.end, std::max(file->times.back(), 1e-9));
+  return {run, thin({file->times, file->exact}, axis, bins), thin({file->times, file->engine}, axis, bins),
           medians(file->times, apart, stretches(shown, last))};
 }
 
@@ -83,7 +83,7 @@ Drawing energy(const SceneSubject& subject) {
   if (many) legend.emplace_back(in_grey, "engines");
   const TimeAxis axis = subject.time_axis(all_runs(shown), legend);
   const std::vector<Energies> all = mapped(shown.engines, [&](const Run& run) {
-    return read_energies(run, shown, axis.end, bins_for(3 * shown.engines.size()));
+    return read_energies(run, shown, axis, bins_for(3 * shown.engines.size()));
   });
   Sheet sheet = subject.sheet(legend, answer(all));
   const auto last = [](const Energies& one) { return one.exact.times.empty() ? 0 : one.exact.times.back(); };

@@ -36,7 +36,8 @@ std::vector<double> weights_of(const ComparedScene& scene) {
 }
 
 /// Both forces of each interface in turn.
-std::vector<ForcePanel> read_panels(const std::vector<Run>& runs, const ComparedScene& scene, double end) {
+std::vector<ForcePanel> read_panels(const std::vector<Run>& runs, const ComparedScene& scene,
+                                    const TimeAxis& axis) {
   const std::size_t blocks = scene.blocks.size(), bins = bins_for(2 * blocks * runs.size());
   std::vector<ForcePanel> panels;
   for (std::size_t k = 1; k <= blocks; ++k)
@@ -45,7 +46,7 @@ std::vector<ForcePanel> read_panels(const std::vector<Run>& runs, const Compared
   for (const Run& run : runs) {
     const std::vector<Curve> curves = forces_of(run, weights_of(scene));
     for (std::size_t p = 0; p < panels.size(); ++p)
-      panels[p].curves.push_back(thin(curves[p / 2 + (p % 2) * blocks], end, bins));
+      panels[p].curves.push_back(thin(curves[p / 2 + (p % 2) * blocks], axis, bins));
   }
   return panels;
 }
@@ -106,7 +107,7 @@ Drawing forces(const SceneSubject& subject) {
   if (runs.empty()) return subject.nothing("No run of this scene tells its forces.");
   Legend legend = legend_of(runs, curve_style);
   const TimeAxis axis = subject.time_axis(runs, legend);
-  const std::vector<ForcePanel> panels = read_panels(runs, scene, axis.end);
+  const std::vector<ForcePanel> panels = read_panels(runs, scene, axis);
   const std::string off = percent_span(shown.engines, &RunMetrics::normal_force_error);
   Sheet sheet = subject.sheet(
       legend,

@@ -25,11 +25,11 @@ double reach_of(double largest) {
 }
 
 void add_axis(Sheet& sheet, const std::string& name, const Curve& curve, const TimeAxis& axis, bool last) {
-  const auto at = std::ranges::max_element(curve.values, {}, [](double value) { return std::abs(value); });
+  const Curve shown = thin(curve, axis, bins_for(2));
+  const auto at = std::ranges::max_element(shown.values, {}, [](double value) { return std::abs(value); });
   const double peak = *at, reach = reach_of(std::abs(peak)),
-               time = curve.times[static_cast<std::size_t>(at - curve.values.begin())];
+               time = shown.times[static_cast<std::size_t>(at - shown.values.begin())];
   constexpr double height = 220;
-  const Curve shown = thin(curve, axis.end, bins_for(2));
   sheet.data(data_block(name, shown));
   sheet.tell({"time (s)", name + " (m/s²)", false, {{name, "#1A1A1A", shown}}});
   sheet.panel(height, 16,
@@ -123,7 +123,7 @@ Drawing ground_motion(const SceneSubject& subject) {
   if (peak == 0) return subject.nothing("the ground stands still");
   const double end = columns[0].back();
   const TimeAxis axis =
-      scene.horizon() < scene.duration ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end};
+      subject.asked(scene.horizon() < scene.duration ? TimeAxis{end, scene.horizon()} : TimeAxis{.end = end});
   Legend legend;
   explain_shade(axis, legend);
   Sheet sheet = subject.sheet(

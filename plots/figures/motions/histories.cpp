@@ -7,13 +7,14 @@ namespace rockstack::plots {
 namespace {
 
 /// Ticks that hang from the upper edge of a panel of so many pixels, no two nearer than one of them.
-std::string impact_ticks(const Run& first, int block, double end, double width) {
+std::string impact_ticks(const Run& first, int block, const TimeAxis& axis, double width) {
   std::string text;
   if (!first.exact()) return text;
+  const double end = axis.end, length = end - axis.begin;
   double last = -end;
   for (const double time : impact_times(*history_of(first), block + 1)) {
     if (time > end) break;
-    if (time - last < end / width) continue;
+    if (time < axis.begin || time - last < length / width) continue;
     text += fmt::format("set arrow from {0}, graph 1 to {0}, graph 0.94 nohead lw 2 lc rgb '#000000' front\n",
                         plain(time));
     last = time;
@@ -27,20 +28,21 @@ constexpr std::array tints{"#DCE9F5", "#FBE3C4", "#D5EFE3", "#F4D9E6", "#EFEBC0"
 
 /// One box a span, named where it is wide enough in a figure so many pixels wide; spans under a pixel belong
 /// to the one before.
-std::string pattern_band(const std::vector<PatternSpan>& spans, double end, double width) {
+std::string pattern_band(const std::vector<PatternSpan>& spans, const TimeAxis& axis, double width) {
   std::string text;
   std::map<std::string, std::size_t> tint_of;
-  double from = 0;
+  const double end = axis.end, length = end - axis.begin;
+  double from = axis.begin;
   for (std::size_t i = 0; i < spans.size() && from < end; ++i) {
     const bool last = i + 1 == spans.size();
     const double to = last ? end : std::min(spans[i].to, end);
-    if (to - from < end / 1100 && !last) continue;
+    if (to - from < length / 1100 && !last) continue;
     const std::string pattern = name(spans[i].pattern);
     const std::size_t tint = tint_of.try_emplace(pattern, tint_of.size()).first->second;
     text += fmt::format(
         "set object rectangle from {}, graph 0 to {}, graph 1 fillcolor rgb '{}' fillstyle solid noborder behind\n",
         plain(from), plain(to), tints.at(tint % tints.size()));
-    const double letter = end / 95;
+    const double letter = length / 95;
     if (to - from > letter * full_width / width * static_cast<double>(pattern.size() + 1))
       text += fmt::format("set label {} noenhanced at {}, graph 0.5 center font ',12' front\n",
                           in_quotes(shown_pattern(spans[i].pattern)), plain((from + to) / 2));
@@ -49,14 +51,14 @@ std::string pattern_band(const std::vector<PatternSpan>& spans, double end, doub
   return text;
 }
 
-void add_band(Sheet& sheet, const History& exact, double end) {
+void add_band(Sheet& sheet, const History& exact, const TimeAxis& axis) {
   const std::vector<PatternSpan> spans = pattern_spans(exact);
   if (spans.empty()) return;
   sheet.panel(26, 8,
-              fmt::format("set xrange [0:{}]\n", plain(end)) + time_numbers +
+              fmt::format("set xrange [{}:{}]\n", plain(axis.begin), plain(axis.end)) + time_numbers +
                   "set yrange [0:1]\nunset ytics\nunset grid\nunset ylabel\n"
                   "set label 'pattern ' at graph -0.004, graph 0.5 right font ',12'\n" +
-                  pattern_band(spans, end, sheet.width()),
+                  pattern_band(spans, axis, sheet.width()),
               {});
   const auto slides = [](const PatternSpan& span) {
     return name(span.pattern).find_first_of("<>-") != std::string::npos;
@@ -99,18 +101,18 @@ std::string largest_angles(const std::vector<Run>& runs, bool each, double end) 
 
 /// The angles of a block up to the end of the axis; `drawn`: how many curves the figure has for one.
 std::vector<Curve> curves_of(const std::vector<Run>& runs, std::size_t drawn, int blocks, int block,
-                             double end) {
+                             const TimeAxis& axis) {
   const std::size_t bins = bins_for(drawn * static_cast<std::size_t>(blocks));
   return mapped(runs, [&](const Run& run) {
     const auto history = history_of(run);
-    return thin({history->times, column_of(*history, &History::angles, block)}, end, bins);
+    return thin({history->times, column_of(*history, &History::angles, block)}, axis, bins);
   });
 }
 
 /// The unit that a block's angles are drawn in, which the curves are in from then on.
-AngleUnit put_in_unit(const std::vector<Run>& runs, std::vector<Curve>& curves) {
+AngleUnit put_in_unit(const Subject& subject, const std::vector<Run>& runs, std::vector<Curve>& curves) {
   const Extent extent = extent_of(runs, curves, 0.5, 0);
-  const AngleUnit unit = angle_unit(std::max(std::abs(extent.low), std::abs(extent.high)));
+  const AngleUnit unit = subject.unit(std::max(std::abs(extent.low), std::abs(extent.high)));
   scale(curves, unit.scale);
   return unit;
 }
@@ -130,13 +132,13 @@ void add_angles(Sheet& sheet, const SceneSubject& subject, const std::vector<Run
                 const TimeAxis& axis, bool lowest) {
   const int blocks = subject.scene.block_count();
   const double tall = subject.height(panel_height(blocks), blocks * panel_height(blocks));
-  std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block, axis.end);
-  const std::string words = words_up(block, put_in_unit(runs, curves)),
+  std::vector<Curve> curves = curves_of(runs, runs.size(), blocks, block, axis);
+  const std::string words = words_up(block, put_in_unit(subject, runs, curves)),
                     stem = fmt::format("angle_{}", block + 1);
   const auto axes = [&](double, double height) { return axes_of(runs, curves, axis, height); };
   SeriesPanel panel{"time (s)", words, words, lowest, axes, tall};
   if (runs.front().exact() && curves.front().size() > 0) panel.over = {exact_core(stem + "_0")};
-  panel.few = impact_ticks(runs.front(), block, axis.end, sheet.panel_width());
+  panel.few = impact_ticks(runs.front(), block, axis, sheet.panel_width());
   add_curves(sheet, panel, runs, curves, stem);
 }
 
@@ -168,9 +170,9 @@ std::string words_of(const StepLine& line) {
 }
 
 /// A panel a line over the exact curve; `runs` are the exact one, if any, and both ends of each line.
-void add_lines(Sheet& sheet, const std::vector<Run>& runs, std::vector<Curve> curves,
+void add_lines(Sheet& sheet, const Subject& subject, const std::vector<Run>& runs, std::vector<Curve> curves,
                const std::vector<StepLine>& lines, int block, const TimeAxis& axis) {
-  const AngleUnit unit = put_in_unit(runs, curves);
+  const AngleUnit unit = put_in_unit(subject, runs, curves);
   DrawnPanel told{"time (s)", words_up(block, unit)};
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (curves[i].size() > 0)
@@ -201,10 +203,11 @@ void add_lines(Sheet& sheet, const std::vector<Run>& runs, std::vector<Curve> cu
         one.alone.push_back(plot(at, fmt::format("{} lc rgb '{}'", at < last ? coarse : fine, one.colour)));
     multiples.push_back(std::move(one));
   }
-  add_multiples(sheet, multiples, context,
-                axes_of(runs, curves, axis, multiple_height) + linear_tics("x", 0, axis.end, multiple_width) +
-                    impact_ticks(runs.front(), block, axis.end, multiple_width),
-                "time (s)", words_up(block, unit));
+  const auto settings = [&](double width, double height) {
+    return axes_of(runs, curves, axis, height) + linear_tics("x", axis.begin, axis.end, width) +
+           impact_ticks(runs.front(), block, axis, width);
+  };
+  add_multiples(sheet, multiples, context, settings, "time (s)", words_up(block, unit));
 }
 
 /// All runs in one panel a block; `all`: the answer is of each, else of the first, exact where there is one.
@@ -216,7 +219,7 @@ Drawing draw_runs(const SceneSubject& subject, const std::vector<Run>& runs, boo
   const bool banded = runs.front().exact() && !pattern_spans(*history_of(runs.front())).empty();
   Sheet sheet = subject.sheet(legend, largest_angles(runs, all, subject.scene.horizon()));
   for (int k = 0; k < blocks; ++k) add_angles(sheet, subject, runs, k, axis, k + 1 == blocks && !banded);
-  if (banded) add_band(sheet, *history_of(runs.front()), axis.end);
+  if (banded) add_band(sheet, *history_of(runs.front()), axis);
   return sheet.finish();
 }
 
@@ -242,11 +245,11 @@ Drawing draw_lines(const SceneSubject& subject, const std::vector<Run>& exact,
   const std::size_t drawn = runs.size() + lines.size() * exact.size();
   for (int k = 0; k < blocks; ++k) {
     sheet.leave_room_above(24);
-    add_lines(sheet, runs, curves_of(runs, drawn, blocks, k, axis.end), lines, k, axis);
+    add_lines(sheet, subject, runs, curves_of(runs, drawn, blocks, k, axis), lines, k, axis);
   }
   if (!exact.empty()) {
     sheet.leave_room_above(70);
-    add_band(sheet, *history_of(exact.front()), axis.end);
+    add_band(sheet, *history_of(exact.front()), axis);
   }
   return sheet.finish();
 }

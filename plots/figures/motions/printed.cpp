@@ -61,7 +61,7 @@ Curve timed_samples(const Run& run, const ComparedScene& scene, const PrintPanel
   return {history->times, column_of(*history, panel.quantity->rows, panel.block)};
 }
 
-std::vector<PrintPanel> panels_with_curves(const PrintSubject& subject, const std::vector<Run>& runs) {
+std::vector<PrintPanel> panels_with_curves(const SceneSubject& subject, const std::vector<Run>& runs) {
   std::vector<PrintPanel> panels;
   for (const TimedQuantity& quantity : timed_quantities)
     for (int block = 0; block < (quantity.of_block ? subject.scene.block_count() : 1); ++block) {
@@ -74,9 +74,9 @@ std::vector<PrintPanel> panels_with_curves(const PrintSubject& subject, const st
 }
 
 /// Those asked for, in their order: "θ2", or "θ" for all blocks.
-std::vector<PrintPanel> chosen_panels(const PrintSubject& subject, const std::vector<PrintPanel>& all) {
+std::vector<PrintPanel> chosen_panels(const SceneSubject& subject, const std::vector<PrintPanel>& all) {
   const std::vector<std::string> asked =
-      subject.style.panels.empty() ? std::vector<std::string>{"θ"} : subject.style.panels;
+      subject.print->panels.empty() ? std::vector<std::string>{"θ"} : subject.print->panels;
   std::vector<PrintPanel> chosen;
   for (const std::string& name : asked) {
     const std::size_t before = chosen.size();
@@ -124,26 +124,17 @@ std::vector<std::string> choose_runs(std::vector<Run>& runs, std::vector<PrintPa
   return left_out;
 }
 
-/// The part of a curve between two times, with the samples around it.
-Curve cut(const Curve& curve, double from, double to, std::size_t bins) {
-  const auto first = std::ranges::upper_bound(curve.times, from) - curve.times.begin();
-  const auto skipped = std::max<std::ptrdiff_t>(first - 1, 0);
-  return thin({{curve.times.begin() + skipped, curve.times.end()},
-               {curve.values.begin() + skipped, curve.values.end()}},
-              to, bins);
-}
-
 /// Cuts and scales a panel's curves to what is drawn.
-void prepare(PrintPanel& panel, const PrintStyle& style, const std::vector<Run>& runs, double to,
-             std::size_t bins) {
+void prepare(PrintPanel& panel, const SceneSubject& subject, const std::vector<Run>& runs,
+             const TimeAxis& axis, std::size_t bins) {
   for (Curve& curve : panel.curves)
-    if (curve.size() > 0) curve = cut(curve, style.from, to, bins);
+    if (curve.size() > 0) curve = thin(curve, axis, bins);
   const std::string own = panel.quantity->unit;
   AngleUnit unit{own.c_str(), panel.quantity->scale};
   if (own.empty() || own == "/s") {
     double largest = 0;
     for (const Curve& curve : panel.curves) largest = std::max(largest, curve.largest());
-    unit = angle_unit(largest, style.unit);
+    unit = subject.unit(largest);
     panel.unit = unit.name + own;
   } else {
     panel.unit = own;
@@ -153,11 +144,10 @@ void prepare(PrintPanel& panel, const PrintStyle& style, const std::vector<Run>&
 }
 
 /// The panel with its place in the figure; the ground's curve is no run's.
-GridPanel grid_panel(Sheet& sheet, PrintPanel panel, const TimeAxis& axis, double from, std::size_t number) {
+GridPanel grid_panel(Sheet& sheet, PrintPanel panel, const TimeAxis& axis, std::size_t number) {
   const Extent up = panel.extent;
   const auto axes = [=](double width, double height) {
-    return fmt::format("set xrange [{}:{}]\n", plain(from), plain(axis.end)) +
-           linear_tics("x", from, axis.end, width) + shade_beyond(axis) +
+    return time_range(axis) + linear_tics("x", axis.begin, axis.end, width) +
            linear_range("y", up.low, up.high, height) + grid_lines;
   };
   const std::string words = panel.words(), stem = fmt::format("printed_{}", number);
@@ -175,29 +165,25 @@ GridPanel grid_panel(Sheet& sheet, PrintPanel panel, const TimeAxis& axis, doubl
 
 }  // namespace
 
-Printed printed_motion(const PrintSubject& subject) {
-  const PrintStyle& style = subject.style;
+Drawing printed_motion(const SceneSubject& subject) {
   std::vector<Run> runs =
       all_runs(subject.scene.alone ? RunSelection{done_runs(subject.comparison, subject.scene.name), {}}
                                    : shown_runs(subject.comparison, subject.scene.name));
   std::vector<PrintPanel> panels = chosen_panels(subject, panels_with_curves(subject, runs));
   const std::vector<std::string> left_out = choose_runs(runs, panels);
-  TimeAxis axis = plots::time_axis(subject.scene, runs);
-  axis.end = std::min(axis.end, style.to);
-  if (!(style.from < axis.end))
-    throw InputError(fmt::format("from = {}: must be before {:.4g} s, where the motion of {} ends",
-                                 number_text(style.from), axis.end, subject.scene.title));
-  for (PrintPanel& panel : panels)
-    prepare(panel, style, runs, axis.end, bins_for(panels.size() * runs.size()));
+  const TimeAxis axis = subject.time_axis(runs);
+  for (PrintPanel& panel : panels) prepare(panel, subject, runs, axis, bins_for(panels.size() * runs.size()));
   Legend legend = legend_of(runs, curve_style);
   explain_shade(axis, legend);
-  Sheet sheet = subject.sheet(legend);
+  Sheet sheet = subject.sheet(legend, "");
   std::vector<GridPanel> grid;
   grid.reserve(panels.size());
-  for (PrintPanel& panel : panels)
-    grid.push_back(grid_panel(sheet, std::move(panel), axis, style.from, grid.size()));
+  for (PrintPanel& panel : panels) grid.push_back(grid_panel(sheet, std::move(panel), axis, grid.size()));
   add_grid(sheet, std::move(grid), runs);
-  return {sheet.finish(), left_out};
+  sheet.note(marks_note(runs));
+  Drawing drawing = sheet.finish();
+  drawing.left_out = left_out;
+  return drawing;
 }
 
 }  // namespace rockstack::plots

@@ -37,13 +37,13 @@ Drawing readings(const SceneSubject& subject) {
       const auto columns = read_columns(run.shown_folder() / "readings.csv", {"time", quantity + number});
       return Curve{columns[0], columns[1]};
     };
-    const std::vector<Curve> curves = mapped(
-        runs, [&](const Run& run) { return thin(read(run, "motion_"), axis.end, bins_for(runs.size())); });
+    const std::vector<Curve> curves =
+        mapped(runs, [&](const Run& run) { return thin(read(run, "motion_"), axis, bins_for(runs.size())); });
     Extent extent = extent_of(runs, curves, 1, 1e-6);
     const Curve seen = read(runs.front(), "measured_");
     Numbers marks;
     for (std::size_t i = 0; i < seen.size() && seen.times[i] <= axis.end; ++i) {
-      if (std::isnan(seen.values[i])) continue;
+      if (std::isnan(seen.values[i]) || seen.times[i] < axis.begin) continue;
       marks.push_back({seen.times[i], seen.values[i]});
       extent.add(seen.values[i]);
     }
@@ -65,8 +65,8 @@ Drawing readings(const SceneSubject& subject) {
 Drawings fit(const FolderSubject& subject) {
   const Json json = read_json(subject.folder / "fit.json");
   const std::string unit = json.at("unit");
-  Sheet sheet = subject.figure.sheet(json.at("title"), {{reading_style, "measured"}, {model_style, "fitted"}},
-                                     json.at("meaning").front());
+  Sheet sheet = subject.sheet(json.at("title"), {{reading_style, "measured"}, {model_style, "fitted"}},
+                              json.at("meaning").front());
   const double horizon = json.at("horizon");
   int panels = 0;
   for (const std::string column : json.at("columns")) {

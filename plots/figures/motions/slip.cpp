@@ -15,10 +15,10 @@ struct SlipPanel {
   std::vector<Curve> curves = {};
 };
 
-/// A panel a block up to `end`; its words have the block's number in their place.
+/// A panel a block; its words have the block's number in their place.
 std::vector<SlipPanel> read_panels(const std::vector<Run>& runs, std::vector<double> History::*rows,
                                    int blocks, const std::function<std::string(int)>& words, double scale,
-                                   double end) {
+                                   const TimeAxis& axis) {
   const std::size_t bins = bins_for(runs.size() * 2 * static_cast<std::size_t>(blocks));
   std::vector<SlipPanel> panels;
   for (int k = 0; k < blocks; ++k) {
@@ -29,15 +29,15 @@ std::vector<SlipPanel> read_panels(const std::vector<Run>& runs, std::vector<dou
       if (((*history).*rows).empty()) continue;
       std::vector<double> values = column_of(*history, rows, k);
       for (double& value : values) value *= scale;
-      curve = thin({history->times, std::move(values)}, end, bins);
+      curve = thin({history->times, std::move(values)}, axis, bins);
     }
   }
   return panels;
 }
 
-std::vector<SlipPanel> read_slips(const std::vector<Run>& runs, int blocks, double end) {
+std::vector<SlipPanel> read_slips(const std::vector<Run>& runs, int blocks, const TimeAxis& axis) {
   const auto words = [](int number) { return fmt::format("slip {} (mm)", number); };
-  return read_panels(runs, &History::slips, blocks, words, millimetres, end);
+  return read_panels(runs, &History::slips, blocks, words, millimetres, axis);
 }
 
 /// One panel a quantity, all runs in each, or a panel each where they are many.
@@ -114,14 +114,14 @@ Drawing slip(const SceneSubject& subject) {
   const ComparedScene& scene = subject.scene;
   std::vector<Run> runs = all_runs(subject.shown());
   std::erase_if(runs, [](const Run& run) { return !run.tells_slips(); });
-  const double end = time_axis(scene, runs).end;
-  std::vector<SlipPanel> panels = read_slips(runs, scene.block_count(), end);
+  const TimeAxis axis = subject.time_axis(runs);
+  std::vector<SlipPanel> panels = read_slips(runs, scene.block_count(), axis);
   const bool exact = runs.front().exact();
   std::string answer = (exact ? "At most: " : "At most, without an exact motion: ") +
                        slip_phrase(runs.front(), scene.block_count());
-  if (exact) answer += "; " + flights_of(runs.front(), scene.block_count(), end);
+  if (exact) answer += "; " + flights_of(runs.front(), scene.block_count(), axis.end);
   const auto words = [](int number) { return fmt::format("gap {} (mm)", number); };
-  const auto gaps = read_panels(runs, &History::gaps, scene.block_count(), words, millimetres, end);
+  const auto gaps = read_panels(runs, &History::gaps, scene.block_count(), words, millimetres, axis);
   panels.insert(panels.end(), gaps.begin(), gaps.end());
   const auto is_still = [&](const SlipPanel& panel) {
     return std::ranges::all_of(
@@ -137,16 +137,16 @@ Drawing friction(const SceneSubject& subject) {
   for (const Run& run : done_runs(subject.comparison, scene.name))
     if (run.exact() || run.has_own_friction()) runs.push_back(run);
   const auto words = [](int number) { return angle_name(number) + " (rad)"; };
-  const double end = time_axis(scene, runs).end;
-  std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.block_count(), words, 1, end);
+  const TimeAxis axis = subject.time_axis(runs);
+  std::vector<SlipPanel> panels = read_panels(runs, &History::angles, scene.block_count(), words, 1, axis);
   for (SlipPanel& panel : panels) {
     const Extent extent = extent_of(runs, panel.curves, 1, 0);
-    const AngleUnit unit = angle_unit(std::max(std::abs(extent.low), std::abs(extent.high)));
+    const AngleUnit unit = subject.unit(std::max(std::abs(extent.low), std::abs(extent.high)));
     panel.words.replace(panel.words.find("rad"), panel.words.npos, std::string(unit.name) + ")");
     panel.scale = unit.scale;
     plots::scale(panel.curves, unit.scale);
   }
-  const std::vector<SlipPanel> slips = read_slips(runs, scene.block_count(), end);
+  const std::vector<SlipPanel> slips = read_slips(runs, scene.block_count(), axis);
   panels.insert(panels.end(), slips.begin(), slips.end());
   std::vector<std::vector<Curve>*> curves;
   curves.reserve(panels.size());

@@ -202,7 +202,7 @@ Drawings incremental(const FolderSubject& subject) {
     legend.emplace_back(outer_style, "16 % and 84 %");
     answer = answer_of(capacity(motions, 0.5), facts.intensity);
   }
-  Sheet sheet = subject.figure.sheet(facts.title, legend, answer);
+  Sheet sheet = subject.sheet(facts.title, legend, answer);
   Plots plots(sheet, "motions");
   Numbers runs;  // marks: lines would go to and fro, since a stronger motion may turn a block less
   for (const ScaledMotion& motion : marked)
@@ -216,7 +216,7 @@ Drawings incremental(const FolderSubject& subject) {
   double top = 1e-9;
   for (const ScaledMotion& motion : motions) top = std::max(top, 1.04 * motion.intensities.back());
   if (facts.least_acceleration > 0) sheet.leave_room_beside();
-  sheet.panel(560, 0,
+  sheet.panel(subject.height(560), 0,
               fmt::format("set xrange [0:{0}]\nset yrange [0:{1}]\n"
                           "set xtics (0, 0.2, 0.4, 0.6, 0.8, 1, 'toppled' {2})\n"
                           "set xlabel 'largest angle over slenderness'\nset ylabel {3} noenhanced\n"

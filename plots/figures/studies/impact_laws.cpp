@@ -193,8 +193,8 @@ Drawings law_maps(const FolderSubject& subject) {
       drawings[part] = empty_sheet("impact-laws." + part, "Both laws give the same pattern everywhere.");
       continue;
     }
-    Sheet sheet = subject.figure.sheet(fmt::format("Which pattern follows an impact of {} blocks", blocks),
-                                       shade_legend(), answer_of(maps));
+    Sheet sheet = subject.sheet(fmt::format("Which pattern follows an impact of {} blocks", blocks),
+                                shade_legend(), answer_of(maps));
     sheet.leave_room_above(12);
     std::vector<Series> panels;
     for (const LawMap& map : maps) {
@@ -204,7 +204,8 @@ Drawings law_maps(const FolderSubject& subject) {
       panels.back().alone = {
           fmt::format("${} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle", name)};
     }
-    add_multiples(sheet, panels, {}, settings_of(cells), "height / width of the top block", "mass ratio");
+    const auto settings = [&](double, double) { return settings_of(cells); };
+    add_multiples(sheet, panels, {}, settings, "height / width of the top block", "mass ratio");
     drawings[part] = sheet.finish();
   }
   return drawings;
@@ -221,7 +222,7 @@ Drawings law_engines(const FolderSubject& subject) {
   const bool many = series.size() > most_series;
   if (many) legend.clear();
   legend.emplace_back(border_style, "as far from either law");
-  Sheet sheet = subject.figure.sheet(title, legend, answer(results));
+  Sheet sheet = subject.sheet(title, legend, answer(results));
   std::ptrdiff_t beyond = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Numbers marks = mapped(list[i].at, [&](const auto& mark) { return frame.inside(mark); });
@@ -232,7 +233,7 @@ Drawings law_engines(const FolderSubject& subject) {
     return "set samples 200\n" + logarithmic_axes(frame.across, frame.up)(width, height);
   };
   const char* across = many ? "from law paper" : "from law paper, over the largest rate before";
-  SeriesPanel panel{across, "from law consistent", "from consistent", true, axes, 640, 0};
+  SeriesPanel panel{across, "from law consistent", "from consistent", true, axes, subject.height(640), 0};
   panel.under = {fmt::format("x {} notitle", border_style)};
   add_series(sheet, panel, series, many);
   if (many) sheet.note("distances of velocities, over the largest rate before the impact");

@@ -24,9 +24,17 @@ double place_of(double value, const Places& places) {
   return static_cast<double>(std::distance(places.begin(), places.lower_bound(value)));
 }
 
-/// Labels in a unit that many times smaller.
-std::string tics(const Places& places, double times) {
-  return word_tics(mapped(places, [&](double value) { return fmt::format("{:.4g}", times * value); }));
+/// Labels in a unit that many times smaller, as many as an axis of so many pixels has room for.
+std::string tics(const Places& places, double times, double pixels) {
+  constexpr double letter = 11.5;  // pixels
+  std::vector<std::string> words =
+      mapped(places, [&](double value) { return fmt::format("{:.4g}", times * value); });
+  const auto longest = static_cast<double>(std::ranges::max(words, {}, &std::string::size).size());
+  const double cell = pixels / static_cast<double>(words.size());
+  const auto stride = static_cast<std::size_t>(std::ceil(std::max(letter * (longest + 1) / cell, 1.0)));
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (i % stride != 0) words[i].clear();
+  return word_tics(words);
 }
 
 /// What is drawn of one solver: its cells, and the largest stable step at each value.
@@ -84,13 +92,14 @@ Drawing drawing(const FolderSubject& subject, const StabilityMap& map, const Jso
   drawn.elements.push_back(plot_of("stable", stable_style));
   const std::string title = facts.at("title"), axis = facts.at("axis");
   const auto sound = std::ranges::count(map.cells, "sound", &StabilityCell::verdict);
-  Sheet sheet = subject.figure.sheet(map.solver + ": " + title, legend,
-                                     fmt::format("{} of {} runs are sound", sound, map.cells.size()));
+  Sheet sheet = subject.sheet(map.solver + ": " + title, legend,
+                              fmt::format("{} of {} runs are sound", sound, map.cells.size()));
   sheet.data(number_block("stable", staircase(map, across, up)) + drawn.data);
-  sheet.panel(460, 0,
+  sheet.panel(subject.height(460), 0,
               map_axes(drawn) + fmt::format("set xtics ({})\nset ytics ({})\nset xlabel {} noenhanced\n"
                                             "set ylabel 'time step (ms)'\n",
-                                            tics(across, 1), tics(up, 1000), in_quotes(axis)),
+                                            tics(across, 1, sheet.panel_width()), tics(up, 1000, HUGE_VAL),
+                                            in_quotes(axis)),
               drawn.elements);
   return sheet.finish();
 }

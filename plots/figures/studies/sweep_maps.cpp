@@ -154,14 +154,13 @@ Drawings overturning(const FolderSubject& subject) {
       table_columns(file, mapped(outcomes, [](const MapKind& kind) { return std::string(kind.name); }));
   if (places[0].empty()) return {{"", empty_sheet(facts.title, "There are no runs.")}};
   const CellMap map = cell_map("kind", counted_cells(places, counts), outcomes);
-  Sheet sheet =
-      subject.figure.sheet(facts.title, map_legend(outcomes, map.there), answer_of(places, counts, facts));
+  Sheet sheet = subject.sheet(facts.title, map_legend(outcomes, map.there), answer_of(places, counts, facts));
   if (facts.least_acceleration > 0) {
     sheet.leave_room_above(axis_above);
     sheet.leave_room_beside();
   }
   sheet.data(map.data);
-  sheet.panel(620, 0,
+  sheet.panel(subject.height(620), 0,
               map_axes(map) +
                   fmt::format("set xlabel 'frequency of the pulse (Hz)'\nset ylabel {} noenhanced\n",
                               in_quotes(facts.intensity)) +
@@ -191,16 +190,23 @@ Drawings modes(const FolderSubject& subject) {
     onset.elements.push_back(fmt::format("$boundaries {} notitle", style));
     legend.emplace_back(style, "boundaries of Shenton 1996");
   }
-  Sheet sheet = subject.figure.sheet(facts.title, legend, answer_of(motions));
+  Sheet sheet = subject.sheet(facts.title, legend, answer_of(motions));
   sheet.data(onset.data + whole.data);
   sheet.leave_room_above(18);
   const std::string axes =
       map_axes(onset) + fmt::format("set xlabel {} noenhanced\n", in_quotes(facts.intensity));
-  sheet.row(
-      460, 0,
-      {{axes + "set title 'onset' offset 0,-0.7\nset ylabel 'friction coefficient'\n", onset.elements},
-       {axes + "set title 'whole motion' offset 0,-0.7\nset ylabel ''\nset format y ''\n", whole.elements}},
-      2, left_edge);
+  const std::string first = axes + "set title 'onset' offset 0,-0.7\nset ylabel 'friction coefficient'\n",
+                    second = axes + "set title 'whole motion' offset 0,-0.7\n";
+  constexpr double beside = 800;  // pixels that two maps need
+  const double height = subject.height(460);
+  if (sheet.width() < beside) {
+    sheet.panel(height, 0, first, onset.elements);
+    sheet.panel(height, 110, second + "set ylabel 'friction coefficient'\n", whole.elements);
+  } else {
+    sheet.row(height, 0,
+              {{first, onset.elements}, {second + "set ylabel ''\nset format y ''\n", whole.elements}}, 2,
+              left_edge);
+  }
   sheet.note(facts.caution());
   return {{"", sheet.finish()}};
 }

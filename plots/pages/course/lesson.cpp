@@ -87,7 +87,7 @@ void add_parts(const fs::path& results, const Comparison& comparison, const Json
         values[place] = scene_figure(results, comparison, i, *figure);
       } else if (text.find("{{" + place + "}}") != std::string::npos) {
         const fs::path stem = fs::path("slides") / figure_stem("", scene, *figure).filename();
-        draw(std::get<SceneFigure>(figure->of).draw({*figure, comparison, scene, true}),
+        draw(std::get<SceneFigure>(figure->of).draw({{*figure}, comparison, scene, true}),
              results / "figures" / stem);
         values[place] = drawn_figure(results, stem, figure->name + "-", figure->title + ": " + scene.title);
       }

@@ -152,6 +152,7 @@ const std::vector<KeyCase> suite_cases{
     {&print_keys, "font_size", "7.0"},
     {&print_keys, "unit", "\"mrad\""},
     {&print_keys, "titles", "\"scene\""},
+    {&print_keys, "figures", "[\"motion\"]"},
     {&print_keys, "panels", "[\"θ1\"]"},
     {&print_keys, "from", "0.1"},
     {&print_keys, "to", "0.15"},

@@ -104,8 +104,8 @@ std::string suite_of(const std::filesystem::path& file) {
         << ' ' << suite.perturbations.seed << ' ' << suite.variants.size();
   const PrintStyle print = read_style_text(suite.print, "figures");
   found << ' ' << print.width << ' ' << print.font << ' ' << print.font_size << ' '
-        << static_cast<int>(print.unit) << ' ' << print.titles << ' ' << print.panels.size() << ' '
-        << print.from << ' ' << print.to;
+        << static_cast<int>(print.unit) << ' ' << print.titles << ' ' << print.figures.size() << ' '
+        << print.panels.size() << ' ' << print.from << ' ' << print.to;
   for (const EngineSeries& series : suite.series) {
     found << ' ' << series.settings;
     for (const double step : series.steps) found << ' ' << step;

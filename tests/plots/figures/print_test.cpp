@@ -37,7 +37,8 @@ struct PrintedSample {
 
   explicit PrintedSample(const testing::Sample& sample) { testing::write_sample(folder, sample); }
 
-  Picture draw(const PrintStyle& style) {
+  Picture draw(PrintStyle style) {
+    if (style.figures.empty()) style.figures = {"motion"};
     printed = print_figures(folder, style);
     return testing::read_picture(fs::path(printed.stems.at(0)).concat(".svg"));
   }
@@ -73,7 +74,7 @@ TEST(Print, LettersNeitherCollideNorLeaveAFigureOfAnyWidth) {
       EXPECT_NEAR(picture.width, width / 25.4 * 168, 1) << "8 pt are 14 pt at 168 dots an inch";
       EXPECT_GE(room_beside(picture), 0) << width << " " << panels.front();
       EXPECT_TRUE(picture.says("time (s)"));
-      EXPECT_TRUE(picture.says("bullet sequential-impulse, tuned, 10 ms"));
+      EXPECT_TRUE(picture.says("tuned, 10 ms")) << "in as many lines as it needs";
     }
 }
 
@@ -145,6 +146,38 @@ TEST(Print, AVariantThatIsTheExactMotionIsLeftOut) {
   EXPECT_TRUE(picture.says("exact, law unilateral"));
 }
 
+TEST(Print, OptionsChooseTheFiguresForWhichTheyHaveAMeaning) {
+  PrintedSample sample({.blocks = 1, .steps = {1e-2}});
+  const auto drawn = [&](const PrintStyle& style) {
+    return mapped(print_figures(sample.folder, style).stems,
+                  [](const fs::path& stem) { return stem.filename().string(); });
+  };
+  EXPECT_EQ(drawn({.panels = {"θ", "ω"}}), std::vector<std::string>{"sample.motion"});
+  EXPECT_EQ(drawn({.unit = PrintStyle::Unit::deg}),
+            (std::vector<std::string>{"sample.motion", "sample.histories", "sample.differences"}));
+  EXPECT_EQ(drawn({.figures = {"ranking", "agreement"}}),
+            (std::vector<std::string>{"agreement", "sample.ranking"}));
+}
+
+// Differences of 10 mrad pass their tolerance where they do in degrees, and motions begin where they are
+// asked to.
+TEST(Print, AxesOfOtherFiguresAreInTheUnitAndTheTimeAskedFor) {
+  PrintedSample sample({.blocks = 1, .steps = {1e-2}});
+  const auto largest = [&](PrintStyle::Unit unit) {
+    sample.draw({.unit = unit, .figures = {"differences"}, .from = 1, .to = 3});
+    double most = 0;
+    for (const auto& row : sample.table().rows)
+      if (row.at(0).starts_with("|Δθ")) {
+        most = std::max(most, number_in(row.at(6)).value());
+        EXPECT_GE(number_in(row.at(5)).value(), 0.98);
+        EXPECT_LE(number_in(row.at(5)).value(), 3.1);
+      }
+    return most;
+  };
+  const double radians = largest(PrintStyle::Unit::rad);
+  EXPECT_NEAR(largest(PrintStyle::Unit::deg), radians * 180 / std::numbers::pi, 1e-4 * radians * 60);
+}
+
 TEST(Print, MoreEnginesThanAPanelBearsAreLeftOut) {
   std::vector<testing::SampleEngine> engines;
   for (const char* solver : {"a", "b", "c", "d", "e", "f", "g", "h"})
@@ -158,6 +191,12 @@ TEST(Print, WhatAFigureCannotShowIsRefusedWithWhatThereIs) {
   PrintedSample sample({.title = "One block", .blocks = 1, .steps = {1e-2}});
   EXPECT_EQ(print_error(sample, {.panels = {"θ2"}}),
             "panels = \"θ2\": must be among θ1, ω1, Δθ1, which One block has");
+  EXPECT_EQ(print_error(sample, {.figures = {"error-time"}, .from = 1}),
+            "from: must be left out: it has no meaning for error-time");
+  EXPECT_EQ(print_error(sample, {.unit = PrintStyle::Unit::deg, .figures = {"motion", "error-time"}}),
+            "unit: must be left out: it has no meaning for error-time, but for motion");
+  EXPECT_TRUE(print_error(sample, {.figures = {"mode"}})
+                  .starts_with("figures = \"mode\": must be among agreement, "));
   EXPECT_TRUE(print_error(sample, {.from = 9}).starts_with("from = 9: must be before "));
   EXPECT_TRUE(
       print_error(sample, {.font = "No Such Letters"}).starts_with("font = \"No Such Letters\": must be a"));

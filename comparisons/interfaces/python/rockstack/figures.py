@@ -23,14 +23,14 @@ def draw(results: str | os.PathLike[str], style: str = "paper", **keys: Any) -> 
     """Draws the figures for print of results that compare(), `rockstack solve` or `rockstack sweep` has written into a folder.
 
     keys: those of the table [figures], which keys("suite") explains: width in mm, font, font_size in pt, unit of angles, titles,
-    panels (a name or several), from_ and to in s. Gives the figures, to which .pdf, .svg, .png and .csv belong, and what was
+    figures and panels (a name or several), from_ and to in s. Gives the figures, to which .pdf, .svg, .png and .csv belong, and what was
     left out of them, with the reason.
 
     Raises InputError as `rockstack plot`, and where this build has no figures.
     """
     if _core.draw is None:
         raise _core.InputError("draw: must be asked of a build with ROCKSTACK_PLOTS=ON")
-    asked = {name.rstrip("_"): [value] if name == "panels" and isinstance(value, str) else value for name, value in keys.items()}
+    asked = {name.rstrip("_"): [value] if name in ("figures", "panels") and isinstance(value, str) else value for name, value in keys.items()}
     if isinstance(asked.get("titles"), bool):
         asked["titles"] = "scene" if asked["titles"] else "none"
     return _core.draw(Path(results), {"style": style, **asked})

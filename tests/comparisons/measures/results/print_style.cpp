@@ -17,9 +17,9 @@ std::string style_error(const Options& options) {
 }
 
 TEST(PrintStyle, ACommandLineHasTheValuesOfAFile) {
-  const Options given{{"style", "paper"},    {"width", "180mm"}, {"font", "DejaVu Serif"},
-                      {"font_size", "7"},    {"unit", "deg"},    {"titles", "none"},
-                      {"panels", "θ2,slip"}, {"from", "4s"},     {"to", "7"}};
+  const Options given{{"style", "paper"}, {"width", "180mm"},   {"font", "DejaVu Serif"}, {"font_size", "7"},
+                      {"unit", "deg"},    {"titles", "none"},   {"panels", "θ2,slip"},    {"from", "4s"},
+                      {"to", "7"},        {"figures", "motion"}};
   const PrintStyle style = read_print_style(style_table(given));
   EXPECT_EQ(style.width, 180);
   EXPECT_EQ(style.font, "DejaVu Serif");
@@ -27,6 +27,7 @@ TEST(PrintStyle, ACommandLineHasTheValuesOfAFile) {
   EXPECT_EQ(style.unit, PrintStyle::Unit::deg);
   EXPECT_FALSE(style.titles);
   EXPECT_EQ(style.panels, (std::vector<std::string>{"θ2", "slip"}));
+  EXPECT_EQ(style.figures, std::vector<std::string>{"motion"});
   EXPECT_EQ(style.from, 4);
   EXPECT_EQ(style.to, 7);
 }
