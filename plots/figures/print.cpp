@@ -108,7 +108,8 @@ PrintedFigures draw_chosen(FiguresInPrint list, const fs::path& results, const P
       draw(drawing, all.stems.back());
     }
   if (all.stems.empty())
-    throw InputError(fmt::format("{}: nothing to draw: {}", results.string(),
+    throw InputError(fmt::format("{}: must have something that {} can show{}{}", results.string(),
+                                 names_of(list), all.left_out.empty() ? "" : "; ",
                                  joined_texts(all.left_out, std::identity(), "; ")));
   return all;
 }
