@@ -55,7 +55,8 @@ std::map<long, std::string> rows_of(const std::string& settings) {
   at += command.size();
   while (at < settings.size() && settings[at] == '\'') {
     const std::string words = joined_strings(settings, at);
-    rows[std::lround(std::strtod(settings.c_str() + at, nullptr))] = words;
+    const double place = std::strtod(settings.c_str() + at, nullptr);
+    if (place == std::round(place)) rows[std::lround(place)] = words;
     at = settings.find_first_of(",)", at);
     if (at == std::string::npos || settings[at] == ')') break;
     at += 2;
@@ -148,7 +149,7 @@ DrawnPanel told_of(const SidePanel& panel, const std::string& blocks, const Lege
       if (!styles.contains(name)) names.push_back(name);
       styles[name] += plot + " ";
     }
-  const std::map<long, std::string> rows = rows_of(settings);
+  const auto rows = told.logarithmic ? std::map<long, std::string>() : rows_of(settings);
   for (const std::string& name : names) {
     const DataLines numbers = numbers_of(blocks, name);
     const std::string& style = styles.at(name);
