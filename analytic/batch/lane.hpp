@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analytic/batch/step_rows.hpp"
-#include "analytic/solver/solver.hpp"
+#include "analytic/batch/stepped_solver.hpp"
 
 namespace rockstack {
 
@@ -239,7 +239,7 @@ class Lane {
     body_force_terms_ = terms;
   }
 
-  Solver<double, blocks> solver_;
+  SteppedSolver<blocks> solver_;
   bool clear_ = false;    ///< of ties, in the step that was asked for
   bool passing_ = false;  ///< whether the rows know more of the state than the solver
   std::size_t body_force_terms_ = max_terms<double>;  ///< coefficients in the rows

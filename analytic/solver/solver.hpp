@@ -42,6 +42,12 @@ class Solver {
     return std::move(recorder_).history();
   }
 
+  const Recorder<Real, N>& recorder() const { return recorder_; }
+
+ private:
+  template <int>
+  friend class SteppedSolver;  // analytic/batch
+
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
     // For the IllConditioned that it may throw: steps do not look.
@@ -60,26 +66,6 @@ class Solver {
     DenseOutput<Real, N> output = steps_(state_, directions(), linkage_, pieces_.current(), pieces_.offset(),
                                          longest_step(), ties_.may_open(state_));
     follow(output);
-  }
-
-  /// Goes on up to a step in which blocks move, and true; or to the end. @throws as run().
-  bool advance_to_motion() {
-    while (!finished()) {
-      if (pieces_.remaining() > 0 && !is_closed(state_.pattern)) return true;
-      advance();
-    }
-    return false;
-  }
-
-  /// What the next step has besides a state and a pattern. Preconditions: not finished, not at the end of a
-  /// piece.
-  struct NextStep {
-    Real length;  ///< s
-    ScaledBodyForce<Real> body_force;
-  };
-  NextStep next_step() const {
-    const Real length = steps_.length(pieces_.current(), longest_step());
-    return {length, scaled_body_force(model_.gravity, pieces_.current(), pieces_.offset(), length)};
   }
 
   /// Goes along a step up to its first event, and through that. @throws as run().
@@ -109,58 +95,6 @@ class Solver {
     if (change.restraint >= 0) change_restraint(change, output);
   }
 
-  /// Goes along a whole step in which nothing happens, and nothing is to be recorded but peaks. Where such
-  /// steps lead, the caller knows, and tells before it asks for more than them.
-  void skip_step(const Real& length) {
-    ties_.note_uneventful_step();
-    go(1, length);
-  }
-
-  /// Passes so many pieces of a record.
-  void pass_pieces(std::ptrdiff_t pieces) {
-    ties_.note_uneventful_step();
-    pieces_.advance_by(pieces);
-  }
-
-  /// Where steps that were passed have led: relative angles and velocities, and all peaks so far, of blocks
-  /// and of interfaces.
-  void set_state(const Vector<Real, N>& angles, const Vector<Real, N>& velocities,
-                 const PerBlock<Real, N>& peaks, const PerBlock<Real, N>& openings) {
-    state_.angles = angles;
-    state_.velocities = velocities;
-    recorder_.raise_peaks(peaks, openings);
-    directed_ = false;
-  }
-
-  /// Keeps what a step up to s of its length has to tell, before resolve_single_impact().
-  void record(const DenseOutput<Real, N>& output, const Real& s, const ExcludedEvents& cleared) {
-    FirstEvent<Real> event;
-    event.s = s;
-    recorder_.note_step(output, angle_hulls(output), pieces_.current(), pieces_.offset(), event, cleared);
-  }
-
-  /// Goes through the impact of an interface at s of a step, where the stack has arrived. `foreseen` is what
-  /// follows if no other interface closes with it, or null. @throws as run().
-  void resolve_single_impact(const Real& s, const Real& length, std::size_t interface,
-                             const PredictedImpact<Real, N>* foreseen) {
-    require_numbers();
-    FirstEvent<Real> event;
-    event.s = s;
-    event.closing.set(interface);
-    ties_.note_step(event, time());
-    go(s, length);
-    handle(event, foreseen);
-  }
-
-  const State<Real, N>& state() const { return state_; }
-  const GroundPieces<Real>& pieces() const { return pieces_; }
-  const TieBreaker<Real>& ties() const { return ties_; }
-  const Model<Real, N>& model() const { return model_; }
-  const Recorder<Real, N>& recorder() const { return recorder_; }
-  const std::array<Real, max_blocks>& toppling_angles() const { return toppling_angles_; }
-  Steps<Real, N>& steps() { return steps_; }
-
- private:
   Real longest_step() const { return ties_.longest_step(pieces_.remaining()); }
 
   /// By a share of a step.

@@ -31,6 +31,9 @@ void compare_with_exact(const Scene& scene, const Suite& suite, const CandidateM
 void compare_with_test(const Job& job, const Scene& scene, const History& history,
                        const std::optional<BodyRecord>& bodies, RunMetrics& row, RunFiles& files);
 
+/// The springs that contacts of an engine are, all points of a corner together.
+CornerSpring corner_of(const ContactRecord& contacts);
+
 /// The scene's exact motion on springs.
 struct SoftMotion {
   History history;    ///< of an extrapolation angles alone
@@ -38,8 +41,7 @@ struct SoftMotion {
 };
 
 /// Where that motion would take more than about `most_steps`, angles are extrapolated from springs softer by
-/// that factor and by twice as much, as if in proportion to it. What that leaves is a tenth to a fifth of
-/// what softer springs are off, measured in one scene (comparisons/README.md).
+/// that factor and by twice as much, as if in proportion to it.
 /// @throws as solve().
 SoftMotion soft_motion(const Scene& scene, const std::vector<double>& friction, CornerSpring spring,
                        const std::vector<double>& times, double most_steps = 1e5);
