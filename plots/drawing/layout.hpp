@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plots/drawing/gnuplot.hpp"
+#include "plots/drawing/panel.hpp"
 
 namespace rockstack::plots {
 
@@ -21,9 +21,6 @@ inline constexpr double printed_letter = 11.2;
 /// Lines of words as one gnuplot string.
 std::string joined_lines(const std::vector<std::string>& lines);
 
-/// One entry of a legend: a gnuplot style ("with lines …") and its words.
-using Legend = std::vector<std::pair<std::string, std::string>>;
-
 /// How wide a figure is, pixels: on a page as wide as a desk's screen, there with a player beside it, and on
 /// one as wide as a phone's; and on a slide, which leaves all panels together so many pixels up.
 inline constexpr double full_width = 1200, shared_width = 960, narrow_width = 480, slide_width = 860,
@@ -34,12 +31,6 @@ inline constexpr double left_edge = 0.105, right_edge = 0.975;
 
 /// What panels narrower than a page's leave to their left for the words of their axis, pixels.
 inline constexpr double narrow_left = 112;
-
-/// One of the panels that stand side by side; settings and plots as of Sheet::panel().
-struct SidePanel {
-  std::string settings;
-  std::vector<std::string> plots;
-};
 
 /// A figure that grows downwards: title, the question that it answers and legend first, then panels that
 /// share their left and right edges.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plots/drawing/layout.hpp"
+#include "plots/drawing/panel.hpp"
 
 namespace rockstack::plots {
 

@@ -54,7 +54,7 @@ inline KeysOf<Restraint> restraint_table(const char* meaning, const char* exampl
 }
 
 inline const KeysOf<Restraint> tendon_keys = restraint_table(
-    "a tendon between points of two blocks, or of a block and the ground; nonlinear equations alone",
+    "a tendon between points of two blocks, or of a block and the ground; nonlinear equations, not law compliant",
     "\"tendon\"", tendons,
     {{"stiffness", "1e5", "N/m", above_zero, required_key, "of its force over its length",
       &Restraint::stiffness, UsualNumbers{1e4, 1e9, true}},

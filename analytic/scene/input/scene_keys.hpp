@@ -146,7 +146,7 @@ inline const KeysOf<Scene> contact_keys{
 
 inline const KeysOf<Wall> wall_keys{
     "[wall]",
-    "a rigid wall that one block stands against; laws of pivots",
+    "a rigid wall that one block stands against; laws of pivots, beside no push, restraint, velocity step, restitution or center_of_mass",
     {{{"side", "\"left\"", "", "\"left\" or \"right\"", required_key,
        "of the block; it rocks to the other side alone"},
       [](const Node& node, Wall& wall) {
