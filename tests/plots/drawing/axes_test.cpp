@@ -36,7 +36,7 @@ TEST(LinearTics, UpwardsAreShortHoweverLargeNumbersAre) {
     }
   EXPECT_EQ(linear_tics("y", -1e-5, 2e-5, 120),
             "set ytics ('-1' -1e-05, '0' 0, '1' 1e-05, '2' 2e-05)\n"
-            "set label '×10^{-5}' at graph 0, graph 1 right offset -0.8,0.75 font ',11'\n");
+            "set label '×10^{-5}' at graph 0, graph 1 left offset 0.5,-0.9 front\n");
 }
 
 TEST(LogarithmicTics, ArePowersOfTenAndWithinTwoDecadesTheirMultiplesToo) {
