@@ -79,10 +79,11 @@ std::vector<std::pair<std::string, Trait>> asked_traits(const PrintStyle& style)
 /// where one of those that it names is not among them.
 void choose_able(FiguresInPrint& list, const PrintStyle& style) {
   for (const auto& [key, trait] : asked_traits(style)) {
+    const auto has = [trait = trait](const FigureInPrint& one) { return one.figure->has(trait); };
     FiguresInPrint able = list;
-    std::erase_if(able, [&](const FigureInPrint& one) { return !one.figure->has(trait); });
+    std::erase_if(able, std::not_fn(has));
     if (able.empty() || (!style.figures.empty() && able.size() < list.size())) {
-      std::erase_if(list, [&](const FigureInPrint& one) { return one.figure->has(trait); });
+      std::erase_if(list, has);
       throw InputError(fmt::format("{}: must be left out: it has no meaning for {}{}", key, names_of(list),
                                    able.empty() ? "" : ", but for " + names_of(able)));
     }

@@ -204,7 +204,7 @@ Drawings law_maps(const FolderSubject& subject) {
       panels.back().alone = {
           fmt::format("${} using 1:2:3:4:5 with boxxyerror fs solid noborder lc palette notitle", name)};
     }
-    const auto settings = [&](double, double) { return settings_of(cells); };
+    const auto settings = [words = settings_of(cells)](double, double) { return words; };
     add_multiples(sheet, panels, {}, settings, "height / width of the top block", "mass ratio");
     drawings[part] = sheet.finish();
   }
