@@ -44,10 +44,6 @@ class Solver {
 
   const Recorder<Real, N>& recorder() const { return recorder_; }
 
- private:
-  template <int>
-  friend class SteppedSolver;  // analytic/batch
-
   /// What run() does, step by step: start() once, then advance() until finished(). @throws as run().
   void start() {
     // For the IllConditioned that it may throw: steps do not look.
@@ -67,6 +63,10 @@ class Solver {
                                          longest_step(), ties_.may_open(state_));
     follow(output);
   }
+
+ private:
+  template <int>
+  friend class SteppedSolver;  // analytic/batch
 
   /// Goes along a step up to its first event, and through that. @throws as run().
   void follow(DenseOutput<Real, N>& output, const ExcludedEvents& cleared = {}) {
