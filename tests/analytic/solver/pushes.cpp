@@ -127,12 +127,15 @@ TEST(Impulses, AgainstAnOpeningLeaveTheMotionOfABlockLetGoWithTheirRates) {
   const Block own = block(0.5, 2);
   for (const Integrator integrator : {Integrator::taylor, Integrator::rk4}) {
     Scene scene = released({own}, {0}, 0.05);
-    scene.pushes = {steady_push(-3000, 1)};
-    scene.pushes[0].force.steps = {{0, 300}};
+    const double lifts = own.mass * scene.gravity * own.half_width;  // force at 1 m, N
+    const double impulse = 0.3 * own.mass;
+    scene.pushes = {steady_push(-1.2 * lifts, 1)};
+    scene.pushes[0].force.steps = {{0, impulse}};
     const SolveOptions options{.integrator = integrator, .sample_times = {0.05}, .step = 1e-4};
     const History kicked = solve(scene, options);
+    ASSERT_EQ(kicked.events.front().kind, EventKind::opening);
     scene.pushes[0].force.steps.clear();
-    scene.initial.velocities = {300 / corner_inertia(own)};
+    scene.initial.velocities = {impulse / corner_inertia(own)};
     const History let_go = solve(scene, options);
     EXPECT_NEAR(kicked.angles[0], let_go.angles[0], 1e-15);
     EXPECT_NEAR(kicked.velocities[0], let_go.velocities[0], 1e-14);
